@@ -1,0 +1,69 @@
+#pragma once
+
+#include "relamp/api.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace relamp
+{
+
+/// How the numbers in a file relate to light.
+enum class Transfer {
+    automatic, // by type: 8 and 16 bit integers are sRGB, floats are linear
+    srgb,
+    linear,
+};
+
+/// A picture of light: RGB, row 0 on top, plus opacity where the file had any.
+///
+/// 8-bit files stay as they are in `encoded`; everything finer is kept as linear IEEE half floats in
+/// `half`. Exactly one of the two is filled.
+struct Image
+{
+    int width = 0;
+    int height = 0;
+    Transfer transfer = Transfer::srgb; // of `encoded`; never `automatic`
+    bool clipsAtWhite = true;           // false where the file can hold more than white (float formats)
+    std::vector<uint8_t> encoded;       // 3 * width * height
+    std::vector<uint16_t> half;         // 3 * width * height, finite, >= 0
+    std::vector<uint8_t> alpha;         // width * height, or empty where all is opaque
+
+    [[nodiscard]] size_t pixels() const
+    {
+        return static_cast<size_t>(width) * static_cast<size_t>(height);
+    }
+};
+
+/// Linear values of an Image's pixels; a small table that is worth keeping over many look-ups.
+class RELAMP_API Radiance
+{
+public:
+    explicit Radiance(const Image& image);
+
+    /// Linear RGB at `pixel` = row * width + column; >= 0, finite, 1 = the file's white.
+    [[nodiscard]] glm::vec3 operator[](size_t pixel) const;
+
+private:
+    const Image* image_;
+    std::array<float, 256> linearOf_;
+};
+
+/// Reads JPEG, PNG, WebP, TIFF, EXR, HDR and whatever else OpenImageIO knows.
+///
+/// `bytes` is the file's content, `name` what to call it in an error. NaN, infinite and negative
+/// values of float files become 0. Throws Error(malformed) on damaged or absurdly large pictures.
+RELAMP_API Image readImage(std::span<const std::byte> bytes, const std::string& name,
+                           Transfer transfer = Transfer::automatic);
+RELAMP_API Image readImage(const std::filesystem::path& file,
+                           Transfer transfer = Transfer::automatic);
+
+} // namespace relamp

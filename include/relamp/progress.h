@@ -1,0 +1,75 @@
+#pragma once
+
+#include "relamp/api.h"
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace relamp
+{
+
+/// Where a long computation stands. One object serves one computation; a second thread may cancel it.
+class RELAMP_API Progress
+{
+public:
+    struct Event
+    {
+        std::string_view stage; // name of the stage, as in the report
+        double fraction;        // of that stage, 0..1
+    };
+    struct StageTime
+    {
+        std::string stage;
+        double seconds;
+    };
+    /// Called from any thread, one call at a time.
+    using Sink = std::function<void(const Event&)>;
+
+    explicit Progress(Sink sink = {}) : sink_(std::move(sink)) {}
+
+    /// Asks the computation to stop. It throws Error(cancelled) at its next step. Signal safe.
+    void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+
+    /// Throws Error(cancelled) once cancel() was called.
+    void check() const;
+
+    /// Seconds spent in each stage that has ended, in the order of their first end; a stage that
+    /// ran several times is listed once, with the sum.
+    [[nodiscard]] std::vector<StageTime> times() const;
+
+    /// A stage lasts as long as this object. Its steps may be counted by several threads.
+    class RELAMP_API Stage
+    {
+    public:
+        Stage(Progress& progress, std::string_view name, size_t steps = 1);
+        ~Stage();
+        Stage(const Stage&) = delete;
+        Stage& operator=(const Stage&) = delete;
+
+        /// Counts `steps` as done. Throws Error(cancelled) as Progress::check does.
+        void advance(size_t steps = 1);
+
+    private:
+        Progress& progress_;
+        std::string name_;
+        size_t steps_;
+        std::atomic<size_t> done_{0};
+        std::chrono::steady_clock::time_point start_;
+    };
+
+private:
+    void report(std::string_view stage, double fraction);
+    void ended(const std::string& stage, double seconds);
+
+    Sink sink_;
+    std::atomic<bool> cancelled_{false};
+    mutable std::mutex mutex_;
+    std::vector<StageTime> times_;
+};
+
+} // namespace relamp

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "relamp/api.h"
+#include "relamp/image.h"
+#include "relamp/progress.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace relamp
+{
+
+enum class UpAxis { y, z };
+
+struct ScanOptions
+{
+    UpAxis up = UpAxis::y;               // the file's axis that points to the ceiling
+    double scale = 1.0;                  // metres a unit of the file, > 0
+    Transfer transfer = Transfer::automatic;
+    std::vector<std::string> skipMeshes; // names of meshes to leave out
+};
+
+/// What a texture shows outside [0, 1].
+enum class Wrap { repeat, mirror, clamp };
+
+/// One piece of surface with one material: a glTF primitive at its node, or a mesh of another format.
+///
+/// All positions are in the world: metres, right-handed, Y up. Every number is finite, every index
+/// in range, every triangle has an area.
+struct Mesh
+{
+    std::string name;
+    int page = -1;                       // index into Scan::pages
+    Wrap wrapU = Wrap::repeat;
+    Wrap wrapV = Wrap::repeat;
+    glm::vec3 factor{1.0f};              // linear; multiplies what the page shows
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec2> uvs;          // of `positions`, v downwards; empty on a page of vertices
+    std::vector<glm::vec3> colors;       // of `positions`, linear, multiplies the page; may be empty
+    std::vector<glm::uvec3> triangles;   // counter-clockwise seen from the lit side
+    std::vector<glm::vec3> normals;      // unit, one a triangle's corner: 3 * triangles
+    size_t firstPixel = 0;               // on a page of vertices: pixel of vertex 0
+};
+
+/// A texture with baked-in light, or the colours of all vertices of meshes without texture.
+struct Page
+{
+    std::string name;
+    Image image;
+    bool ofVertices = false; // one pixel a vertex, in the order of the file, and no neighbourhood
+};
+
+struct GltfSource; // the file a glTF scan came from, kept for writing it back
+
+/// A scanned room: surfaces in metres and the pictures of light on them.
+struct Scan
+{
+    std::string name; // of the file, without folder and ending
+    std::vector<Mesh> meshes;
+    std::vector<Page> pages;
+    std::vector<std::string> warnings; // what was left out or repaired, a sentence each
+    glm::mat4 worldFromFile{1.0f};
+    std::shared_ptr<const GltfSource> gltf; // null for other formats
+
+    [[nodiscard]] size_t triangleCount() const;
+};
+
+struct Bounds
+{
+    glm::vec3 low{0.0f};
+    glm::vec3 high{0.0f};
+
+    [[nodiscard]] glm::vec3 extent() const { return high - low; }
+    [[nodiscard]] glm::vec3 centre() const { return 0.5f * (low + high); }
+};
+
+/// The box around all triangles; of a scan without any, a point.
+RELAMP_API Bounds boundsOf(const Scan& scan);
+
+/// Reads glTF / GLB, OBJ, PLY, and whatever else Assimp knows.
+///
+/// Throws Error with a sentence on anything that is not a whole, textured or coloured surface.
+RELAMP_API Scan readScan(const std::filesystem::path& file, const ScanOptions& options,
+                         Progress& progress);
+
+} // namespace relamp

@@ -1,0 +1,71 @@
+#include "base/file.h"
+
+#include "relamp/error.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace relamp
+{
+namespace
+{
+
+struct CloseFile
+{
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+[[noreturn]] void cannotRead(const std::filesystem::path& file, const std::string& why)
+{
+    throw Error(ErrorCode::cannotRead, fmt::format("{}: {}", file.string(), why));
+}
+
+[[noreturn]] void cannotWrite(const std::filesystem::path& file)
+{
+    throw Error(ErrorCode::cannotWrite, fmt::format("{}: cannot be written: {}", file.string(),
+                                                    std::strerror(errno)));
+}
+
+} // namespace
+
+std::vector<std::byte> readFile(const std::filesystem::path& file, size_t largest)
+{
+    std::error_code failure;
+    const auto status = std::filesystem::status(file, failure);
+    if (!std::filesystem::exists(status)) cannotRead(file, "no such file");
+    if (std::filesystem::is_directory(status)) cannotRead(file, "is a directory, not a file");
+    if (!std::filesystem::is_regular_file(status)) cannotRead(file, "is not a regular file");
+
+    const auto size = std::filesystem::file_size(file, failure);
+    if (failure) cannotRead(file, failure.message());
+    if (size == 0) cannotRead(file, "is empty (0 bytes)");
+    if (size > largest)
+        cannotRead(file, fmt::format("is larger than the {} MiB that can be read", largest >> 20));
+
+    const File stream(std::fopen(file.c_str(), "rb"));
+    if (!stream) cannotRead(file, std::strerror(errno));
+    std::vector<std::byte> bytes(size);
+    if (std::fread(bytes.data(), 1, size, stream.get()) != size)
+        cannotRead(file, "could not be read to its end");
+    return bytes;
+}
+
+void writeFile(const std::filesystem::path& file, std::span<const std::byte> bytes)
+{
+    File stream(std::fopen(file.c_str(), "wb"));
+    if (!stream) cannotWrite(file);
+    if (std::fwrite(bytes.data(), 1, bytes.size(), stream.get()) != bytes.size()) cannotWrite(file);
+    if (std::fclose(stream.release()) != 0) cannotWrite(file);
+}
+
+void writeFile(const std::filesystem::path& file, const std::string& text)
+{
+    writeFile(file, std::as_bytes(std::span(text)));
+}
+
+} // namespace relamp

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace relamp
+{
+
+/// The whole content of a regular file. Throws Error(cannotRead) with the reason: missing, a
+/// directory, a device, empty, no permission, or more than `largest` bytes.
+std::vector<std::byte> readFile(const std::filesystem::path& file,
+                                size_t largest = size_t{4} << 30);
+
+/// Writes a file that must not exist yet or may be replaced. Throws Error(cannotWrite) with the
+/// system's reason (no space, no permission).
+void writeFile(const std::filesystem::path& file, std::span<const std::byte> bytes);
+void writeFile(const std::filesystem::path& file, const std::string& text);
+
+} // namespace relamp

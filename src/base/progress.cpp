@@ -1,0 +1,61 @@
+#include "relamp/progress.h"
+
+#include "relamp/error.h"
+
+#include <algorithm>
+
+namespace relamp
+{
+
+void Progress::check() const
+{
+    if (cancelled_.load(std::memory_order_relaxed))
+        throw Error(ErrorCode::cancelled, "interrupted; nothing was written");
+}
+
+std::vector<Progress::StageTime> Progress::times() const
+{
+    const std::lock_guard lock(mutex_);
+    return times_;
+}
+
+void Progress::report(std::string_view stage, double fraction)
+{
+    if (!sink_) return;
+    const std::lock_guard lock(mutex_);
+    sink_({stage, fraction});
+}
+
+void Progress::ended(const std::string& stage, double seconds)
+{
+    const std::lock_guard lock(mutex_);
+    const auto sameStage = [&](const StageTime& time) { return time.stage == stage; };
+    const auto found = std::find_if(times_.begin(), times_.end(), sameStage);
+    if (found == times_.end())
+        times_.push_back({stage, seconds});
+    else
+        found->seconds += seconds;
+}
+
+Progress::Stage::Stage(Progress& progress, std::string_view name, size_t steps)
+    : progress_(progress), name_(name), steps_(std::max<size_t>(steps, 1)),
+      start_(std::chrono::steady_clock::now())
+{
+    progress_.check();
+    progress_.report(name_, 0.0);
+}
+
+Progress::Stage::~Stage()
+{
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    progress_.ended(name_, elapsed.count());
+}
+
+void Progress::Stage::advance(size_t steps)
+{
+    progress_.check();
+    const size_t done = done_.fetch_add(steps, std::memory_order_relaxed) + steps;
+    progress_.report(name_, std::min(1.0, static_cast<double>(done) / static_cast<double>(steps_)));
+}
+
+} // namespace relamp

@@ -1,0 +1,201 @@
+#include "relamp/image.h"
+
+#include "base/fail.h"
+#include "base/file.h"
+#include "base/half.h"
+#include "image/transfer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <string_view>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr int64_t kLargestSide = 65536;
+constexpr int64_t kMostPixels = int64_t{1} << 29;
+// No format that scans come in packs a pixel tighter than deflate's 1032:1 of three bytes; a header
+// that promises more is lying, and must not make us allocate what it promises.
+constexpr int64_t kMostPixelsPerByte = 1100;
+
+void checkSize(const OIIO::ImageSpec& spec, size_t bytes, const std::string& name)
+{
+    const int64_t width = spec.width;
+    const int64_t height = spec.height;
+    if (width <= 0 || height <= 0 || spec.nchannels <= 0 || spec.depth > 1)
+        malformed(name, "is not a flat picture");
+    if (width > kLargestSide || height > kLargestSide || width * height > kMostPixels)
+        malformed(name, fmt::format("its header claims {} x {} pixels, more than relamp works on; "
+                                    "scale it down",
+                                    width, height));
+    if (width * height > kMostPixelsPerByte * static_cast<int64_t>(bytes) + (1 << 20))
+        malformed(name, fmt::format("its header claims {} x {} pixels, but the file has only {} "
+                                    "bytes; it is damaged",
+                                    width, height, bytes));
+}
+
+bool startsWith(std::span<const std::byte> bytes, std::string_view magic, size_t at = 0)
+{
+    return bytes.size() >= at + magic.size() &&
+           std::memcmp(bytes.data() + at, magic.data(), magic.size()) == 0;
+}
+
+/// OpenImageIO's name of the format, told by content; by the file's ending where it has no mark.
+std::string formatOf(std::span<const std::byte> bytes, const std::string& name)
+{
+    using namespace std::string_view_literals;
+    if (startsWith(bytes, "\x89PNG"sv)) return "png";
+    if (startsWith(bytes, "\xff\xd8\xff"sv)) return "jpeg";
+    if (startsWith(bytes, "RIFF"sv) && startsWith(bytes, "WEBP"sv, 8)) return "webp";
+    if (startsWith(bytes, "v/1\x01"sv)) return "openexr";
+    if (startsWith(bytes, "#?"sv)) return "hdr";
+    if (startsWith(bytes, "II*\0"sv) || startsWith(bytes, "MM\0*"sv)) return "tiff";
+    if (startsWith(bytes, "BM"sv)) return "bmp";
+    if (name.ends_with(".tga") || name.ends_with(".TGA")) return "targa";
+    malformed(name, "is no picture that relamp reads (JPEG, PNG, WebP, TIFF, EXR, HDR, BMP, TGA)");
+}
+
+/// libjpeg fills what is missing of a cut-off file with grey and calls it a warning. Entropy-coded
+/// data cannot contain a marker, so a whole file has an end marker behind its last scan.
+bool isCutOffJpeg(std::span<const std::byte> bytes)
+{
+    const auto marker = [&](std::byte code, size_t i) {
+        return bytes[i] == std::byte{0xff} && bytes[i + 1] == code;
+    };
+    for (size_t i = bytes.size() - 1; i-- > 0;) {
+        if (marker(std::byte{0xd9}, i)) return false;
+        if (marker(std::byte{0xda}, i)) return true;
+    }
+    return true;
+}
+
+std::unique_ptr<OIIO::ImageInput> openImage(OIIO::Filesystem::IOProxy& reader,
+                                            std::span<const std::byte> bytes,
+                                            const std::string& name)
+{
+    const std::string format = formatOf(bytes, name);
+    if (format == "jpeg" && isCutOffJpeg(bytes)) malformed(name, "the JPEG is cut off; copy it again");
+    OIIO::ImageSpec hints;
+    hints["oiio:UnassociatedAlpha"] = 1;
+    OIIO::ImageSpec spec;
+    auto input = OIIO::ImageInput::create(format);
+    if (!input || !input->set_ioproxy(&reader) || !input->open(name, spec, hints))
+        malformed(name, fmt::format("cannot be decoded as {}: {}", format,
+                                    input ? input->geterror() : OIIO::geterror()));
+    return input;
+}
+
+/// The colour of every pixel, with grey spread over the three channels.
+template<class From, class To, class Convert>
+void takeRgb(const std::vector<From>& from, size_t channels, std::vector<To>& rgb, Convert convert)
+{
+    const size_t green = channels >= 3 ? 1 : 0;
+    const size_t blue = channels >= 3 ? 2 : 0;
+    const size_t pixels = from.size() / channels;
+    rgb.resize(3 * pixels);
+    for (size_t i = 0; i < pixels; ++i) {
+        const From* source = &from[i * channels];
+        rgb[3 * i + 0] = convert(source[0]);
+        rgb[3 * i + 1] = convert(source[green]);
+        rgb[3 * i + 2] = convert(source[blue]);
+    }
+}
+
+template<class From, class Convert>
+void takeAlpha(const std::vector<From>& from, size_t channels, size_t at,
+               std::vector<uint8_t>& alpha, Convert convert)
+{
+    const size_t pixels = from.size() / channels;
+    alpha.resize(pixels);
+    for (size_t i = 0; i < pixels; ++i) alpha[i] = convert(from[i * channels + at]);
+    if (std::all_of(alpha.begin(), alpha.end(), [](uint8_t a) { return a == 255; })) alpha.clear();
+}
+
+/// Only the channels that mean colour and opacity: 1, 2, 3 or 4 of them.
+size_t channelsToRead(const OIIO::ImageSpec& spec)
+{
+    return static_cast<size_t>(std::min(spec.nchannels, 4));
+}
+
+template<class Sample>
+std::vector<Sample> readSamples(OIIO::ImageInput& input, size_t channels, const std::string& name)
+{
+    const OIIO::ImageSpec& spec = input.spec();
+    std::vector<Sample> samples(static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height) *
+                                channels);
+    const OIIO::TypeDesc type = OIIO::BaseTypeFromC<Sample>::value;
+    if (!input.read_image(0, 0, 0, static_cast<int>(channels), type, samples.data()))
+        malformed(name, fmt::format("cannot be decoded: {}", input.geterror()));
+    return samples;
+}
+
+float finiteOrZero(float value)
+{
+    return std::isfinite(value) && value > 0.0f ? value : 0.0f;
+}
+
+void readBytes(OIIO::ImageInput& input, Transfer transfer, const std::string& name, Image& image)
+{
+    const size_t channels = channelsToRead(input.spec());
+    auto samples = readSamples<uint8_t>(input, channels, name);
+    image.transfer = transfer == Transfer::linear ? Transfer::linear : Transfer::srgb;
+    const auto same = [](uint8_t v) { return v; };
+    if (channels % 2 == 0) takeAlpha(samples, channels, channels - 1, image.alpha, same);
+    if (channels == 3)
+        image.encoded = std::move(samples);
+    else
+        takeRgb(samples, channels, image.encoded, same);
+}
+
+void readFloats(OIIO::ImageInput& input, Transfer transfer, const std::string& name, Image& image)
+{
+    const size_t channels = channelsToRead(input.spec());
+    const auto samples = readSamples<float>(input, channels, name);
+    image.transfer = Transfer::linear;
+    const bool encoded = transfer == Transfer::srgb;
+    takeRgb(samples, channels, image.half, [&](float value) {
+        const float v = finiteOrZero(value);
+        return halfFromFloat(encoded ? linearFromSrgb(v) : v);
+    });
+    const auto byte = [](float v) {
+        return static_cast<uint8_t>(std::lround(255.0f * std::min(finiteOrZero(v), 1.0f)));
+    };
+    if (channels % 2 == 0) takeAlpha(samples, channels, channels - 1, image.alpha, byte);
+}
+
+} // namespace
+
+Image readImage(std::span<const std::byte> bytes, const std::string& name, Transfer transfer)
+{
+    OIIO::Filesystem::IOMemReader reader(const_cast<std::byte*>(bytes.data()), bytes.size());
+    const auto input = openImage(reader, bytes, name);
+    checkSize(input->spec(), bytes.size(), name);
+
+    const OIIO::TypeDesc type = input->spec().format;
+    Image image;
+    image.width = input->spec().width;
+    image.height = input->spec().height;
+    image.clipsAtWhite = !type.is_floating_point();
+    if (transfer == Transfer::automatic)
+        transfer = image.clipsAtWhite ? Transfer::srgb : Transfer::linear;
+    if (type.basesize() == 1)
+        readBytes(*input, transfer, name, image);
+    else
+        readFloats(*input, transfer, name, image);
+    return image;
+}
+
+Image readImage(const std::filesystem::path& file, Transfer transfer)
+{
+    return readImage(readFile(file), file.string(), transfer);
+}
+
+} // namespace relamp

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "relamp/scan.h"
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace relamp
+{
+
+/// A triangle as an affine map from its page into the room, or a coloured vertex as a constant one.
+///
+/// Pixel (column, row) of the page is the world point
+///     position + (column - pixel.x) * positionX + (row - pixel.y) * positionY
+/// and its normal, not yet of unit length, the same with normal, normalX, normalY.
+struct Facet
+{
+    glm::vec3 position{0.0f};
+    glm::vec3 positionX{0.0f}; // metres a column
+    glm::vec3 positionY{0.0f}; // metres a row
+    glm::vec3 normal{0.0f};
+    glm::vec3 normalX{0.0f};
+    glm::vec3 normalY{0.0f};
+    glm::vec2 pixel{0.0f};
+    float texelArea = 0.0f; // m^2 of one pixel; 0 for a triangle without extent on its page
+    uint32_t mesh = 0;      // index into Scan::meshes
+};
+
+/// All facets of a scan: its triangles, mesh after mesh, then the vertices of its page of vertices.
+struct Facets
+{
+    std::vector<Facet> facets;
+    std::vector<uint32_t> firstOfMesh; // of the triangles; one more entry than meshes
+    size_t triangles = 0;              // facets from here on are vertices, in the order of their pixels
+};
+
+Facets buildFacets(const Scan& scan);
+
+/// Corners of a triangle on its page in pixels: (0, 0) is the centre of the first. The triangle is
+/// moved by whole pages so that its centroid lies on the page, as wrapping shows it.
+struct PixelTriangle
+{
+    glm::dvec2 corner[3];
+};
+PixelTriangle pixelTriangle(const Scan& scan, const Mesh& mesh, const glm::uvec3& triangle);
+
+/// What a vertex colour adds to a texture: linear RGB at the three corners, as Facet's affine map.
+struct Tint
+{
+    glm::vec3 color{1.0f};
+    glm::vec3 colorX{0.0f};
+    glm::vec3 colorY{0.0f};
+};
+Tint tintOf(const Scan& scan, const Facets& facets, uint32_t facet);
+
+} // namespace relamp

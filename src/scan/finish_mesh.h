@@ -1,0 +1,21 @@
+#pragma once
+
+#include "relamp/scan.h"
+
+#include <string>
+#include <vector>
+
+namespace relamp
+{
+
+/// Makes what an importer read into what Mesh promises.
+///
+/// Drops triangles with a vertex that is not finite, an index that is out of range is an
+/// Error(malformed), and triangles without area go; both are counted in `warnings`. Normals come
+/// from `vertexNormals` (one a position) where the file has them, else from the faces around a
+/// vertex, smoothed except over edges sharper than 45 degrees; positions that coincide count as one,
+/// so that a UV seam leaves no crease. `file` names the file in errors.
+void finishMesh(Mesh& mesh, const std::vector<glm::vec3>& vertexNormals, const std::string& file,
+                std::vector<std::string>& warnings);
+
+} // namespace relamp

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace relamp
+{
+
+/// The two chunks of a GLB, or a .gltf text and no chunk.
+struct GltfChunks
+{
+    std::string_view json;
+    std::span<const std::byte> binary;
+};
+
+/// Splits a GLB, or takes `bytes` whole as JSON text. Throws Error(malformed), naming `name`.
+GltfChunks splitGltf(std::span<const std::byte> bytes, const std::string& name);
+
+/// Puts a GLB together.
+std::string joinGlb(const std::string& json, std::span<const uint8_t> binary);
+
+/// Parses JSON of untrusted origin: bounded depth, an object at the top. Throws Error(malformed).
+nlohmann::json parseJson(std::string_view text, const std::string& name);
+
+/// A non-negative integer member; `fallback` where it is absent, Error(malformed) where it is
+/// something else or beyond 2^53.
+uint64_t unsignedMember(const nlohmann::json& object, const char* key, const std::string& name,
+                        std::optional<uint64_t> fallback = {});
+
+} // namespace relamp

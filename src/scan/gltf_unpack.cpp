@@ -1,0 +1,344 @@
+#include "scan/gltf_unpack.h"
+
+#include "base/fail.h"
+#include "base/file.h"
+#include "scan/gltf_decode.h"
+#include "scan/gltf_json.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include <fmt/format.h>
+#include <tiny_gltf.h>
+
+namespace relamp
+{
+namespace
+{
+
+using nlohmann::json;
+
+constexpr uint64_t kLargestBinary = (uint64_t{1} << 32) - (uint64_t{1} << 24); // a GLB ends at 4 GiB
+
+std::string decodePercent(const std::string& uri)
+{
+    const auto digit = [](char c) { return c >= 'a' ? c - 'a' + 10 : c >= 'A' ? c - 'A' + 10 : c - '0'; };
+    std::string text;
+    for (size_t i = 0; i < uri.size(); ++i) {
+        const bool escape = uri[i] == '%' && i + 2 < uri.size() &&
+                            std::isxdigit(static_cast<unsigned char>(uri[i + 1])) &&
+                            std::isxdigit(static_cast<unsigned char>(uri[i + 2]));
+        text += escape ? static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2])) : uri[i];
+        if (escape) i += 2;
+    }
+    return text;
+}
+
+bool isDataUri(const std::string& uri)
+{
+    return uri.starts_with("data:");
+}
+
+std::vector<uint8_t> decodeDataUri(const std::string& uri, const std::string& what)
+{
+    const size_t comma = uri.find(";base64,");
+    if (comma == std::string::npos) malformed(what, "has a data URI that is not base64");
+    // tinygltf knows a handful of media types; the bytes are the same under any.
+    std::vector<uint8_t> bytes;
+    std::string mimeType;
+    if (!tinygltf::DecodeDataURI(&bytes, mimeType,
+                                 "data:application/octet-stream;base64," + uri.substr(comma + 8), 0, false))
+        malformed(what, "has a data URI that is empty or broken");
+    return bytes;
+}
+
+std::string mimeTypeOf(std::span<const uint8_t> bytes)
+{
+    if (bytes.size() > 3 && bytes[0] == 0xff && bytes[1] == 0xd8) return "image/jpeg";
+    if (bytes.size() > 12 && std::memcmp(bytes.data() + 8, "WEBP", 4) == 0) return "image/webp";
+    return "image/png";
+}
+
+/// Rewrites a document step by step; the binary chunk grows as things are pulled into it.
+class Unpacker
+{
+public:
+    Unpacker(json& document, std::span<const std::byte> chunk, const std::filesystem::path& file)
+        : document_(document), chunk_(chunk), folder_(file.parent_path()), name_(file.string())
+    {}
+
+    void run();
+
+    std::vector<uint8_t> binary;
+    std::vector<std::string> warnings;
+
+private:
+    json& section(const char* key);
+    std::vector<uint8_t> fetch(const std::string& uri, const std::string& what) const;
+    void takeBuffers();
+    void rebaseView(size_t index);
+    void decodeMeshoptView(size_t index);
+    void takeImage(size_t index);
+    void decodeDracoPrimitive(json& primitive, const std::string& what);
+    uint64_t append(std::span<const uint8_t> bytes);
+    size_t appendView(std::span<const uint8_t> bytes, size_t byteStride = 0);
+    std::span<const uint8_t> bytesOfView(size_t view, const std::string& what);
+    void setAccessor(const json& index, size_t view, uint64_t count, int componentType,
+                     const std::string& what);
+    void dropExtension(const char* name);
+
+    json& document_;
+    std::span<const std::byte> chunk_;
+    std::filesystem::path folder_;
+    std::string name_;
+    std::vector<std::pair<uint64_t, uint64_t>> bufferRange_; // offset and size in `binary`
+};
+
+json& Unpacker::section(const char* key)
+{
+    json& found = document_[key];
+    if (found.is_null()) found = json::array();
+    if (!found.is_array()) malformed(name_, fmt::format("\"{}\" is not a list", key));
+    for (const json& item : found)
+        if (!item.is_object()) malformed(name_, fmt::format("\"{}\" holds something that is no object", key));
+    return found;
+}
+
+std::vector<uint8_t> Unpacker::fetch(const std::string& uri, const std::string& what) const
+{
+    if (isDataUri(uri)) return decodeDataUri(uri, what);
+    const std::filesystem::path file = folder_ / std::filesystem::path(decodePercent(uri));
+    try {
+        const auto bytes = readFile(file);
+        const auto* begin = reinterpret_cast<const uint8_t*>(bytes.data());
+        return {begin, begin + bytes.size()};
+    } catch (const Error& error) {
+        throw Error(error.code(), fmt::format("{} needs another file, which should lie beside it: {}",
+                                              what, error.what()));
+    }
+}
+
+uint64_t Unpacker::append(std::span<const uint8_t> bytes)
+{
+    const uint64_t offset = (binary.size() + 15) / 16 * 16;
+    if (offset + bytes.size() > kLargestBinary) malformed(name_, "unpacks to more than 4 GiB");
+    binary.resize(offset);
+    binary.insert(binary.end(), bytes.begin(), bytes.end());
+    return offset;
+}
+
+size_t Unpacker::appendView(std::span<const uint8_t> bytes, size_t byteStride)
+{
+    json& views = section("bufferViews");
+    const uint64_t offset = append(bytes);
+    views.push_back({{"buffer", 0}, {"byteOffset", offset}, {"byteLength", bytes.size()}});
+    if (byteStride != 0) views.back()["byteStride"] = byteStride;
+    return views.size() - 1;
+}
+
+void Unpacker::takeBuffers()
+{
+    for (const json& buffer : section("buffers")) {
+        const size_t index = bufferRange_.size();
+        const std::string what = fmt::format("{}: buffer {}", name_, index);
+        const uint64_t announced = unsignedMember(buffer, "byteLength", what);
+        std::vector<uint8_t> bytes;
+        if (const auto uri = buffer.find("uri"); uri != buffer.end() && uri->is_string()) {
+            bytes = fetch(uri->get<std::string>(), what);
+        } else if (index == 0 && !chunk_.empty()) {
+            const auto* begin = reinterpret_cast<const uint8_t*>(chunk_.data());
+            bytes.assign(begin, begin + chunk_.size());
+        } // else a meshopt fallback: announced, never stored
+        const uint64_t size = std::min<uint64_t>(announced, bytes.size());
+        bytes.resize(size);
+        bufferRange_.emplace_back(append(bytes), size);
+    }
+}
+
+void Unpacker::rebaseView(size_t index)
+{
+    json& view = section("bufferViews")[index];
+    const std::string what = fmt::format("{}: bufferView {}", name_, index);
+    const uint64_t buffer = unsignedMember(view, "buffer", what);
+    const uint64_t offset = unsignedMember(view, "byteOffset", what, 0);
+    const uint64_t length = unsignedMember(view, "byteLength", what);
+    if (buffer >= bufferRange_.size())
+        malformed(what, fmt::format("refers to buffer {}, and there are {}", buffer, bufferRange_.size()));
+    const auto [begin, size] = bufferRange_[buffer];
+    if (length == 0 || offset > size || length > size - offset)
+        malformed(what, fmt::format("wants bytes {} to {} of a buffer of {}; the file is cut off or "
+                                    "damaged",
+                                    offset, offset + length, size));
+    view["buffer"] = 0;
+    view["byteOffset"] = begin + offset;
+}
+
+void Unpacker::decodeMeshoptView(size_t index)
+{
+    const std::string what = fmt::format("{}: bufferView {}", name_, index);
+    const json view = section("bufferViews")[index];
+    const json& compressed = view["extensions"]["EXT_meshopt_compression"];
+    if (!compressed.is_object()) malformed(what, "has a broken EXT_meshopt_compression");
+    const uint64_t buffer = unsignedMember(compressed, "buffer", what);
+    const uint64_t offset = unsignedMember(compressed, "byteOffset", what, 0);
+    const uint64_t length = unsignedMember(compressed, "byteLength", what);
+    if (buffer >= bufferRange_.size() || offset > bufferRange_[buffer].second ||
+        length > bufferRange_[buffer].second - offset)
+        malformed(what, "its EXT_meshopt_compression lies outside its buffer");
+    const MeshoptStream stream{
+        .bytes = std::span(binary).subspan(bufferRange_[buffer].first + offset, length),
+        .count = unsignedMember(compressed, "count", what),
+        .stride = unsignedMember(compressed, "byteStride", what),
+        .mode = compressed.value("mode", ""),
+        .filter = compressed.value("filter", "NONE"),
+    };
+    const std::vector<uint8_t> decoded = decodeMeshopt(stream, what);
+    json& target = section("bufferViews")[index];
+    target["extensions"].erase("EXT_meshopt_compression");
+    if (target["extensions"].empty()) target.erase("extensions");
+    target["buffer"] = 0;
+    target["byteOffset"] = append(decoded);
+    target["byteLength"] = decoded.size();
+}
+
+void Unpacker::takeImage(size_t index)
+{
+    json& image = section("images")[index];
+    const auto uri = image.find("uri");
+    if (uri == image.end() || !uri->is_string()) return;
+    const std::string what = fmt::format("{}: image {}", name_, index);
+    std::vector<uint8_t> bytes;
+    try {
+        bytes = fetch(uri->get<std::string>(), what);
+    } catch (const Error& error) {
+        // Only the base colour matters here; what needs this picture complains, naming it.
+        warnings.emplace_back(error.what());
+        return;
+    }
+    if (bytes.empty()) malformed(what, "is empty");
+    const size_t view = appendView(bytes);
+    json& target = section("images")[index];
+    target.erase("uri");
+    target["bufferView"] = view;
+    target["mimeType"] = mimeTypeOf(bytes);
+}
+
+std::span<const uint8_t> Unpacker::bytesOfView(size_t view, const std::string& what)
+{
+    const json& views = section("bufferViews");
+    if (view >= views.size()) malformed(what, fmt::format("refers to bufferView {}, which is not there", view));
+    return std::span(binary).subspan(unsignedMember(views[view], "byteOffset", what),
+                                     unsignedMember(views[view], "byteLength", what));
+}
+
+void Unpacker::setAccessor(const json& index, size_t view, uint64_t count, int componentType,
+                           const std::string& what)
+{
+    json& accessors = section("accessors");
+    if (!index.is_number_unsigned() || index.get<uint64_t>() >= accessors.size())
+        malformed(what, "refers to an accessor that is not there");
+    json& accessor = accessors[index.get<size_t>()];
+    accessor["bufferView"] = view;
+    accessor["count"] = count;
+    accessor["componentType"] = componentType;
+    accessor.erase("byteOffset");
+    accessor.erase("sparse");
+}
+
+void Unpacker::decodeDracoPrimitive(json& primitive, const std::string& what)
+{
+    const json compressed = primitive["extensions"]["KHR_draco_mesh_compression"];
+    if (!compressed.is_object() || !compressed.value("attributes", json()).is_object())
+        malformed(what, "has a broken KHR_draco_mesh_compression");
+    const uint64_t view = unsignedMember(compressed, "bufferView", what);
+    const DracoMesh mesh(bytesOfView(view, what), what);
+
+    if (!primitive.contains("indices")) {
+        section("accessors").push_back({{"type", "SCALAR"}});
+        primitive["indices"] = section("accessors").size() - 1;
+    }
+    const auto indices = mesh.indices();
+    setAccessor(primitive["indices"], appendView(indices), indices.size() / sizeof(uint32_t),
+                TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, what);
+    primitive["mode"] = TINYGLTF_MODE_TRIANGLES;
+
+    for (const auto& [name, id] : compressed["attributes"].items()) {
+        const json target = primitive["attributes"].value(name, json());
+        if (!id.is_number_unsigned() || target.is_null()) continue;
+        json& accessors = section("accessors");
+        if (!target.is_number_unsigned() || target.get<uint64_t>() >= accessors.size())
+            malformed(what, "refers to an accessor that is not there");
+        const json& accessor = accessors[target.get<size_t>()];
+        const auto type = static_cast<int>(unsignedMember(accessor, "componentType", what));
+        const size_t components = componentsOf(accessor.value("type", ""));
+        const auto values = mesh.attribute(id.get<uint32_t>(), type, components, what);
+        const size_t stride = mesh.points() == 0 ? 0 : values.size() / mesh.points();
+        setAccessor(target, appendView(values, stride), mesh.points(), type, what);
+    }
+    primitive["extensions"].erase("KHR_draco_mesh_compression");
+    if (primitive["extensions"].empty()) primitive.erase("extensions");
+}
+
+void Unpacker::dropExtension(const char* name)
+{
+    for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
+        const auto found = document_.find(key);
+        if (found == document_.end() || !found->is_array()) continue;
+        found->erase(std::remove(found->begin(), found->end(), json(name)), found->end());
+        if (found->empty()) document_.erase(found);
+    }
+}
+
+void Unpacker::run()
+{
+    takeBuffers();
+    for (size_t i = 0, count = section("bufferViews").size(); i < count; ++i) {
+        const json& view = section("bufferViews")[i];
+        const auto extensions = view.find("extensions");
+        const bool meshopt = extensions != view.end() && extensions->is_object() &&
+                             extensions->contains("EXT_meshopt_compression");
+        meshopt ? decodeMeshoptView(i) : rebaseView(i);
+    }
+    for (size_t i = 0, count = section("images").size(); i < count; ++i) takeImage(i);
+
+    size_t meshIndex = 0;
+    for (json& mesh : section("meshes")) {
+        const std::string what = fmt::format("{}: mesh {} \"{}\"", name_, meshIndex++,
+                                             mesh.value("name", json("")).is_string() ? mesh.value("name", json("")).get<std::string>() : "");
+        json& primitives = mesh["primitives"];
+        if (!primitives.is_array()) malformed(what, "has no list of primitives");
+        for (json& primitive : primitives) {
+            if (!primitive.is_object() || !primitive.value("attributes", json()).is_object())
+                malformed(what, "has a primitive without attributes");
+            const auto extensions = primitive.find("extensions");
+            if (extensions != primitive.end() && extensions->is_object() &&
+                extensions->contains("KHR_draco_mesh_compression"))
+                decodeDracoPrimitive(primitive, what);
+        }
+    }
+    dropExtension("EXT_meshopt_compression");
+    dropExtension("KHR_draco_mesh_compression");
+    document_["buffers"] = json::array();
+    if (!binary.empty()) document_["buffers"].push_back({{"byteLength", binary.size()}});
+    for (const char* key : {"bufferViews", "images", "meshes", "buffers", "accessors"})
+        if (document_.contains(key) && document_[key].empty()) document_.erase(key);
+}
+
+} // namespace
+
+PlainGltf unpackGltf(std::span<const std::byte> bytes, const std::filesystem::path& file)
+{
+    const GltfChunks chunks = splitGltf(bytes, file.string());
+    json document = parseJson(chunks.json, file.string());
+    Unpacker unpacker(document, chunks.binary, file);
+    try {
+        unpacker.run();
+        using handler = json::error_handler_t;
+        return {joinGlb(document.dump(-1, ' ', false, handler::replace), unpacker.binary),
+                std::move(unpacker.warnings)};
+    } catch (const json::exception& failure) {
+        malformed(file.string(), fmt::format("is not as glTF wants it ({})", failure.what()));
+    }
+}
+
+} // namespace relamp

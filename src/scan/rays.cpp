@@ -1,0 +1,141 @@
+#include "scan/rays.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include <embree3/rtcore.h>
+#include <glm/geometric.hpp>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr size_t kPacket = 16;
+
+/// Embree ends the process on a ray that is not a number, so none is let through.
+[[maybe_unused]] bool isFinite(const Ray& ray)
+{
+    const float sum = ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x + ray.direction.y +
+                      ray.direction.z + ray.nearest;
+    return std::isfinite(sum);
+}
+
+void fillBuffers(RTCGeometry geometry, const Scan& scan)
+{
+    size_t vertices = 0;
+    for (const Mesh& mesh : scan.meshes) vertices += mesh.positions.size();
+    auto* position = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices));
+    auto* index = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), scan.triangleCount()));
+    uint32_t firstVertex = 0;
+    for (const Mesh& mesh : scan.meshes) {
+        for (const glm::vec3& p : mesh.positions)
+            for (int c = 0; c < 3; ++c) *position++ = p[c];
+        for (const glm::uvec3& t : mesh.triangles)
+            for (int c = 0; c < 3; ++c) *index++ = firstVertex + t[c];
+        firstVertex += static_cast<uint32_t>(mesh.positions.size());
+    }
+}
+
+Hit hitFrom(uint32_t triangle, float distance, glm::vec2 weights, glm::vec3 towardsFace, glm::vec3 direction)
+{
+    return {triangle, distance, weights, glm::dot(towardsFace, direction) < 0.0f};
+}
+
+} // namespace
+
+struct RayScene::Embree
+{
+    Embree() : device(rtcNewDevice(nullptr)), scene(rtcNewScene(device)) {}
+    ~Embree()
+    {
+        rtcReleaseScene(scene);
+        rtcReleaseDevice(device);
+    }
+    Embree(const Embree&) = delete;
+    Embree& operator=(const Embree&) = delete;
+
+    RTCDevice device;
+    RTCScene scene;
+};
+
+RayScene::RayScene(const Scan& scan) : embree_(std::make_unique<Embree>())
+{
+    const RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    fillBuffers(geometry, scan);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(embree_->scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST); // no ray slips through an edge
+    rtcCommitScene(embree_->scene);
+}
+
+RayScene::~RayScene() = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+
+void RayScene::intersect(std::span<const Ray> rays, std::span<Hit> hits) const
+{
+    assert(rays.size() == hits.size());
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    for (size_t begin = 0; begin < rays.size(); begin += kPacket) {
+        const size_t count = std::min(kPacket, rays.size() - begin);
+        alignas(64) int valid[kPacket];
+        RTCRayHit16 packet;
+        for (size_t i = 0; i < kPacket; ++i) {
+            const Ray& ray = rays[begin + std::min(i, count - 1)];
+            assert(isFinite(ray));
+            valid[i] = i < count ? -1 : 0;
+            packet.ray.org_x[i] = ray.origin.x;
+            packet.ray.org_y[i] = ray.origin.y;
+            packet.ray.org_z[i] = ray.origin.z;
+            packet.ray.dir_x[i] = ray.direction.x;
+            packet.ray.dir_y[i] = ray.direction.y;
+            packet.ray.dir_z[i] = ray.direction.z;
+            packet.ray.tnear[i] = ray.nearest;
+            packet.ray.tfar[i] = ray.farthest;
+            packet.ray.time[i] = 0.0f;
+            packet.ray.mask[i] = ~0u;
+            packet.ray.flags[i] = 0;
+            packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        }
+        rtcIntersect16(valid, embree_->scene, &context, &packet);
+        for (size_t i = 0; i < count; ++i) {
+            const bool missed = packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID;
+            hits[begin + i] =
+                missed ? Hit{}
+                       : hitFrom(packet.hit.primID[i], packet.ray.tfar[i], {packet.hit.u[i], packet.hit.v[i]},
+                                 {packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i]},
+                                 rays[begin + i].direction);
+        }
+    }
+}
+
+Hit RayScene::intersect(const Ray& ray) const
+{
+    assert(isFinite(ray));
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRayHit query{};
+    query.ray.org_x = ray.origin.x;
+    query.ray.org_y = ray.origin.y;
+    query.ray.org_z = ray.origin.z;
+    query.ray.dir_x = ray.direction.x;
+    query.ray.dir_y = ray.direction.y;
+    query.ray.dir_z = ray.direction.z;
+    query.ray.tnear = ray.nearest;
+    query.ray.tfar = ray.farthest;
+    query.ray.mask = ~0u;
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(embree_->scene, &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    return hitFrom(query.hit.primID, query.ray.tfar, {query.hit.u, query.hit.v},
+                   {query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z}, ray.direction);
+}
+
+} // namespace relamp

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "relamp/scan.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace relamp
+{
+
+struct Ray
+{
+    glm::vec3 origin{0.0f};    // finite
+    glm::vec3 direction{0.0f}; // unit
+    float nearest = 0.0f;      // metres; surfaces closer than this are passed
+    float farthest = 1e30f;
+};
+
+struct Hit
+{
+    static constexpr uint32_t kNothing = ~0u;
+
+    uint32_t triangle = kNothing; // in the order of the scan's meshes: index of its facet
+    float distance = 0.0f;        // metres
+    glm::vec2 weights{0.0f};      // of the triangle's second and third corner
+    bool front = false;           // whether the ray met the side that the triangle faces
+
+    [[nodiscard]] bool missed() const { return triangle == kNothing; }
+};
+
+/// The scan's surface as something that rays can meet. Thread safe once built.
+class RayScene
+{
+public:
+    explicit RayScene(const Scan& scan);
+    ~RayScene();
+    RayScene(RayScene&&) noexcept;
+    RayScene& operator=(RayScene&&) noexcept;
+
+    /// First surface that each ray meets; hits[i] belongs to rays[i]. Neighbouring rays that go
+    /// nearly the same way are traced together and cost less.
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits) const;
+    [[nodiscard]] Hit intersect(const Ray& ray) const;
+
+private:
+    struct Embree;
+    std::unique_ptr<Embree> embree_;
+};
+
+} // namespace relamp

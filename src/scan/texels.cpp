@@ -1,0 +1,291 @@
+#include "scan/texels.h"
+
+#include "base/fail.h"
+#include "scan/atlas_raster.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr double kTexelsAcrossSurfel = 4.0;
+constexpr double kSmallestSurfel = 0.03; // m
+constexpr double kLargestSurfel = 0.12;  // m
+constexpr double kMostSurfels = 1.5e6;
+constexpr double kMostOverlap = 0.02; // share of texels; more is a tiled texture, not a seam
+constexpr size_t kChunk = size_t{1} << 16;
+
+struct Site
+{
+    glm::vec3 position;
+    glm::vec3 normal;
+};
+
+Site siteOf(const Facet& facet, float column, float row)
+{
+    const float dx = column - facet.pixel.x;
+    const float dy = row - facet.pixel.y;
+    const glm::vec3 normal = facet.normal + dx * facet.normalX + dy * facet.normalY;
+    return {facet.position + dx * facet.positionX + dy * facet.positionY,
+            normal / std::max(glm::length(normal), 1e-12f)};
+}
+
+uint32_t widthOf(const Texels& texels, size_t page)
+{
+    return static_cast<uint32_t>(texels.scan->pages[page].image.width);
+}
+
+double areaOf(const Texels& texels, const PageCoverage& coverage)
+{
+    std::vector<double> sums((coverage.facet.size() + kChunk - 1) / kChunk, 0.0);
+    forEachChunk(coverage.facet.size(), kChunk, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i)
+            sums[begin / kChunk] += static_cast<double>(texels.facets.facets[coverage.facet[i]].texelArea);
+    });
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+double surfelSizeFor(const Texels& texels, const std::vector<PageCoverage>& coverages)
+{
+    size_t count = 0;
+    for (const PageCoverage& coverage : coverages) count += coverage.pixel.size();
+    const double texel = std::sqrt(texels.area / static_cast<double>(std::max<size_t>(count, 1)));
+    const double size = std::clamp(kTexelsAcrossSurfel * texel, kSmallestSurfel, kLargestSurfel);
+    const double extent = glm::length(boundsOf(*texels.scan).extent());
+    return std::max({size, std::sqrt(texels.area / kMostSurfels), extent / SurfelGrid::kMostCells});
+}
+
+/// Keys of all texels of a page, and the ascending keys that occur in it.
+struct PageKeys
+{
+    std::vector<uint64_t> ofTexel;
+    std::vector<uint64_t> distinct;
+};
+
+void sortUnique(std::vector<uint64_t>& keys)
+{
+    std::sort(keys.begin(), keys.end());
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+}
+
+PageKeys keysOf(const Texels& texels, const PageCoverage& coverage, size_t page, const SurfelGrid& grid)
+{
+    const uint32_t width = widthOf(texels, page);
+    PageKeys keys;
+    keys.ofTexel.resize(coverage.pixel.size());
+    std::vector<std::vector<uint64_t>> ofChunk((coverage.pixel.size() + kChunk - 1) / kChunk);
+    forEachChunk(coverage.pixel.size(), kChunk, [&](size_t begin, size_t end) {
+        std::vector<uint64_t>& distinct = ofChunk[begin / kChunk];
+        for (size_t i = begin; i < end; ++i) {
+            const uint32_t pixel = coverage.pixel[i];
+            const Site site = siteOf(texels.facets.facets[coverage.facet[i]],
+                                     static_cast<float>(pixel % width), static_cast<float>(pixel / width));
+            keys.ofTexel[i] = grid.keyOf(site.position, site.normal);
+            if (distinct.empty() || distinct.back() != keys.ofTexel[i]) distinct.push_back(keys.ofTexel[i]);
+        }
+        sortUnique(distinct);
+    });
+    for (const auto& distinct : ofChunk)
+        keys.distinct.insert(keys.distinct.end(), distinct.begin(), distinct.end());
+    sortUnique(keys.distinct);
+    return keys;
+}
+
+/// Sorts a page's texels by surfel; those of one surfel stay in the order of their pixels.
+PageTexels sortBySurfel(const PageCoverage& coverage, const PageKeys& keys,
+                        const std::vector<uint64_t>& surfelKeys)
+{
+    const size_t count = coverage.pixel.size();
+    std::vector<uint32_t> slot(count); // index into keys.distinct
+    forEachChunk(count, kChunk, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            const bool asBefore = i > begin && keys.ofTexel[i] == keys.ofTexel[i - 1];
+            slot[i] = asBefore ? slot[i - 1]
+                               : static_cast<uint32_t>(std::lower_bound(keys.distinct.begin(),
+                                                                        keys.distinct.end(), keys.ofTexel[i]) -
+                                                       keys.distinct.begin());
+        }
+    });
+    std::vector<uint32_t> next(keys.distinct.size() + 1, 0);
+    for (const uint32_t s : slot) ++next[s + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+
+    PageTexels page;
+    page.runs.resize(keys.distinct.size() + 1, {0, static_cast<uint32_t>(count)});
+    forEach(keys.distinct.size(), [&](size_t i) {
+        const auto surfel = std::lower_bound(surfelKeys.begin(), surfelKeys.end(), keys.distinct[i]);
+        page.runs[i] = {static_cast<uint32_t>(surfel - surfelKeys.begin()), next[i]};
+    });
+    page.pixel.resize(count);
+    page.facet.resize(count);
+    for (size_t i = 0; i < count; ++i) {
+        const uint32_t target = next[slot[i]]++;
+        page.pixel[target] = coverage.pixel[i];
+        page.facet[target] = coverage.facet[i];
+    }
+    return page;
+}
+
+/// Adds what the texels of one page contribute to their surfels; sums until finishSurfels.
+void accumulateSurfels(Texels& texels, size_t pageIndex)
+{
+    const PageTexels& page = texels.pages[pageIndex];
+    const uint32_t width = widthOf(texels, pageIndex);
+    Surfels& surfels = texels.surfels;
+    forEachChunk(page.runs.size() - 1, 256, [&](size_t begin, size_t end) {
+        for (size_t run = begin; run < end; ++run) {
+            glm::dvec3 position(0.0);
+            glm::vec3 normal(0.0f);
+            double area = 0.0;
+            for (uint32_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i) {
+                const Facet& facet = texels.facets.facets[page.facet[i]];
+                const Site site = siteOf(facet, static_cast<float>(page.pixel[i] % width),
+                                         static_cast<float>(page.pixel[i] / width));
+                position += static_cast<double>(facet.texelArea) * glm::dvec3(site.position);
+                normal += facet.texelArea * site.normal;
+                area += static_cast<double>(facet.texelArea);
+            }
+            const uint32_t s = page.runs[run].surfel; // one run a surfel and page: no one else writes here
+            surfels.position[s] += glm::vec3(position);
+            surfels.normal[s] += normal;
+            surfels.area[s] += static_cast<float>(area);
+        }
+    });
+}
+
+void finishSurfels(Surfels& surfels)
+{
+    for (size_t s = 0; s < surfels.count(); ++s) {
+        surfels.position[s] /= std::max(surfels.area[s], 1e-20f);
+        const float length = glm::length(surfels.normal[s]);
+        surfels.normal[s] = length > 0.0f ? surfels.normal[s] / length : glm::vec3(0.0f, 1.0f, 0.0f);
+    }
+}
+
+} // namespace
+
+size_t Texels::count() const
+{
+    size_t count = 0;
+    for (const PageTexels& page : pages) count += page.count();
+    return count;
+}
+
+Texels rasterizeAtlas(const Scan& scan, Progress& progress)
+{
+    const size_t pages = scan.pages.size();
+    Progress::Stage stage(progress, "texels", 2 * pages + 1);
+    Texels texels;
+    texels.scan = &scan;
+    texels.facets = buildFacets(scan);
+
+    std::vector<PageCoverage> coverages(pages);
+    uint64_t contested = 0;
+    for (size_t p = 0; p < pages; ++p) {
+        coverages[p] = rasterizePage(scan, texels.facets, static_cast<uint32_t>(p));
+        texels.area += areaOf(texels, coverages[p]);
+        contested += coverages[p].contested + coverages[p].outside;
+        stage.advance();
+    }
+
+    texels.surfels.size = static_cast<float>(surfelSizeFor(texels, coverages));
+    const SurfelGrid grid(boundsOf(scan).low, texels.surfels.size);
+    std::vector<PageKeys> keys(pages);
+    std::vector<uint64_t> surfelKeys;
+    for (size_t p = 0; p < pages; ++p) {
+        keys[p] = keysOf(texels, coverages[p], p, grid);
+        surfelKeys.insert(surfelKeys.end(), keys[p].distinct.begin(), keys[p].distinct.end());
+    }
+    sortUnique(surfelKeys);
+
+    texels.surfels.position.assign(surfelKeys.size(), glm::vec3(0.0f));
+    texels.surfels.normal.assign(surfelKeys.size(), glm::vec3(0.0f));
+    texels.surfels.area.assign(surfelKeys.size(), 0.0f);
+    texels.pages.resize(pages);
+    for (size_t p = 0; p < pages; ++p) {
+        texels.pages[p] = sortBySurfel(coverages[p], keys[p], surfelKeys);
+        coverages[p] = {};
+        keys[p] = {};
+        accumulateSurfels(texels, p);
+        stage.advance();
+    }
+    finishSurfels(texels.surfels);
+    connectNeighbors(texels.surfels, grid, surfelKeys);
+
+    const auto covered = static_cast<double>(texels.count());
+    texels.overlapShare = covered > 0.0 ? std::min(1.0, static_cast<double>(contested) / covered) : 0.0;
+    if (texels.count() == 0)
+        fail(ErrorCode::unsupported, scan.name,
+             "no texel lies on any triangle: its texture coordinates have no extent. Unwrap it again");
+    return texels;
+}
+
+void checkOverlap(const Texels& texels)
+{
+    if (texels.overlapShare <= kMostOverlap) return;
+    fail(ErrorCode::unsupported, texels.scan->name,
+         fmt::format("{:.0f} % of its texels stand for several places (tiled or mirrored texture).\n"
+                     "Light can only be taken off where every place has a texel of its own: unwrap it "
+                     "without overlap and bake the texture.",
+                     100.0 * texels.overlapShare));
+}
+
+TexelLoader::TexelLoader(const Texels& texels, size_t page)
+    : texels_(texels), page_(texels.pages[page]), radiance_(texels.scan->pages[page].image),
+      width_(widthOf(texels, page)), tinted_(false)
+{
+    for (const Mesh& mesh : texels.scan->meshes)
+        if (mesh.page == static_cast<int>(page))
+            tinted_ = tinted_ || mesh.factor != glm::vec3(1.0f) || !mesh.colors.empty();
+}
+
+void TexelLoader::load(size_t begin, size_t count, TexelBlock& block) const
+{
+    loadGeometry(begin, count, block);
+    loadRadiance(begin, count, block);
+}
+
+void TexelLoader::loadGeometry(size_t begin, size_t count, TexelBlock& block) const
+{
+    block.count = count;
+    for (size_t i = 0; i < count; ++i) {
+        const uint32_t pixel = page_.pixel[begin + i];
+        const Facet& facet = texels_.facets.facets[page_.facet[begin + i]];
+        const Site site = siteOf(facet, static_cast<float>(pixel % width_), static_cast<float>(pixel / width_));
+        block.x[i] = site.position.x;
+        block.y[i] = site.position.y;
+        block.z[i] = site.position.z;
+        block.nx[i] = site.normal.x;
+        block.ny[i] = site.normal.y;
+        block.nz[i] = site.normal.z;
+        block.area[i] = facet.texelArea;
+    }
+}
+
+void TexelLoader::loadRadiance(size_t begin, size_t count, TexelBlock& block) const
+{
+    block.count = count;
+    for (size_t i = 0; i < count; ++i) {
+        const uint32_t pixel = page_.pixel[begin + i];
+        glm::vec3 radiance = radiance_[pixel];
+        if (tinted_) {
+            const uint32_t facet = page_.facet[begin + i];
+            const Tint tint = tintOf(*texels_.scan, texels_.facets, facet);
+            const glm::vec2 from = texels_.facets.facets[facet].pixel;
+            radiance *= tint.color + (static_cast<float>(pixel % width_) - from.x) * tint.colorX +
+                        (static_cast<float>(pixel / width_) - from.y) * tint.colorY;
+        }
+        block.r[i] = radiance.r;
+        block.g[i] = radiance.g;
+        block.b[i] = radiance.b;
+    }
+}
+
+} // namespace relamp

@@ -1,0 +1,103 @@
+#pragma once
+
+#include "relamp/progress.h"
+#include "relamp/scan.h"
+#include "scan/facets.h"
+#include "scan/surfels.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace relamp
+{
+
+/// The covered texels of one page, in surface order: those of one surfel follow each other.
+///
+/// A texel is a pixel and the facet that it shows; all else follows from these two (loadBlock), so a
+/// texel takes eight bytes and a page may be worked on without holding the others.
+struct PageTexels
+{
+    struct Run
+    {
+        uint32_t surfel;
+        uint32_t begin; // first texel; the run ends where the next begins
+    };
+
+    std::vector<uint32_t> pixel; // row * width + column
+    std::vector<uint32_t> facet;
+    std::vector<Run> runs; // ascending; one more than there are, with begin = count()
+
+    [[nodiscard]] size_t count() const { return pixel.size(); }
+};
+
+/// Every place of the scan that shows light, as the stages see it.
+struct Texels
+{
+    const Scan* scan = nullptr; // must outlive this
+    Facets facets;
+    std::vector<PageTexels> pages; // as Scan::pages
+    Surfels surfels;
+    double area = 0.0;        // m^2 of all texels
+    double overlapShare = 0.0; // of texels that stand for more than one place, 0..1
+
+    [[nodiscard]] size_t count() const;
+};
+
+/// Rasterises the atlas once and sorts its texels into surfels.
+Texels rasterizeAtlas(const Scan& scan, Progress& progress);
+
+/// Throws Error(unsupported), naming the share, where UVs overlap so much that texels mean nothing.
+void checkOverlap(const Texels& texels);
+
+/// A few texels as structure of arrays, the shape that all kernels work on.
+struct TexelBlock
+{
+    static constexpr size_t kCapacity = 512;
+
+    size_t count = 0;
+    alignas(64) float x[kCapacity], y[kCapacity], z[kCapacity];    // world position, m
+    alignas(64) float nx[kCapacity], ny[kCapacity], nz[kCapacity]; // unit normal
+    alignas(64) float r[kCapacity], g[kCapacity], b[kCapacity];    // radiance, linear
+    alignas(64) float area[kCapacity];                             // m^2
+};
+
+/// Fills `block` with texels [begin, begin + count) of a page; count <= kCapacity.
+///
+/// One loader serves many blocks of one page. Thread safe.
+class TexelLoader
+{
+public:
+    TexelLoader(const Texels& texels, size_t page);
+
+    void load(size_t begin, size_t count, TexelBlock& block) const;
+    void loadGeometry(size_t begin, size_t count, TexelBlock& block) const;
+    void loadRadiance(size_t begin, size_t count, TexelBlock& block) const;
+
+private:
+    const Texels& texels_;
+    const PageTexels& page_;
+    Radiance radiance_;
+    uint32_t width_;
+    bool tinted_; // a mesh of this page has a colour of its own beside the page
+};
+
+/// Calls `work(begin, count)` for all texels of a page in blocks, on all threads.
+template<class Work>
+void forEachBlock(const PageTexels& page, const Work& work);
+
+} // namespace relamp
+
+#include "base/parallel.h"
+
+namespace relamp
+{
+
+template<class Work>
+void forEachBlock(const PageTexels& page, const Work& work)
+{
+    forEachChunk(page.count(), TexelBlock::kCapacity,
+                 [&](size_t begin, size_t end) { work(begin, end - begin); });
+}
+
+} // namespace relamp
