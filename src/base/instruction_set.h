@@ -28,13 +28,13 @@ std::string_view nameOf(InstructionSet set);
 #endif
 
 template<auto kernel, class... Args>
-[[RELAMP_TARGET_AVX2]] void runAvx2(const Args&... args)
+[[RELAMP_TARGET_AVX2]] void runAvx2(Args&... args)
 {
     kernel(args...);
 }
 
 template<auto kernel, class... Args>
-[[RELAMP_TARGET_AVX512]] void runAvx512(const Args&... args)
+[[RELAMP_TARGET_AVX512]] void runAvx512(Args&... args)
 {
     kernel(args...);
 }
@@ -45,7 +45,7 @@ template<auto kernel, class... Args>
 /// built for the set, so that the loop in it is vectorised with that set's registers. There is one
 /// source of it, and nothing compiled for a wide set can leak into code that runs on a narrow one.
 template<auto kernel, class... Args>
-void runKernel(InstructionSet set, const Args&... args)
+void runKernel(InstructionSet set, Args&... args)
 {
     switch (set) {
     case InstructionSet::avx512: return runAvx512<kernel>(args...);

@@ -4,10 +4,60 @@
 #include <span>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
 namespace relamp
 {
+
+/// Where a texel belongs: its cell in space and the axis that it faces most.
+///
+/// Keys sort along a Morton curve; surfels of one cell follow each other.
+class SurfelGrid
+{
+public:
+    SurfelGrid() = default;
+    SurfelGrid(glm::vec3 low, float size) : low_(low), perMetre_(1.0f / size) {}
+
+    [[nodiscard]] uint64_t keyOf(glm::vec3 position, glm::vec3 normal) const;
+    [[nodiscard]] glm::ivec3 cellOf(glm::vec3 position) const;
+    /// Key of the first surfel that can lie in a cell; the next kFacings keys are the same cell's.
+    [[nodiscard]] static uint64_t firstKeyOf(glm::ivec3 cell);
+
+    static constexpr uint64_t kFacings = 8; // six axes, rounded up to bits
+    static constexpr int kMostCells = 1 << 20;
+
+private:
+    glm::vec3 low_{0.0f};
+    float perMetre_ = 1.0f;
+};
+
+/// Index of the surfels of each cell of a grid, by open addressing.
+class SurfelCells
+{
+public:
+    SurfelCells() = default;
+    /// `keys` are the surfels' own, ascending.
+    explicit SurfelCells(std::span<const uint64_t> keys);
+
+    /// The surfels of the cell that begins at `firstKey`: [begin, end).
+    struct Range
+    {
+        uint32_t begin = 0;
+        uint32_t end = 0;
+    };
+    [[nodiscard]] Range operator[](uint64_t firstKey) const;
+
+private:
+    struct Slot
+    {
+        uint64_t key = 0;
+        Range range; // empty: nobody is here
+    };
+    [[nodiscard]] size_t slotOf(uint64_t key) const;
+
+    std::vector<Slot> slots_;
+};
 
 /// Clusters of texels of one place and one orientation, in the order of a space-filling curve.
 ///
@@ -15,6 +65,8 @@ namespace relamp
 struct Surfels
 {
     float size = 0.0f; // metres; edge of the cells that texels are gathered in
+    SurfelGrid grid;
+    SurfelCells cells;
     std::vector<glm::vec3> position;
     std::vector<glm::vec3> normal;
     std::vector<float> area;
@@ -29,31 +81,29 @@ struct Surfels
     {
         return {neighbor.data() + firstNeighbor[surfel], neighbor.data() + firstNeighbor[surfel + 1]};
     }
-};
 
-/// Where a texel belongs: its cell in space and the axis that it faces most.
-///
-/// Keys sort along a Morton curve; surfels of one cell follow each other.
-class SurfelGrid
-{
-public:
-    SurfelGrid(glm::vec3 low, float size) : low_(low), perMetre_(1.0f / size) {}
-
-    [[nodiscard]] uint64_t keyOf(glm::vec3 position, glm::vec3 normal) const;
-    [[nodiscard]] glm::ivec3 cellOf(glm::vec3 position) const;
-    /// Key of the first surfel that can lie in a cell; the next kFacings keys are the same cell's.
-    [[nodiscard]] static uint64_t firstKeyOf(glm::ivec3 cell);
-
-    static constexpr uint64_t kFacings = 8; // six axes, rounded up to bits
-    static constexpr int kMostCells = 1 << 20;
-
-private:
-    glm::vec3 low_;
-    float perMetre_;
+    /// Calls `visit(surfel)` for all whose cell is at most two from that of `place`: all within a
+    /// distance of `size`, and more.
+    template<class Visit>
+    void forEachInReach(glm::vec3 place, const Visit& visit) const;
 };
 
 /// Finds for every surfel those within two cells' reach whose surface goes on from its own: not
-/// turned away by more than 60 degrees and not on another level. `keys` are the surfels', ascending.
-void connectNeighbors(Surfels& surfels, const SurfelGrid& grid, std::span<const uint64_t> keys);
+/// turned away by more than 60 degrees and not on another level.
+void connectNeighbors(Surfels& surfels);
+
+template<class Visit>
+void Surfels::forEachInReach(glm::vec3 place, const Visit& visit) const
+{
+    const glm::ivec3 home = grid.cellOf(place);
+    const glm::ivec3 low = glm::max(home - 2, glm::ivec3(0));
+    const glm::ivec3 high = glm::min(home + 2, glm::ivec3(SurfelGrid::kMostCells - 1));
+    for (int z = low.z; z <= high.z; ++z)
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x) {
+                const auto [begin, end] = cells[SurfelGrid::firstKeyOf({x, y, z})];
+                for (uint32_t surfel = begin; surfel < end; ++surfel) visit(size_t{surfel});
+            }
+}
 
 } // namespace relamp

@@ -75,7 +75,7 @@ void sortUnique(std::vector<uint64_t>& keys)
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
 }
 
-PageKeys keysOf(const Texels& texels, const PageCoverage& coverage, size_t page, const SurfelGrid& grid)
+PageKeys keysOf(const Texels& texels, const PageCoverage& coverage, size_t page)
 {
     const uint32_t width = widthOf(texels, page);
     PageKeys keys;
@@ -87,7 +87,7 @@ PageKeys keysOf(const Texels& texels, const PageCoverage& coverage, size_t page,
             const uint32_t pixel = coverage.pixel[i];
             const Site site = siteOf(texels.facets.facets[coverage.facet[i]],
                                      static_cast<float>(pixel % width), static_cast<float>(pixel / width));
-            keys.ofTexel[i] = grid.keyOf(site.position, site.normal);
+            keys.ofTexel[i] = texels.surfels.grid.keyOf(site.position, site.normal);
             if (distinct.empty() || distinct.back() != keys.ofTexel[i]) distinct.push_back(keys.ofTexel[i]);
         }
         sortUnique(distinct);
@@ -196,11 +196,11 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress)
     }
 
     texels.surfels.size = static_cast<float>(surfelSizeFor(texels, coverages));
-    const SurfelGrid grid(boundsOf(scan).low, texels.surfels.size);
+    texels.surfels.grid = SurfelGrid(boundsOf(scan).low, texels.surfels.size);
     std::vector<PageKeys> keys(pages);
     std::vector<uint64_t> surfelKeys;
     for (size_t p = 0; p < pages; ++p) {
-        keys[p] = keysOf(texels, coverages[p], p, grid);
+        keys[p] = keysOf(texels, coverages[p], p);
         surfelKeys.insert(surfelKeys.end(), keys[p].distinct.begin(), keys[p].distinct.end());
     }
     sortUnique(surfelKeys);
@@ -217,7 +217,8 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress)
         stage.advance();
     }
     finishSurfels(texels.surfels);
-    connectNeighbors(texels.surfels, grid, surfelKeys);
+    texels.surfels.cells = SurfelCells(surfelKeys);
+    connectNeighbors(texels.surfels);
 
     const auto covered = static_cast<double>(texels.count());
     texels.overlapShare = covered > 0.0 ? std::min(1.0, static_cast<double>(contested) / covered) : 0.0;
@@ -265,7 +266,6 @@ void TexelLoader::loadGeometry(size_t begin, size_t count, TexelBlock& block) co
         block.nx[i] = site.normal.x;
         block.ny[i] = site.normal.y;
         block.nz[i] = site.normal.z;
-        block.area[i] = facet.texelArea;
     }
 }
 
@@ -274,9 +274,10 @@ void TexelLoader::loadRadiance(size_t begin, size_t count, TexelBlock& block) co
     block.count = count;
     for (size_t i = 0; i < count; ++i) {
         const uint32_t pixel = page_.pixel[begin + i];
+        const uint32_t facet = page_.facet[begin + i];
+        block.area[i] = texels_.facets.facets[facet].texelArea;
         glm::vec3 radiance = radiance_[pixel];
         if (tinted_) {
-            const uint32_t facet = page_.facet[begin + i];
             const Tint tint = tintOf(*texels_.scan, texels_.facets, facet);
             const glm::vec2 from = texels_.facets.facets[facet].pixel;
             radiance *= tint.color + (static_cast<float>(pixel % width_) - from.x) * tint.colorX +
@@ -285,6 +286,12 @@ void TexelLoader::loadRadiance(size_t begin, size_t count, TexelBlock& block) co
         block.r[i] = radiance.r;
         block.g[i] = radiance.g;
         block.b[i] = radiance.b;
+    }
+    const auto startsAfter = [](size_t texel, const PageTexels::Run& run) { return texel < run.begin; };
+    auto run = std::upper_bound(page_.runs.begin(), page_.runs.end(), begin, startsAfter) - 1;
+    for (size_t i = 0; i < count; ++i) {
+        while (begin + i >= (run + 1)->begin) ++run;
+        block.surfel[i] = run->surfel;
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/parallel.h"
 #include "relamp/progress.h"
 #include "relamp/scan.h"
 #include "scan/facets.h"
@@ -56,10 +57,11 @@ struct TexelBlock
     static constexpr size_t kCapacity = 512;
 
     size_t count = 0;
-    alignas(64) float x[kCapacity], y[kCapacity], z[kCapacity];    // world position, m
-    alignas(64) float nx[kCapacity], ny[kCapacity], nz[kCapacity]; // unit normal
-    alignas(64) float r[kCapacity], g[kCapacity], b[kCapacity];    // radiance, linear
-    alignas(64) float area[kCapacity];                             // m^2
+    alignas(64) float x[kCapacity] = {}, y[kCapacity] = {}, z[kCapacity] = {};    // world position, m
+    alignas(64) float nx[kCapacity] = {}, ny[kCapacity] = {}, nz[kCapacity] = {}; // unit normal
+    alignas(64) float r[kCapacity] = {}, g[kCapacity] = {}, b[kCapacity] = {};    // radiance, linear
+    alignas(64) float area[kCapacity] = {};                                       // m^2
+    uint32_t surfel[kCapacity] = {};
 };
 
 /// Fills `block` with texels [begin, begin + count) of a page; count <= kCapacity.
@@ -71,8 +73,8 @@ public:
     TexelLoader(const Texels& texels, size_t page);
 
     void load(size_t begin, size_t count, TexelBlock& block) const;
-    void loadGeometry(size_t begin, size_t count, TexelBlock& block) const;
-    void loadRadiance(size_t begin, size_t count, TexelBlock& block) const;
+    void loadGeometry(size_t begin, size_t count, TexelBlock& block) const; // position and normal
+    void loadRadiance(size_t begin, size_t count, TexelBlock& block) const; // radiance, area, surfel
 
 private:
     const Texels& texels_;
@@ -84,20 +86,30 @@ private:
 
 /// Calls `work(begin, count)` for all texels of a page in blocks, on all threads.
 template<class Work>
-void forEachBlock(const PageTexels& page, const Work& work);
-
-} // namespace relamp
-
-#include "base/parallel.h"
-
-namespace relamp
-{
-
-template<class Work>
 void forEachBlock(const PageTexels& page, const Work& work)
 {
     forEachChunk(page.count(), TexelBlock::kCapacity,
                  [&](size_t begin, size_t end) { work(begin, end - begin); });
+}
+
+/// Calls `work(begin, count)` for the texels of one run, in order.
+template<class Work>
+void forEachBlockOfRun(const PageTexels& page, size_t run, const Work& work)
+{
+    const size_t end = page.runs[run + 1].begin;
+    for (size_t begin = page.runs[run].begin; begin < end; begin += TexelBlock::kCapacity)
+        work(begin, std::min(TexelBlock::kCapacity, end - begin));
+}
+
+/// Calls `work(run, begin, count)` for all texels of a page in blocks of one surfel each, on all
+/// threads; the blocks of one run come in order and on one thread.
+template<class Work>
+void forEachRun(const PageTexels& page, const Work& work)
+{
+    forEachChunk(page.runs.size() - 1, 64, [&](size_t first, size_t last) {
+        for (size_t run = first; run < last; ++run)
+            forEachBlockOfRun(page, run, [&](size_t begin, size_t count) { work(run, begin, count); });
+    });
 }
 
 } // namespace relamp

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "relamp/api.h"
+#include "relamp/lights.h"
+#include "relamp/progress.h"
+#include "relamp/scan.h"
+#include "relamp/thesis.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace relamp
+{
+
+struct AlbedoOptions
+{
+    float darkest = 0.02f; // radiance; a weaker shading is raised to this before dividing, > 0
+};
+
+struct DelightOptions
+{
+    ThesisOptions thesis;
+    AlbedoOptions albedo;
+    std::optional<Lights> lights; // instead of looking for them
+};
+
+/// What delight makes of one page: pictures of the page's size. RGB as linear IEEE half floats,
+/// 3 * width * height; pixels that no surface covers continue what lies next to them.
+struct PageLayers
+{
+    int width = 0;
+    int height = 0;
+    std::vector<uint16_t> albedo;     // 0..1 where it can be trusted; above 1 the shading fell short
+    std::vector<uint16_t> direct;     // irradiance / pi straight from the lights
+    std::vector<uint16_t> indirect;   // irradiance / pi by way of other surfaces, and ambient
+    std::vector<uint8_t> emission;    // sRGB of texels that shine, else 0; empty where none does
+    std::vector<uint8_t> confidence;  // 0: a guess (burnt out, shining, unlit) .. 255
+};
+
+/// How well the result explains the scan.
+struct Closure
+{
+    float rmsError = 0.0f; // of albedo * own shading against the texture, in radiance
+    float rmsInput = 0.0f; // of the texture itself, for comparison
+};
+
+/// A room taken apart: its lights, and a shading that every page can be divided by.
+class RELAMP_API Decomposition
+{
+public:
+    struct State;
+    explicit Decomposition(std::unique_ptr<State> state);
+    ~Decomposition();
+    Decomposition(Decomposition&&) noexcept;
+    Decomposition& operator=(Decomposition&&) noexcept;
+
+    [[nodiscard]] const Lights& lights() const;
+    /// The lights as few as they can be shown with: those closer than the merge distance are one.
+    [[nodiscard]] const std::vector<PointLight>& mergedLights() const;
+    /// The options, with all that was derived from the scan filled in.
+    [[nodiscard]] const DelightOptions& optionsInForce() const;
+    [[nodiscard]] const Closure& closure() const;
+    [[nodiscard]] const std::vector<std::string>& warnings() const;
+    [[nodiscard]] size_t texelCount() const;
+    [[nodiscard]] double area() const; // m^2 of textured surface
+
+    /// Computes the layers of one page. Memory is a page's, whatever the size of the scan.
+    [[nodiscard]] PageLayers layers(size_t page, Progress& progress) const;
+
+private:
+    std::unique_ptr<State> state_;
+};
+
+/// Takes the light out of a scan. The scan must outlive the result.
+///
+/// Throws Error(unsupported) where the scan's texels cannot be told apart (overlapping UVs), and
+/// Error(cancelled).
+RELAMP_API Decomposition delight(const Scan& scan, const DelightOptions& options, Progress& progress);
+
+} // namespace relamp

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "relamp/api.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace relamp
+{
+
+/// Something in the room that shines by itself: a lamp, a panel, a window pane.
+struct Fixture
+{
+    glm::vec3 centre{0.0f};   // world, m
+    glm::vec3 normal{0.0f};   // unit, mean of its surface; zero where it shines all around
+    float area = 0.0f;        // m^2 of its surface
+    glm::vec3 radiance{0.0f}; // RGB, 1 = the texture's white
+
+    /// Flux pi * radiance * area, in radiance * m^2 * sr.
+    [[nodiscard]] glm::vec3 power() const { return 3.14159265f * area * radiance; }
+};
+
+/// A light without extent.
+struct PointLight
+{
+    glm::vec3 position{0.0f};  // world, m
+    glm::vec3 normal{0.0f};    // where the surface that it stands for faces; zero for none
+    glm::vec3 intensity{0.0f}; // RGB radiant intensity, radiance * m^2; E = intensity cos / d^2
+    float radius = 0.0f;       // m; of the patch that it stands for
+    int fixture = -1;          // index into Lights::fixtures; -1 for none
+};
+
+/// All light of a room, as delight finds it and a person may edit it.
+struct Lights
+{
+    std::vector<Fixture> fixtures;
+    std::vector<PointLight> points;
+    glm::vec3 ambient{0.0f}; // irradiance / pi, the same everywhere
+};
+
+/// lights.json, described in docs/guide/lights.md. `warnings` receives a sentence a key that is not
+/// known and was passed over. Throws Error(cannotRead | malformed) naming the line or the key.
+RELAMP_API Lights readLights(const std::filesystem::path& file, std::vector<std::string>& warnings);
+
+/// The text of lights.json.
+RELAMP_API std::string lightsAsJson(const Lights& lights);
+
+} // namespace relamp

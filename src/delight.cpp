@@ -1,0 +1,162 @@
+#include "relamp/delight.h"
+
+#include "albedo/closure.h"
+#include "albedo/page_layers.h"
+#include "fit/dials.h"
+#include "lights/emitters.h"
+#include "lights/expand.shared.h"
+#include "lights/fixtures.h"
+#include "scan/rays.h"
+#include "scan/texels.h"
+#include "shading/thesis.h"
+
+namespace relamp
+{
+
+struct Decomposition::State
+{
+    Texels texels;
+    Lights lights;
+    std::vector<PointLight> merged;
+    ThesisShading shading;
+    std::vector<uint8_t> shines; // of surfels: whether it belongs to a fixture
+    DelightOptions options;
+    Closure closure;
+    std::vector<std::string> warnings;
+};
+
+namespace
+{
+
+EmitterOptions emitterOptions(const ThesisOptions& thesis)
+{
+    return {.threshold = thesis.emitterThreshold, .expansion = thesis.expansion};
+}
+
+/// The scan's own lights; `light` keeps only the emitters that belong to them.
+Lights findLights(SurfelLight& light, const Texels& texels, const ThesisOptions& thesis)
+{
+    Lights lights;
+    const int count = joinFixtures(light, texels, emitterOptions(thesis));
+    lights.fixtures = fixturesFrom(light.emitters, count);
+    lights.points = pointLightsFrom(light.emitters, thesis.lightLevels);
+    return lights;
+}
+
+/// Colour of all lights together, of luminance 1; white where there is none.
+glm::vec3 meanColor(const Lights& lights)
+{
+    glm::vec3 sum(0.0f);
+    for (const PointLight& light : lights.points) sum += light.intensity;
+    const float brightness = luminance(sum);
+    return brightness > 0.0f ? sum / brightness : glm::vec3(1.0f);
+}
+
+/// Sets power and ambient as the options say, or from the scan where they leave them open.
+void setDials(ThesisShading& shading, const Texels& texels, const SurfelLight& light, const Lights& lights)
+{
+    ThesisOptions& dials = shading.dials;
+    if (!dials.useAmbient) dials.ambient = 0.0f;
+    if (!dials.power || !dials.ambient) {
+        const std::vector<glm::vec3> shades = shadingOfSurfels(texels.surfels, shading);
+        std::vector<DialSample> samples(shades.size());
+        for (size_t s = 0; s < samples.size(); ++s) samples[s] = {light.radiance[s], shades[s], light.area[s]};
+        const Dials fitted = fitDials(samples, dials.useAmbient ? std::nullopt : std::optional(0.0f));
+        if (!dials.power) dials.power = fitted.power;
+        if (!dials.ambient) dials.ambient = fitted.ambient * *dials.power;
+    }
+    shading.ambient = *dials.ambient * meanColor(lights);
+}
+
+/// Lights of a file are as bright as they say; the dials follow them.
+ThesisOptions dialsFor(const Lights& given, const ThesisOptions& thesis)
+{
+    ThesisOptions dials = thesis;
+    if (!dials.power) dials.power = 1.0f;
+    if (!dials.ambient) dials.ambient = luminance(given.ambient);
+    return dials;
+}
+
+void scalePower(Lights& lights, float power, glm::vec3 ambient)
+{
+    for (Fixture& fixture : lights.fixtures) fixture.radiance *= power;
+    for (PointLight& light : lights.points) light.intensity *= power;
+    lights.ambient = ambient;
+}
+
+} // namespace
+
+Decomposition delight(const Scan& scan, const DelightOptions& options, Progress& progress)
+{
+    auto state = std::make_unique<Decomposition::State>();
+    state->texels = rasterizeAtlas(scan, progress);
+    checkOverlap(state->texels);
+    const RayScene scene(scan);
+    SurfelLight light = collectLight(state->texels, emitterOptions(options.thesis), progress);
+    const Lights found = findLights(light, state->texels, options.thesis);
+    const Lights& lights = options.lights ? *options.lights : found;
+    if (lights.points.empty())
+        state->warnings.emplace_back("no light was found: nothing in the texture is burnt out. The result "
+                                     "has ambient light alone; give it lights with --lights");
+
+    const ThesisOptions dials = options.lights ? dialsFor(lights, options.thesis) : options.thesis;
+    state->shading = solveThesis(state->texels, scene, lights, dials, progress);
+    setDials(state->shading, state->texels, light, lights);
+    state->closure = closeLoop(state->texels, scene, light, lights, state->shading, options.albedo.darkest, progress);
+
+    state->lights = lights;
+    scalePower(state->lights, *state->shading.dials.power, state->shading.ambient);
+    state->merged = mergedLights(state->lights, state->shading.dials);
+    state->shines.assign(state->texels.surfels.count(), 0);
+    for (const Emitter& emitter : light.emitters) state->shines[emitter.surfel] = 1;
+    state->options = options;
+    state->options.thesis = state->shading.dials;
+    return Decomposition(std::move(state));
+}
+
+Decomposition::Decomposition(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Decomposition::~Decomposition() = default;
+Decomposition::Decomposition(Decomposition&&) noexcept = default;
+Decomposition& Decomposition::operator=(Decomposition&&) noexcept = default;
+
+const Lights& Decomposition::lights() const
+{
+    return state_->lights;
+}
+
+const std::vector<PointLight>& Decomposition::mergedLights() const
+{
+    return state_->merged;
+}
+
+const DelightOptions& Decomposition::optionsInForce() const
+{
+    return state_->options;
+}
+
+const Closure& Decomposition::closure() const
+{
+    return state_->closure;
+}
+
+const std::vector<std::string>& Decomposition::warnings() const
+{
+    return state_->warnings;
+}
+
+size_t Decomposition::texelCount() const
+{
+    return state_->texels.count();
+}
+
+double Decomposition::area() const
+{
+    return state_->texels.area;
+}
+
+PageLayers Decomposition::layers(size_t page, Progress& progress) const
+{
+    return makeLayers(state_->texels, page, state_->shading, state_->shines, state_->options, progress);
+}
+
+} // namespace relamp

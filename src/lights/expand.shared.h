@@ -1,0 +1,21 @@
+#pragma once
+
+#include "base/shared.h"
+
+SHARED_BEGIN
+
+// Rec. 709 luminance of linear RGB.
+SHARED_FN float luminance(vec3 rgb)
+{
+    return dot(rgb, vec3(0.2126f, 0.7152f, 0.0722f));
+}
+
+// Inverse of Reinhard's tone curve x (1 + x / p^2) / (1 + x) in its simplest form: leaves the dark
+// as it is and takes white to `peak`. Keeps the hue.
+SHARED_FN vec3 expanded(vec3 radiance, float peak)
+{
+    const float l = min(luminance(radiance), 1.0f);
+    return radiance / (1.0f - l * (1.0f - 1.0f / peak));
+}
+
+SHARED_END

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "lights/emitters.h"
+#include "relamp/lights.h"
+
+namespace relamp
+{
+
+/// One Fixture a connected blob of emitters; indices are those of Emitter::fixture.
+std::vector<Fixture> fixturesFrom(std::span<const Emitter> emitters, int count);
+
+/// Stands for all emitters with 2^levels point lights of equal energy, by median cut.
+///
+/// A patch of area A and radiance L sends the flux pi L A; the light that stands for it sends that
+/// all around, I = pi L A / (4 pi).
+std::vector<PointLight> pointLightsFrom(std::span<const Emitter> emitters, int levels);
+
+/// Takes lights that are closer than `distance` metres and face the same way as one; strongest first.
+std::vector<PointLight> mergeLights(std::span<const PointLight> lights, float distance);
+
+} // namespace relamp

@@ -1,0 +1,76 @@
+#include "scan/surface_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relamp
+{
+namespace
+{
+
+struct MeshTriangle
+{
+    const Mesh& mesh;
+    size_t triangle; // of the mesh
+};
+
+MeshTriangle triangleOf(const Texels& texels, uint32_t facet)
+{
+    const uint32_t mesh = texels.facets.facets[facet].mesh;
+    return {texels.scan->meshes[mesh], facet - texels.facets.firstOfMesh[mesh]};
+}
+
+uint32_t wrapped(double pixel, int size, Wrap wrap)
+{
+    const auto last = static_cast<double>(size - 1);
+    if (wrap == Wrap::repeat) pixel -= size * std::floor(pixel / size);
+    return static_cast<uint32_t>(std::clamp(pixel, 0.0, last));
+}
+
+} // namespace
+
+uint32_t PixelMix::nearest() const
+{
+    return pixel[static_cast<size_t>(std::max_element(weight.begin(), weight.end()) - weight.begin())];
+}
+
+PixelMix pixelsAt(const Texels& texels, const Hit& hit)
+{
+    const auto [mesh, triangle] = triangleOf(texels, hit.triangle);
+    const glm::uvec3& v = mesh.triangles[triangle];
+    const float first = 1.0f - hit.weights.x - hit.weights.y;
+    PixelMix mix;
+    mix.page = static_cast<uint32_t>(mesh.page);
+    const Page& page = texels.scan->pages[mix.page];
+    if (page.ofVertices) {
+        const auto base = static_cast<uint32_t>(mesh.firstPixel);
+        mix.pixel = {base + v.x, base + v.y, base + v.z, base + v.x};
+        mix.weight = {first, hit.weights.x, hit.weights.y, 0.0f};
+        return mix;
+    }
+    const PixelTriangle t = pixelTriangle(*texels.scan, mesh, v);
+    const glm::dvec2 at = static_cast<double>(first) * t.corner[0] +
+                          static_cast<double>(hit.weights.x) * t.corner[1] +
+                          static_cast<double>(hit.weights.y) * t.corner[2];
+    const glm::dvec2 low(std::floor(at.x), std::floor(at.y));
+    const auto fx = static_cast<float>(at.x - low.x);
+    const auto fy = static_cast<float>(at.y - low.y);
+    const Image& image = page.image;
+    const uint32_t x0 = wrapped(low.x, image.width, mesh.wrapU);
+    const uint32_t x1 = wrapped(low.x + 1.0, image.width, mesh.wrapU);
+    const uint32_t row0 = wrapped(low.y, image.height, mesh.wrapV) * static_cast<uint32_t>(image.width);
+    const uint32_t row1 = wrapped(low.y + 1.0, image.height, mesh.wrapV) * static_cast<uint32_t>(image.width);
+    mix.pixel = {row0 + x0, row0 + x1, row1 + x0, row1 + x1};
+    mix.weight = {(1.0f - fx) * (1.0f - fy), fx * (1.0f - fy), (1.0f - fx) * fy, fx * fy};
+    return mix;
+}
+
+glm::vec3 normalAt(const Texels& texels, const Hit& hit)
+{
+    const auto [mesh, triangle] = triangleOf(texels, hit.triangle);
+    const glm::vec3* n = &mesh.normals[3 * triangle];
+    const float first = 1.0f - hit.weights.x - hit.weights.y;
+    return glm::normalize(first * n[0] + hit.weights.x * n[1] + hit.weights.y * n[2]);
+}
+
+} // namespace relamp

@@ -1,0 +1,285 @@
+#include "shading/lpv.h"
+
+#include "base/lanes.h"
+#include "base/parallel.h"
+#include "shading/lpv.shared.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr size_t kPacked = 16; // floats a cell in the packed field: one cache line
+
+struct Face
+{
+    glm::vec3 normal;    // where light leaves the cell, and where it is sent on to
+    glm::vec3 direction; // from the centre of the source cell to the centre of the face
+    float solidAngle;
+};
+
+/// The five faces through which light from the neighbour on one side enters a cell and goes on.
+struct Source
+{
+    glm::ivec3 step;     // from the cell to the neighbour that the light comes from
+    int axis;            // of `step`
+    std::array<Face, 5> faces;
+};
+
+std::array<Source, 6> makeSources()
+{
+    std::array<Source, 6> sources{};
+    for (int s = 0; s < 6; ++s) {
+        Source& source = sources[static_cast<size_t>(s)];
+        source.axis = s / 2;
+        glm::vec3 travel(0.0f); // from source to destination
+        travel[source.axis] = s % 2 == 0 ? 1.0f : -1.0f;
+        source.step = -glm::ivec3(travel);
+        // The face straight ahead is 1.5 cells off; the four at the sides are one ahead, half aside.
+        source.faces[0] = {travel, travel, kFrontSolidAngle};
+        size_t next = 1;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (axis == source.axis) continue;
+            for (const float side : {1.0f, -1.0f}) {
+                glm::vec3 normal(0.0f);
+                normal[axis] = side;
+                source.faces[next++] = {normal, glm::normalize(travel + 0.5f * normal), kSideSolidAngle};
+            }
+        }
+    }
+    return sources;
+}
+
+struct Slab
+{
+    int firstZ;
+    int endZ;
+};
+
+struct PropagateArgs
+{
+    const LpvGrid* grid;
+    const Lpv::Field* from;
+    Lpv::Field* to;
+    Lpv::Field* accumulated;
+    const std::array<std::array<std::vector<float>, 4>, 3>* coverage;
+    const std::array<Source, 6>* sources;
+    bool blocking;
+};
+
+/// Light that reaches `count` cells of one row from one neighbour, through its five faces.
+void gatherRow(const PropagateArgs& args, const Source& source, size_t row, size_t count)
+{
+    const LpvGrid& grid = *args.grid;
+    const auto offset = source.step.x + grid.cells.x * (source.step.y + grid.cells.y * source.step.z);
+    const size_t from = row + static_cast<size_t>(static_cast<ptrdiff_t>(offset));
+    // Coverage is stored at the lower of the two cells that a face parts.
+    const size_t face = source.step[source.axis] < 0 ? from : row;
+    const auto& coverage = (*args.coverage)[static_cast<size_t>(source.axis)];
+    for (size_t c = 0; c < 3; ++c) {
+        const auto& in = (*args.from)[c];
+        auto& out = (*args.to)[c];
+        const float* in0 = in[0].data() + from;
+        const float* in1 = in[1].data() + from;
+        const float* in2 = in[2].data() + from;
+        const float* in3 = in[3].data() + from;
+        const float* cover0 = coverage[0].data() + face;
+        const float* cover1 = coverage[1].data() + face;
+        const float* cover2 = coverage[2].data() + face;
+        const float* cover3 = coverage[3].data() + face;
+        float* __restrict out0 = out[0].data() + row;
+        float* __restrict out1 = out[1].data() + row;
+        float* __restrict out2 = out[2].data() + row;
+        float* __restrict out3 = out[3].data() + row;
+        for (size_t x = 0; x < count; ++x) {
+            const glm::vec4 intensity(in0[x], in1[x], in2[x], in3[x]);
+            const glm::vec4 cover(cover0[x], cover1[x], cover2[x], cover3[x]);
+            glm::vec4 sum(out0[x], out1[x], out2[x], out3[x]);
+            for (const Face& f : source.faces) {
+                const float flux = f.solidAngle * max(dot(intensity, shBasis(f.direction)), 0.0f);
+                const float passed = args.blocking ? flux * (1.0f - blocked(cover, f.direction)) : flux;
+                sum += passed / kPi * shLobe(f.normal);
+            }
+            out0[x] = sum[0];
+            out1[x] = sum[1];
+            out2[x] = sum[2];
+            out3[x] = sum[3];
+        }
+    }
+}
+
+void propagateKernel(const PropagateArgs& args, const Slab& slab)
+{
+    const LpvGrid& grid = *args.grid;
+    const auto count = static_cast<size_t>(grid.cells.x - 2);
+    for (int z = slab.firstZ; z < slab.endZ; ++z)
+        for (int y = 1; y + 1 < grid.cells.y; ++y) {
+            const size_t row = grid.indexOf({1, y, z});
+            for (auto& channel : *args.to)
+                for (auto& coefficient : channel)
+                    std::fill_n(coefficient.data() + row, count, 0.0f);
+            for (const Source& source : *args.sources) gatherRow(args, source, row, count);
+            for (size_t c = 0; c < 3; ++c)
+                for (size_t k = 0; k < 4; ++k) {
+                    const float* add = (*args.to)[c][k].data() + row;
+                    float* __restrict sum = (*args.accumulated)[c][k].data() + row;
+                    for (size_t x = 0; x < count; ++x) sum[x] += add[x];
+                }
+        }
+}
+
+struct ReadOutArgs
+{
+    const LpvGrid* grid;
+    const float* packed;
+    const TexelBlock* block;
+    RgbBlock* out;
+};
+
+/// Where a texel looks: half a cell off its surface, in units of cells from the first centre.
+struct Lookup
+{
+    size_t cell;
+    glm::vec3 part;
+};
+
+Lookup lookUp(const LpvGrid& grid, glm::vec3 position, glm::vec3 normal)
+{
+    const glm::vec3 place = (position - grid.origin) / grid.cell + 0.5f * normal - 0.5f;
+    const glm::vec3 most = glm::vec3(grid.cells) - 1.001f;
+    const glm::vec3 at = glm::clamp(place, glm::vec3(0.0f), most);
+    const glm::vec3 low = glm::floor(at);
+    return {grid.indexOf(glm::ivec3(low)), at - low};
+}
+
+void readOutKernel(const ReadOutArgs& args)
+{
+    const LpvGrid& grid = *args.grid;
+    const TexelBlock& block = *args.block;
+    const auto stepY = static_cast<size_t>(grid.cells.x);
+    const size_t stepZ = stepY * static_cast<size_t>(grid.cells.y);
+    const size_t corner[8] = {0, 1, stepY, stepY + 1, stepZ, stepZ + 1, stepZ + stepY, stepZ + stepY + 1};
+    for (size_t i = 0; i < block.count; ++i) {
+        const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
+        const auto [cell, part] = lookUp(grid, {block.x[i], block.y[i], block.z[i]}, normal);
+        const glm::vec3 rest = 1.0f - part;
+        const float weight[8] = {rest.x * rest.y * rest.z, part.x * rest.y * rest.z, rest.x * part.y * rest.z,
+                                 part.x * part.y * rest.z, rest.x * rest.y * part.z, part.x * rest.y * part.z,
+                                 rest.x * part.y * part.z, part.x * part.y * part.z};
+        float sh[kPacked] = {};
+        for (size_t c = 0; c < 8; ++c) {
+            const float* source = args.packed + kPacked * (cell + corner[c]);
+            for (size_t k = 0; k < kPacked; ++k) sh[k] += weight[c] * source[k];
+        }
+        args.out->r[i] = irradianceFromCell({sh[0], sh[1], sh[2], sh[3]}, normal, grid.cell);
+        args.out->g[i] = irradianceFromCell({sh[4], sh[5], sh[6], sh[7]}, normal, grid.cell);
+        args.out->b[i] = irradianceFromCell({sh[8], sh[9], sh[10], sh[11]}, normal, grid.cell);
+    }
+}
+
+void resize(Lpv::Field& field, size_t count)
+{
+    for (auto& channel : field)
+        for (auto& coefficient : channel) coefficient.assign(count, 0.0f);
+}
+
+} // namespace
+
+LpvGrid::LpvGrid(const Bounds& bounds, int size)
+{
+    const glm::vec3 extent = bounds.extent();
+    const float longest = std::max({extent.x, extent.y, extent.z, 1e-3f});
+    cell = longest / static_cast<float>(size);
+    cells = glm::ivec3(glm::ceil(extent / cell - 1e-4f)) + 2;
+    cells = glm::max(cells, glm::ivec3(3));
+    origin = bounds.centre() - 0.5f * cell * glm::vec3(cells);
+}
+
+glm::ivec3 LpvGrid::cellAt(glm::vec3 world) const
+{
+    const glm::vec3 at = glm::floor((world - origin) / cell);
+    return glm::ivec3(glm::clamp(at, glm::vec3(1.0f), glm::vec3(cells - 2)));
+}
+
+Lpv::Lpv(const LpvGrid& grid) : grid_(grid)
+{
+    resize(travelling_, grid_.count());
+    resize(arriving_, grid_.count());
+    resize(accumulated_, grid_.count());
+    for (auto& axis : faceCoverage_)
+        for (auto& coefficient : axis) coefficient.assign(grid_.count(), 0.0f);
+}
+
+void Lpv::block(std::span<const Blocker> blockers)
+{
+    // Corners between cells: corner (i, j, k) is the upper corner of cell (i, j, k).
+    std::vector<glm::vec4> corners(grid_.count(), glm::vec4(0.0f));
+    for (const Blocker& b : blockers) {
+        const glm::ivec3 at = grid_.cellAt(b.position - 0.5f * grid_.cell);
+        corners[grid_.indexOf(at)] += b.area / (grid_.cell * grid_.cell) * shLobe(b.normal);
+    }
+    // A face lies between four corners.
+    const auto stepY = static_cast<size_t>(grid_.cells.x);
+    const size_t stepZ = stepY * static_cast<size_t>(grid_.cells.y);
+    const size_t step[3] = {1, stepY, stepZ};
+    for (size_t axis = 0; axis < 3; ++axis) {
+        const size_t a = step[(axis + 1) % 3];
+        const size_t b = step[(axis + 2) % 3];
+        forEachChunk(grid_.count(), 4096, [&](size_t begin, size_t end) {
+            for (size_t i = std::max(begin, a + b); i < end; ++i) {
+                const glm::vec4 cover =
+                    0.25f * (corners[i] + corners[i - a] + corners[i - b] + corners[i - a - b]);
+                for (int k = 0; k < 4; ++k) faceCoverage_[axis][static_cast<size_t>(k)][i] = cover[k];
+            }
+        });
+    }
+}
+
+void Lpv::inject(std::span<const BounceLight> lights)
+{
+    std::vector<size_t> cells(lights.size());
+    forEachChunk(lights.size(), 1024, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i)
+            cells[i] = grid_.indexOf(grid_.cellAt(lights[i].position + 0.5f * grid_.cell * lights[i].normal));
+    });
+    // A channel a task: sums are made in the order of the lights, whatever the number of threads.
+    forEach(3, [&](size_t c) {
+        for (size_t i = 0; i < lights.size(); ++i) {
+            const glm::vec4 sh = lights[i].flux[static_cast<int>(c)] / kPi * shLobe(lights[i].normal);
+            for (int k = 0; k < 4; ++k) travelling_[c][static_cast<size_t>(k)][cells[i]] += sh[k];
+        }
+    });
+    accumulated_ = travelling_;
+}
+
+void Lpv::propagate(bool first, InstructionSet set)
+{
+    static const std::array<Source, 6> sources = makeSources();
+    const PropagateArgs args{&grid_, &travelling_, &arriving_, &accumulated_, &faceCoverage_, &sources, !first};
+    forEachChunk(static_cast<size_t>(grid_.cells.z - 2), 1, [&](size_t begin, size_t end) {
+        const Slab slab{static_cast<int>(begin) + 1, static_cast<int>(end) + 1};
+        runKernel<propagateKernel>(set, args, slab);
+    });
+    std::swap(travelling_, arriving_);
+}
+
+void Lpv::finish()
+{
+    packed_.assign(kPacked * grid_.count(), 0.0f);
+    forEachChunk(grid_.count(), 2048, [&](size_t begin, size_t end) {
+        for (size_t c = 0; c < 3; ++c)
+            for (size_t k = 0; k < 4; ++k)
+                for (size_t i = begin; i < end; ++i) packed_[kPacked * i + 4 * c + k] = accumulated_[c][k][i];
+    });
+}
+
+void Lpv::irradiance(const TexelBlock& block, RgbBlock& out, InstructionSet set) const
+{
+    const ReadOutArgs args{&grid_, packed_.data(), &block, &out};
+    runKernel<readOutKernel>(set, args);
+}
+
+} // namespace relamp

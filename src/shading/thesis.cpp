@@ -1,0 +1,104 @@
+#include "shading/thesis.h"
+
+#include "lights/fixtures.h"
+#include "shading/lpv.shared.h"
+#include "shading/rsm.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kMergeShareOfRoom = 0.1f; // of the room's diagonal
+
+/// Mean radius of the patches that the lights stand for, weighted by their power.
+float meanRadius(const Lights& lights)
+{
+    float sum = 0.0f;
+    float weight = 0.0f;
+    for (const PointLight& light : lights.points) {
+        const float w = light.intensity.r + light.intensity.g + light.intensity.b;
+        sum += w * light.radius;
+        weight += w;
+    }
+    return weight > 0.0f ? sum / weight : 0.0f;
+}
+
+std::vector<Blocker> blockersOf(const Surfels& surfels)
+{
+    std::vector<Blocker> blockers(surfels.count());
+    for (size_t s = 0; s < blockers.size(); ++s)
+        blockers[s] = {surfels.position[s], surfels.normal[s], surfels.area[s]};
+    return blockers;
+}
+
+void scaleAndAdd(float* values, size_t count, float scale, float add)
+{
+    for (size_t i = 0; i < count; ++i) values[i] = scale * values[i] + add;
+}
+
+} // namespace
+
+void shade(const ThesisShading& shading, const TexelBlock& block, ShadingBlock& out)
+{
+    const float toShading = shading.dials.power.value_or(1.0f) / kPi;
+    directIrradiance(block, shading.lights, *shading.dials.attenuation, out.direct);
+    if (shading.bounce) shading.bounce->irradiance(block, out.indirect);
+    float* direct[3] = {out.direct.r, out.direct.g, out.direct.b};
+    float* indirect[3] = {out.indirect.r, out.indirect.g, out.indirect.b};
+    for (int c = 0; c < 3; ++c) {
+        scaleAndAdd(direct[c], block.count, toShading, 0.0f);
+        if (shading.bounce)
+            scaleAndAdd(indirect[c], block.count, toShading, shading.ambient[c]);
+        else
+            std::fill_n(indirect[c], block.count, shading.ambient[c]);
+    }
+}
+
+std::vector<PointLight> mergedLights(const Lights& lights, const ThesisOptions& dials)
+{
+    return mergeLights(lights.points, dials.mergeDistance.value_or(0.0f));
+}
+
+ThesisOptions deriveDials(const ThesisOptions& dials, const Lights& lights, const Bounds& room)
+{
+    ThesisOptions derived = dials;
+    // A patch seen from nearer than its own size is no point: k0 keeps it from growing without end.
+    const float radius = std::max(meanRadius(lights), 0.01f);
+    if (!derived.attenuation) derived.attenuation = glm::vec3(radius * radius, 0.0f, 1.0f);
+    if (!derived.mergeDistance) derived.mergeDistance = kMergeShareOfRoom * glm::length(room.extent());
+    return derived;
+}
+
+std::shared_ptr<const Lpv> spread(const Texels& texels, std::span<const BounceLight> leaving,
+                                  const ThesisOptions& dials)
+{
+    auto lpv = std::make_shared<Lpv>(LpvGrid(boundsOf(*texels.scan), dials.lpvSize));
+    lpv->block(blockersOf(texels.surfels));
+    lpv->inject(leaving);
+    for (int step = 0; step < dials.lpvSteps; ++step) lpv->propagate(step == 0);
+    lpv->finish();
+    return lpv;
+}
+
+ThesisShading solveThesis(const Texels& texels, const RayScene& scene, const Lights& lights,
+                          const ThesisOptions& dials, Progress& progress)
+{
+    ThesisShading shading{.dials = deriveDials(dials, lights, boundsOf(*texels.scan)),
+                          .lights = LightArrays(lights.points)};
+    if (!dials.useLpv || lights.points.empty()) return shading;
+
+    const Flattened surface = flatten(texels, {dials.flattenReach, dials.flattenRange}, progress);
+    Progress::Stage stage(progress, "bounce", 2);
+    std::vector<BounceLight> lit =
+        reflectiveShadowMaps(texels, scene, mergedLights(lights, shading.dials), dials.rsmSize);
+    for (BounceLight& light : lit) light.flux *= surface.at(light.page, light.pixel);
+    stage.advance();
+    shading.bounce = spread(texels, lit, shading.dials);
+    return shading;
+}
+
+} // namespace relamp

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "flatten/flatten.h"
+#include "lights/emitters.h"
+#include "relamp/lights.h"
+#include "relamp/progress.h"
+#include "relamp/thesis.h"
+#include "scan/rays.h"
+#include "scan/texels.h"
+#include "shading/direct.h"
+#include "shading/lpv.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace relamp
+{
+
+/// Shading of a block of texels: irradiance / pi.
+struct ShadingBlock
+{
+    RgbBlock direct;
+    RgbBlock indirect; // bounce light and ambient
+};
+
+/// Choi's shading of a room: lights without shadows, bounce light by RSM and LPV, and ambient light.
+struct ThesisShading
+{
+    ThesisOptions dials;   // with everything that was derived filled in
+    LightArrays lights;    // power 1
+    glm::vec3 ambient{0.0f};
+    std::shared_ptr<const Lpv> bounce; // power 1; null without bounce light
+};
+
+/// Shading at the texels of a block. Entries behind its last texel are unspecified.
+void shade(const ThesisShading& shading, const TexelBlock& block, ShadingBlock& out);
+
+/// The lights that cast a reflective shadow map each.
+std::vector<PointLight> mergedLights(const Lights& lights, const ThesisOptions& dials);
+
+/// Fills in the dials that follow from the lights and the size of the room: attenuation, merge distance.
+ThesisOptions deriveDials(const ThesisOptions& dials, const Lights& lights, const Bounds& room);
+
+/// Spreads the light that `arriving` surfaces pass on; their flux is already multiplied by a colour.
+std::shared_ptr<const Lpv> spread(const Texels& texels, std::span<const BounceLight> leaving,
+                                  const ThesisOptions& dials);
+
+/// The whole shading but power and ambient, which are 1 and 0 (or as the dials say): flattened
+/// texture, reflective shadow maps of the merged lights, light propagation volume.
+ThesisShading solveThesis(const Texels& texels, const RayScene& scene, const Lights& lights,
+                          const ThesisOptions& dials, Progress& progress);
+
+} // namespace relamp
