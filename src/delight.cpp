@@ -2,28 +2,14 @@
 
 #include "albedo/closure.h"
 #include "albedo/page_layers.h"
+#include "decomposition_state.h"
 #include "fit/dials.h"
 #include "lights/emitters.h"
 #include "lights/expand.shared.h"
 #include "lights/fixtures.h"
-#include "scan/rays.h"
-#include "scan/texels.h"
-#include "shading/thesis.h"
 
 namespace relamp
 {
-
-struct Decomposition::State
-{
-    Texels texels;
-    Lights lights;
-    std::vector<PointLight> merged;
-    ThesisShading shading;
-    std::vector<uint8_t> shines; // of surfels: whether it belongs to a fixture
-    DelightOptions options;
-    Closure closure;
-    std::vector<std::string> warnings;
-};
 
 namespace
 {
@@ -88,10 +74,9 @@ void scalePower(Lights& lights, float power, glm::vec3 ambient)
 
 Decomposition delight(const Scan& scan, const DelightOptions& options, Progress& progress)
 {
-    auto state = std::make_unique<Decomposition::State>();
+    auto state = std::make_unique<Decomposition::State>(scan);
     state->texels = rasterizeAtlas(scan, progress);
     checkOverlap(state->texels);
-    const RayScene scene(scan);
     SurfelLight light = collectLight(state->texels, emitterOptions(options.thesis), progress);
     const Lights found = findLights(light, state->texels, options.thesis);
     const Lights& lights = options.lights ? *options.lights : found;
@@ -100,9 +85,9 @@ Decomposition delight(const Scan& scan, const DelightOptions& options, Progress&
                                      "has ambient light alone; give it lights with --lights");
 
     const ThesisOptions dials = options.lights ? dialsFor(lights, options.thesis) : options.thesis;
-    state->shading = solveThesis(state->texels, scene, lights, dials, progress);
+    state->shading = solveThesis(state->texels, state->scene, lights, dials, progress);
     setDials(state->shading, state->texels, light, lights);
-    state->closure = closeLoop(state->texels, scene, light, lights, state->shading, options.albedo.darkest, progress);
+    state->closure = closeLoop(state->texels, state->scene, light, lights, state->shading, options.albedo.darkest, progress);
 
     state->lights = lights;
     scalePower(state->lights, *state->shading.dials.power, state->shading.ambient);
@@ -152,6 +137,11 @@ size_t Decomposition::texelCount() const
 double Decomposition::area() const
 {
     return state_->texels.area;
+}
+
+const Decomposition::State& Decomposition::state() const
+{
+    return *state_;
 }
 
 PageLayers Decomposition::layers(size_t page, Progress& progress) const

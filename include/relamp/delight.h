@@ -70,6 +70,9 @@ public:
     /// Computes the layers of one page. Memory is a page's, whatever the size of the scan.
     [[nodiscard]] PageLayers layers(size_t page, Progress& progress) const;
 
+    /// For relamp's own parts; its type is not public.
+    [[nodiscard]] const State& state() const;
+
 private:
     std::unique_ptr<State> state_;
 };

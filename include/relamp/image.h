@@ -33,6 +33,7 @@ struct Image
     int height = 0;
     Transfer transfer = Transfer::srgb; // of `encoded`; never `automatic`
     bool clipsAtWhite = true;           // false where the file can hold more than white (float formats)
+    bool wasJpeg = false;               // came as a JPEG file
     std::vector<uint8_t> encoded;       // 3 * width * height
     std::vector<uint16_t> half;         // 3 * width * height, finite, >= 0
     std::vector<uint8_t> alpha;         // width * height, or empty where all is opaque

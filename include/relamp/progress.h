@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -38,6 +39,11 @@ public:
     /// Throws Error(cancelled) once cancel() was called.
     void check() const;
 
+    /// Names a file or folder that means nothing unless the computation ends well.
+    void removeIfAbandoned(const std::filesystem::path& path);
+    /// Removes these, for a process that has to end without waiting for the computation.
+    void abandon();
+
     /// Seconds spent in each stage that has ended, in the order of their first end; a stage that
     /// ran several times is listed once, with the sum.
     [[nodiscard]] std::vector<StageTime> times() const;
@@ -70,6 +76,7 @@ private:
     std::atomic<bool> cancelled_{false};
     mutable std::mutex mutex_;
     std::vector<StageTime> times_;
+    std::vector<std::filesystem::path> unfinished_;
 };
 
 } // namespace relamp

@@ -13,6 +13,21 @@ void Progress::check() const
         throw Error(ErrorCode::cancelled, "interrupted; nothing was written");
 }
 
+void Progress::removeIfAbandoned(const std::filesystem::path& path)
+{
+    const std::lock_guard lock(mutex_);
+    unfinished_.push_back(path);
+}
+
+void Progress::abandon()
+{
+    const std::lock_guard lock(mutex_);
+    std::error_code ignored;
+    for (const auto& path : unfinished_)
+        for (int attempt = 0; attempt < 3 && std::filesystem::exists(path, ignored); ++attempt)
+            std::filesystem::remove_all(path, ignored); // again: someone may still be writing into it
+}
+
 std::vector<Progress::StageTime> Progress::times() const
 {
     const std::lock_guard lock(mutex_);

@@ -43,7 +43,7 @@ std::vector<Weighted> logAlbedo(std::span<const DialSample> samples, float ambie
         const float radiance = luminance(s.radiance);
         const float shading = luminance(s.shading) + ambient;
         if (radiance > 1e-4f && shading > 1e-6f && s.area > 0.0f)
-            values.push_back({std::log(radiance / shading), s.area});
+            values.push_back({std::log(radiance / shading), s.area * radiance});
     }
     std::sort(values.begin(), values.end(), [](const Weighted& a, const Weighted& b) {
         return a.value < b.value || (a.value == b.value && a.weight < b.weight);

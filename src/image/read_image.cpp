@@ -183,6 +183,7 @@ Image readImage(std::span<const std::byte> bytes, const std::string& name, Trans
     Image image;
     image.width = input->spec().width;
     image.height = input->spec().height;
+    image.wasJpeg = std::string_view(input->format_name()) == "jpeg";
     image.clipsAtWhite = !type.is_floating_point();
     if (transfer == Transfer::automatic)
         transfer = image.clipsAtWhite ? Transfer::srgb : Transfer::linear;

@@ -1,10 +1,10 @@
 #include "lights/emitters.h"
 
+#include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "lights/expand.shared.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace relamp
 {
@@ -77,31 +77,6 @@ void mergeSameSurfel(std::vector<Emitter>& emitters)
     }
     emitters = std::move(merged);
 }
-
-/// Sets of things that were joined.
-class DisjointSets
-{
-public:
-    explicit DisjointSets(size_t count) : parent_(count)
-    {
-        std::iota(parent_.begin(), parent_.end(), 0u);
-    }
-
-    uint32_t find(uint32_t i)
-    {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(uint32_t a, uint32_t b)
-    {
-        a = find(a);
-        b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<uint32_t> parent_;
-};
 
 } // namespace
 

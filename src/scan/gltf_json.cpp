@@ -16,7 +16,6 @@ constexpr uint32_t kJsonChunk = 0x4e4f534a;
 constexpr uint32_t kBinaryChunk = 0x004e4942;
 constexpr size_t kHeader = 12;
 constexpr size_t kChunkHeader = 8;
-constexpr int kDeepestJson = 200; // what follows the text recursively must not run out of stack
 constexpr uint64_t kLargestInteger = uint64_t{1} << 53;
 
 uint32_t wordAt(std::span<const std::byte> bytes, size_t at)
@@ -87,24 +86,6 @@ std::string joinGlb(const std::string& json, std::span<const uint8_t> binary)
     const auto total = static_cast<uint32_t>(glb.size());
     std::memcpy(&glb[8], &total, sizeof total);
     return glb;
-}
-
-nlohmann::json parseJson(std::string_view text, const std::string& name)
-{
-    using nlohmann::json;
-    const auto refuseDepth = [&](int depth, json::parse_event_t, json&) {
-        if (depth > kDeepestJson) malformed(name, "its JSON is nested deeper than anything real");
-        return true;
-    };
-    json document;
-    try {
-        document = json::parse(text, refuseDepth);
-    } catch (const json::exception& failure) {
-        malformed(name, fmt::format("its JSON cannot be read ({}); it is damaged or no such file",
-                                    failure.what()));
-    }
-    if (!document.is_object()) malformed(name, "its JSON is not an object");
-    return document;
 }
 
 uint64_t unsignedMember(const nlohmann::json& object, const char* key, const std::string& name,

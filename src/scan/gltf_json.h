@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -23,9 +24,6 @@ GltfChunks splitGltf(std::span<const std::byte> bytes, const std::string& name);
 
 /// Puts a GLB together.
 std::string joinGlb(const std::string& json, std::span<const uint8_t> binary);
-
-/// Parses JSON of untrusted origin: bounded depth, an object at the top. Throws Error(malformed).
-nlohmann::json parseJson(std::string_view text, const std::string& name);
 
 /// A non-negative integer member; `fallback` where it is absent, Error(malformed) where it is
 /// something else or beyond 2^53.

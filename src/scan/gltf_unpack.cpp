@@ -2,6 +2,7 @@
 
 #include "base/fail.h"
 #include "base/file.h"
+#include "base/json.h"
 #include "scan/gltf_decode.h"
 #include "scan/gltf_json.h"
 

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+/// What a subcommand's own code does once the command line is read; returns the exit code.
+using Run = std::function<int()>;
+
+/// Each adds one subcommand to `app` and sets `run` when the person chose it.
+void addDelightCommand(CLI::App& app, Run& run);
+void addInfoCommand(CLI::App& app, Run& run);

@@ -1,0 +1,57 @@
+#include "command.h"
+#include "interrupt.h"
+#include "terminal.h"
+
+#include "relamp/error.h"
+#include "relamp/version.h"
+
+#include <csignal>
+#include <new>
+
+#include <fmt/format.h>
+
+namespace
+{
+
+constexpr int kWorldIsWrong = 1;
+constexpr int kUsage = 2;
+
+int report(const relamp::Error& error)
+{
+    fmt::print(stderr, "\r");
+    printProblem(error.what());
+    return error.code() == relamp::ErrorCode::cancelled ? Interrupt::kExitCode : kWorldIsWrong;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    std::signal(SIGPIPE, SIG_IGN); // a reader that went away, or a file size limit, is an error
+    std::signal(SIGXFSZ, SIG_IGN); // to report, not a reason to vanish
+
+    CLI::App app("Takes the light out of a scanned room and puts your own in.", "relamp");
+    app.set_version_flag("--version", std::string("relamp ") + relamp::version());
+    app.require_subcommand(1);
+    app.get_formatter()->column_width(34);
+    app.footer("Examples:\n"
+               "  relamp info kitchen.glb\n"
+               "  relamp delight kitchen.glb -o kitchen\n"
+               "relamp COMMAND --help tells more.");
+    Run run;
+    addDelightCommand(app, run);
+    addInfoCommand(app, run);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : kUsage;
+    }
+    try {
+        return run();
+    } catch (const relamp::Error& error) {
+        return report(error);
+    } catch (const std::bad_alloc&) {
+        printProblem("this machine has not enough memory for the scan; scale its textures down");
+        return kWorldIsWrong;
+    }
+}

@@ -1,0 +1,34 @@
+#include "scan_arguments.h"
+
+#include <map>
+
+void addScanArguments(CLI::App& command, ScanArguments& arguments)
+{
+    using relamp::Transfer;
+    using relamp::UpAxis;
+    const std::map<std::string, UpAxis> axes{{"y", UpAxis::y}, {"z", UpAxis::z}};
+    const std::map<std::string, Transfer> transfers{
+        {"auto", Transfer::automatic}, {"srgb", Transfer::srgb}, {"linear", Transfer::linear}};
+    relamp::ScanOptions& options = arguments.options;
+
+    command.add_option("scan", arguments.file, "glTF, GLB, OBJ, PLY, or what else Assimp reads")
+        ->required()
+        ->type_name("SCAN");
+    command.add_option("--up", options.up, "The file's axis that points to the ceiling: y or z [y]")
+        ->transform(CLI::CheckedTransformer(axes).description(""))
+        ->type_name("AXIS");
+    command.add_option("--scale", options.scale, "Metres a unit of the file [1]")
+        ->check(CLI::Range(1e-6, 1e6).description(""))
+        ->type_name("M");
+    command
+        .add_option("--transfer", options.transfer,
+                    "What the texture's numbers are: srgb, linear, or auto by type [auto]")
+        ->transform(CLI::CheckedTransformer(transfers).description(""))
+        ->type_name("CURVE");
+    command.add_option("--skip-mesh", options.skipMeshes, "Leave out meshes of this name (repeatable)")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    command.add_option("--threads", arguments.threads, "Threads to work with; 0 is one a core [0]")
+        ->check(CLI::Range(0, 1024).description(""))
+        ->type_name("N");
+}

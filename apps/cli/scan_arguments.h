@@ -1,0 +1,17 @@
+#pragma once
+
+#include "relamp/scan.h"
+
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+
+/// What every command that reads a scan wants to know about it.
+struct ScanArguments
+{
+    std::filesystem::path file;
+    relamp::ScanOptions options;
+    int threads = 0;
+};
+
+void addScanArguments(CLI::App& command, ScanArguments& arguments);

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "relamp/api.h"
+#include "relamp/delight.h"
+#include "relamp/progress.h"
+#include "relamp/scan.h"
+
+#include <filesystem>
+#include <string>
+
+namespace relamp
+{
+
+/// Writes all that delight found into `folder`, whole or not at all: `<scan>.glb`, albedo, shading,
+/// direct and indirect EXR, albedo and confidence PNG, lights.json, preview.png and report.json, as
+/// docs/guide/results.md describes them. What a former run wrote there is replaced; other files stay.
+///
+/// `scanFile` is named in the report. Returns the report's text. Throws Error(cannotWrite | cancelled).
+RELAMP_API std::string writeResult(const Scan& scan, const Decomposition& decomposition,
+                                   const std::filesystem::path& scanFile,
+                                   const std::filesystem::path& folder, Progress& progress);
+
+} // namespace relamp

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+namespace relamp
+{
+
+/// Parses JSON of untrusted origin: bounded depth, an object at the top. Throws Error(malformed) that
+/// begins with `name` and says the line.
+nlohmann::json parseJson(std::string_view text, const std::string& name);
+
+/// A float as the double that prints as short as the float does: 0.1f as 0.1.
+double shortest(float value);
+
+} // namespace relamp

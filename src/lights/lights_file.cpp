@@ -1,0 +1,223 @@
+#include "relamp/lights.h"
+
+#include "base/fail.h"
+#include "base/file.h"
+#include "base/json.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+
+#include <fmt/format.h>
+
+namespace relamp
+{
+namespace
+{
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr const char* kFormat = "relamp lights 1";
+
+// ---- writing
+
+ordered_json toJson(glm::vec3 v)
+{
+    return {shortest(v.x), shortest(v.y), shortest(v.z)};
+}
+
+ordered_json facingAsJson(glm::vec3 normal)
+{
+    return normal == glm::vec3(0.0f) ? ordered_json("omni") : toJson(normal);
+}
+
+ordered_json toJson(const Fixture& fixture, size_t id)
+{
+    return {{"id", id},
+            {"centre", toJson(fixture.centre)},
+            {"normal", facingAsJson(fixture.normal)},
+            {"area", shortest(fixture.area)},
+            {"radiance", toJson(fixture.radiance)},
+            {"power", toJson(fixture.power())},
+            {"on", true}};
+}
+
+ordered_json toJson(const PointLight& light)
+{
+    ordered_json object{{"type", "point"},
+                        {"position", toJson(light.position)},
+                        {"normal", facingAsJson(light.normal)},
+                        {"intensity", toJson(light.intensity)},
+                        {"radius", shortest(light.radius)}};
+    if (light.fixture >= 0) object["fixture"] = light.fixture;
+    return object;
+}
+
+// ---- reading
+
+/// An object of the file and how to call it in a sentence.
+struct Item
+{
+    const json& object;
+    std::string what;
+
+    [[nodiscard]] const json* find(const char* key) const
+    {
+        const auto found = object.find(key);
+        return found == object.end() ? nullptr : &*found;
+    }
+};
+
+float numberFrom(const json& value, const std::string& what)
+{
+    if (!value.is_number()) malformed(what, "must be a number");
+    const auto number = static_cast<float>(value.get<double>());
+    if (!std::isfinite(number)) malformed(what, "must be a finite number");
+    return number;
+}
+
+glm::vec3 vectorFrom(const json& value, const std::string& what)
+{
+    if (!value.is_array() || value.size() != 3) malformed(what, "must be a list of three numbers");
+    return {numberFrom(value[0], what), numberFrom(value[1], what), numberFrom(value[2], what)};
+}
+
+glm::vec3 vectorAt(const Item& item, const char* key)
+{
+    const json* value = item.find(key);
+    if (value == nullptr) malformed(item.what, fmt::format("\"{}\" is missing", key));
+    return vectorFrom(*value, fmt::format("{}: \"{}\"", item.what, key));
+}
+
+glm::vec3 lightAt(const Item& item, const char* key)
+{
+    const glm::vec3 rgb = vectorAt(item, key);
+    if (std::min({rgb.r, rgb.g, rgb.b}) < 0.0f)
+        malformed(item.what, fmt::format("\"{}\" must not be negative", key));
+    return rgb;
+}
+
+glm::vec3 facingAt(const Item& item)
+{
+    const json* value = item.find("normal");
+    if (value == nullptr || *value == "omni") return glm::vec3(0.0f);
+    const glm::vec3 normal = vectorFrom(*value, item.what + ": \"normal\"");
+    const float length = std::sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
+    return length > 0.0f ? normal / length : normal;
+}
+
+float sizeAt(const Item& item, const char* key)
+{
+    const json* value = item.find(key);
+    if (value == nullptr) return 0.0f;
+    const float size = numberFrom(*value, fmt::format("{}: \"{}\"", item.what, key));
+    if (size < 0.0f) malformed(item.what, fmt::format("\"{}\" must not be negative", key));
+    return size;
+}
+
+void warnOfUnknown(const Item& item, std::initializer_list<const char*> known, std::vector<std::string>& warnings)
+{
+    for (const auto& [key, value] : item.object.items()) {
+        const auto isKey = [&, name = key](const char* k) { return name == k; };
+        if (std::none_of(known.begin(), known.end(), isKey))
+            warnings.push_back(fmt::format("{}: \"{}\" is not known and was passed over", item.what, key));
+    }
+}
+
+Fixture fixtureFrom(const Item& item, std::vector<std::string>& warnings)
+{
+    warnOfUnknown(item, {"id", "centre", "normal", "area", "radiance", "power", "on"}, warnings);
+    Fixture fixture;
+    fixture.centre = vectorAt(item, "centre");
+    fixture.normal = facingAt(item);
+    fixture.area = sizeAt(item, "area");
+    fixture.radiance = lightAt(item, "radiance");
+    if (const json* on = item.find("on"); on != nullptr && *on == false) fixture.radiance = glm::vec3(0.0f);
+    return fixture;
+}
+
+PointLight lightFrom(const Item& item, std::vector<std::string>& warnings)
+{
+    warnOfUnknown(item, {"type", "position", "normal", "intensity", "radius", "fixture"}, warnings);
+    if (const json* type = item.find("type"); type != nullptr && *type != "point")
+        malformed(item.what, fmt::format("\"type\" is {}; this version knows \"point\"", type->dump()));
+    PointLight light;
+    light.position = vectorAt(item, "position");
+    light.normal = facingAt(item);
+    light.intensity = lightAt(item, "intensity");
+    light.radius = sizeAt(item, "radius");
+    if (const json* fixture = item.find("fixture"); fixture != nullptr && fixture->is_number_integer())
+        light.fixture = static_cast<int>(std::clamp<int64_t>(fixture->get<int64_t>(), -1, 1 << 20));
+    return light;
+}
+
+/// Calls `take(item)` for every object of a list.
+template<class Take>
+void forEachItem(const json& list, const std::string& what, const Take& take)
+{
+    for (size_t i = 0; i < list.size(); ++i) {
+        const Item item{list[i], fmt::format("{} {}", what, i)};
+        if (!item.object.is_object()) malformed(item.what, "must be an object in { }");
+        take(item);
+    }
+}
+
+/// A lamp that nobody took apart shines from its centre.
+PointLight lightOf(const Fixture& fixture, int index)
+{
+    PointLight light;
+    light.position = fixture.centre;
+    light.normal = fixture.normal;
+    light.intensity = 0.25f * fixture.area * fixture.radiance; // pi L A over the whole sphere
+    light.radius = std::sqrt(fixture.area / 3.14159265f);
+    light.fixture = index;
+    return light;
+}
+
+} // namespace
+
+std::string lightsAsJson(const Lights& lights)
+{
+    ordered_json document{{"format", kFormat},
+                          {"units", "metres, Y up; radiance 1 = the texture's white; intensity in radiance "
+                                    "m^2, power in radiance m^2 sr; linear Rec. 709"}};
+    document["fixtures"] = ordered_json::array();
+    for (size_t i = 0; i < lights.fixtures.size(); ++i)
+        document["fixtures"].push_back(toJson(lights.fixtures[i], i));
+    document["lights"] = ordered_json::array();
+    for (const PointLight& light : lights.points) document["lights"].push_back(toJson(light));
+    document["ambient"] = toJson(lights.ambient);
+    return document.dump(1, '\t') + "\n";
+}
+
+Lights readLights(const std::filesystem::path& file, std::vector<std::string>& warnings)
+{
+    const std::string name = file.string();
+    const std::vector<std::byte> bytes = readFile(file, size_t{64} << 20);
+    const json document = parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name);
+    const Item top{document, name};
+    warnOfUnknown(top, {"format", "units", "fixtures", "lights", "ambient"}, warnings);
+    if (const json* format = top.find("format"); format != nullptr && *format != kFormat)
+        malformed(name, fmt::format("its format is {}, this version reads \"{}\"", format->dump(), kFormat));
+
+    Lights lights;
+    if (const json* fixtures = top.find("fixtures"); fixtures != nullptr && fixtures->is_array())
+        forEachItem(*fixtures, name + ": fixture",
+                    [&](const Item& item) { lights.fixtures.push_back(fixtureFrom(item, warnings)); });
+    if (const json* points = top.find("lights"); points != nullptr) {
+        if (!points->is_array()) malformed(name, "\"lights\" must be a list");
+        forEachItem(*points, name + ": light",
+                    [&](const Item& item) { lights.points.push_back(lightFrom(item, warnings)); });
+    } else {
+        for (size_t i = 0; i < lights.fixtures.size(); ++i)
+            lights.points.push_back(lightOf(lights.fixtures[i], static_cast<int>(i)));
+    }
+    if (top.find("ambient") != nullptr) lights.ambient = lightAt(top, "ambient");
+    if (lights.points.empty() && lights.ambient == glm::vec3(0.0f))
+        malformed(name, "holds no light: it needs \"lights\", \"fixtures\" or \"ambient\"");
+    return lights;
+}
+
+} // namespace relamp

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "image/write_image.h"
+#include "output/camera.h"
+#include "relamp/delight.h"
+#include "relamp/progress.h"
+#include "relamp/scan.h"
+#include "scan/rays.h"
+#include "scan/texels.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace relamp
+{
+
+/// The layers that a preview shows of one page, small: linear half RGB.
+struct PreviewPage
+{
+    Size size;
+    int shrink = 1; // pages' pixels a pixel here, along each side
+    std::vector<uint16_t> scanned;
+    std::vector<uint16_t> albedo;
+    std::vector<uint16_t> shading;
+};
+
+/// Shrinks a page's layers to what a picture needs.
+PreviewPage previewOf(const Page& page, const PageLayers& layers);
+
+struct PreviewPicture
+{
+    Size size;
+    std::vector<uint8_t> rgb; // sRGB
+};
+
+/// The room from every camera: a row each, as scanned, its albedo, its shading. The shading is scaled
+/// so that its 95th percentile is white where it is brighter than that.
+PreviewPicture renderPreview(const Texels& texels, const RayScene& scene, const std::vector<PreviewPage>& pages,
+                             const std::vector<Camera>& cameras, Progress& progress);
+
+} // namespace relamp

@@ -1,0 +1,82 @@
+#include "output/staged_folder.h"
+
+#include "base/fail.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+namespace relamp
+{
+namespace fs = std::filesystem;
+namespace
+{
+
+[[noreturn]] void cannotWrite(const fs::path& folder, const std::string& why)
+{
+    fail(ErrorCode::cannotWrite, folder.string(), "cannot be written: " + why);
+}
+
+/// Without a trailing slash, so that it has a name and a parent.
+fs::path cleaned(const fs::path& folder)
+{
+    const fs::path absolute = fs::absolute(folder).lexically_normal();
+    return absolute.has_filename() ? absolute : absolute.parent_path();
+}
+
+void moveFile(const fs::path& from, const fs::path& to)
+{
+    std::error_code failure;
+    fs::rename(from, to, failure);
+    if (failure) cannotWrite(to, failure.message());
+}
+
+} // namespace
+
+StagedFolder::StagedFolder(const fs::path& folder, Progress& progress) : folder_(cleaned(folder))
+{
+    std::error_code failure;
+    if (fs::exists(folder_, failure) && !fs::is_directory(folder_, failure))
+        cannotWrite(folder_, "is a file; name another folder with -o");
+    fs::create_directories(folder_.parent_path(), failure);
+    if (failure) cannotWrite(folder_, failure.message());
+    std::string pattern =
+        (folder_.parent_path() / fmt::format(".{}.XXXXXX", folder_.filename().string())).string();
+    if (mkdtemp(pattern.data()) == nullptr) cannotWrite(folder_, std::strerror(errno));
+    staging_ = pattern;
+    fs::permissions(staging_, fs::perms(0755), failure);
+    progress.removeIfAbandoned(staging_);
+}
+
+StagedFolder::~StagedFolder()
+{
+    std::error_code ignored;
+    fs::remove_all(staging_, ignored);
+}
+
+std::vector<std::string> StagedFolder::names() const
+{
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(staging_)) names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+void StagedFolder::commit(const std::string& last, const std::vector<std::string>& stale)
+{
+    std::error_code failure;
+    if (!fs::exists(folder_)) { // nothing there yet: one step, all or nothing
+        moveFile(staging_, folder_);
+        return;
+    }
+    fs::remove(folder_ / last, failure);
+    const std::vector<std::string> written = names();
+    for (const std::string& name : written)
+        if (name != last) moveFile(staging_ / name, folder_ / name);
+    for (const std::string& name : stale)
+        if (!std::binary_search(written.begin(), written.end(), name)) fs::remove(folder_ / name, failure);
+    moveFile(staging_ / last, folder_ / last);
+}
+
+} // namespace relamp

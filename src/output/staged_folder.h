@@ -1,0 +1,40 @@
+#pragma once
+
+#include "relamp/progress.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace relamp
+{
+
+/// A folder that gets its files whole or not at all.
+///
+/// Files are written into a hidden folder beside it and moved in by commit(). Without a commit, and
+/// whatever is thrown, what was there before stays as it was and the hidden folder goes.
+class StagedFolder
+{
+public:
+    /// Throws Error(cannotWrite) where `folder` or its neighbourhood cannot be written, or is a file.
+    StagedFolder(const std::filesystem::path& folder, Progress& progress);
+    ~StagedFolder();
+    StagedFolder(const StagedFolder&) = delete;
+    StagedFolder& operator=(const StagedFolder&) = delete;
+
+    /// Where to write the file that will be `name` in the folder.
+    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return staging_ / name; }
+
+    /// Moves all in, `last` as the last one, so that its presence says that the others are complete.
+    /// Files of the folder named in `stale` and not written anew are removed.
+    void commit(const std::string& last, const std::vector<std::string>& stale);
+
+    /// Names of the files written so far, sorted.
+    [[nodiscard]] std::vector<std::string> names() const;
+
+private:
+    std::filesystem::path folder_;
+    std::filesystem::path staging_;
+};
+
+} // namespace relamp

@@ -1,0 +1,133 @@
+#include "output/viewpoints.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/gtc/constants.hpp>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr int kPlaces = 9;        // along each side of the room's plan
+constexpr int kYaws = 16;
+constexpr float kPitch = -0.15f;  // radians; people look slightly down into a room
+constexpr float kAspect = 1.6f;
+constexpr float kEyeHeight = 1.55f; // m above the floor
+constexpr float kElbowRoom = 0.3f;  // m to the nearest thing
+
+struct View
+{
+    Camera camera;
+    float score = 0.0f; // how much of the room's inside is seen, and from how far
+};
+
+/// Directions all around, evenly (Fibonacci sphere).
+template<size_t N>
+std::array<glm::vec3, N> sphereDirections()
+{
+    std::array<glm::vec3, N> directions;
+    for (size_t i = 0; i < N; ++i) {
+        const float y = 1.0f - (2.0f * static_cast<float>(i) + 1.0f) / N;
+        const float r = std::sqrt(1.0f - y * y);
+        const float angle = 2.39996323f * static_cast<float>(i); // golden angle
+        directions[i] = {r * std::cos(angle), y, r * std::sin(angle)};
+    }
+    return directions;
+}
+
+/// Share of all directions in which the inside of a surface is met; 0 where something is too near.
+float insideness(const RayScene& scene, glm::vec3 place)
+{
+    static const auto directions = sphereDirections<96>();
+    int fronts = 0;
+    for (const glm::vec3& direction : directions) {
+        const Hit hit = scene.intersect({.origin = place, .direction = direction});
+        if (!hit.missed() && hit.distance < kElbowRoom) return 0.0f;
+        if (!hit.missed() && hit.front) ++fronts;
+    }
+    return static_cast<float>(fronts) / static_cast<float>(directions.size());
+}
+
+/// Places at eye height over whatever floor there is, all over the plan.
+std::vector<glm::vec3> candidatePlaces(const Scan& scan, const RayScene& scene)
+{
+    const Bounds room = boundsOf(scan);
+    std::vector<glm::vec3> places;
+    for (int z = 0; z < kPlaces; ++z)
+        for (int x = 0; x < kPlaces; ++x) {
+            const glm::vec3 part((static_cast<float>(x) + 0.5f) / kPlaces, 0.6f, (static_cast<float>(z) + 0.5f) / kPlaces);
+            glm::vec3 place = room.low + part * room.extent();
+            const Hit floor = scene.intersect({.origin = place, .direction = {0.0f, -1.0f, 0.0f}});
+            const float floorHeight = floor.missed() ? room.low.y : place.y - floor.distance;
+            place.y = std::min(floorHeight + kEyeHeight, room.low.y + 0.75f * room.extent().y);
+            places.push_back(place);
+        }
+    return places;
+}
+
+float scoreOf(const RayScene& scene, const Camera& camera, float depth)
+{
+    constexpr int kAcross = 16;
+    constexpr int kDown = 10;
+    float sum = 0.0f;
+    for (int y = 0; y < kDown; ++y)
+        for (int x = 0; x < kAcross; ++x) {
+            const float px = (2.0f * static_cast<float>(x) + 1.0f) / kAcross - 1.0f;
+            const float py = (2.0f * static_cast<float>(y) + 1.0f) / kDown - 1.0f;
+            const Hit hit = scene.intersect(
+                {.origin = camera.position, .direction = camera.direction(px, py, kAspect)});
+            if (hit.missed() || !hit.front)
+                sum -= 0.5f;
+            else
+                sum += std::sqrt(std::min(hit.distance / depth, 1.0f)); // far walls, but not only far walls
+        }
+    return sum / (kAcross * kDown);
+}
+
+/// How much two views show of the same.
+float likeness(const Camera& a, const Camera& b)
+{
+    return std::max(0.0f, glm::dot(a.forward, b.forward));
+}
+
+} // namespace
+
+std::vector<Camera> chooseViewpoints(const Scan& scan, const RayScene& scene, int count)
+{
+    const Bounds room = boundsOf(scan);
+    const std::vector<glm::vec3> places = candidatePlaces(scan, scene);
+    const float depth = std::max(0.6f * glm::length(glm::vec2(room.extent().x, room.extent().z)), 0.1f);
+    std::vector<View> views(places.size() * kYaws);
+    forEach(places.size(), [&](size_t p) {
+        const float inside = insideness(scene, places[p]);
+        for (size_t yaw = 0; yaw < kYaws && inside > 0.0f; ++yaw) {
+            const float angle = glm::two_pi<float>() * static_cast<float>(yaw) / kYaws;
+            View& view = views[p * kYaws + yaw];
+            view.camera.position = places[p];
+            view.camera.forward = {std::cos(kPitch) * std::cos(angle), std::sin(kPitch),
+                                   std::cos(kPitch) * std::sin(angle)};
+            view.score = inside * std::max(scoreOf(scene, view.camera, depth), 1e-4f);
+        }
+    });
+    std::vector<Camera> chosen;
+    while (static_cast<int>(chosen.size()) < count) {
+        const auto best = std::max_element(views.begin(), views.end(),
+                                           [](const View& a, const View& b) { return a.score < b.score; });
+        if (best->score <= 0.0f) break;
+        const Camera camera = best->camera;
+        chosen.push_back(camera);
+        for (View& view : views) view.score *= 1.0f - likeness(view.camera, camera);
+    }
+    if (chosen.empty()) // nowhere inside: look at it from outside
+        chosen.push_back({.position = room.centre() + glm::vec3(0.0f, 0.3f, 1.2f) * glm::length(room.extent()),
+                          .forward = glm::normalize(glm::vec3(0.0f, -0.25f, -1.0f))});
+    return chosen;
+}
+
+} // namespace relamp

@@ -1,0 +1,183 @@
+#include "relamp/result.h"
+
+#include "base/file.h"
+#include "base/half.h"
+#include "base/parallel.h"
+#include "decomposition_state.h"
+#include "image/transfer.h"
+#include "image/write_image.h"
+#include "output/preview.h"
+#include "output/report.h"
+#include "output/staged_folder.h"
+#include "output/viewpoints.h"
+#include "relamp/version.h"
+#include "scan/gltf_write.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr int kViewpoints = 3;
+
+/// "albedo.exr", or "albedo.2.exr" where there are several pages.
+std::string nameOfLayer(const char* layer, size_t page, size_t pages, const char* ending)
+{
+    return pages == 1 ? fmt::format("{}.{}", layer, ending) : fmt::format("{}.{}.{}", layer, page, ending);
+}
+
+std::vector<uint8_t> srgbBytes(const std::vector<uint16_t>& half)
+{
+    static const SrgbFromHalf srgb;
+    std::vector<uint8_t> bytes(half.size());
+    forEachChunk(half.size(), size_t{1} << 18, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) bytes[i] = srgb(half[i]);
+    });
+    return bytes;
+}
+
+void addInto(std::vector<uint16_t>& sum, const std::vector<uint16_t>& other)
+{
+    forEachChunk(sum.size(), size_t{1} << 18, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i)
+            sum[i] = halfFromFloat(floatFromHalf(sum[i]) + floatFromHalf(other[i]));
+    });
+}
+
+std::vector<float> floatsFrom(const std::vector<uint16_t>& half)
+{
+    std::vector<float> floats(half.size());
+    for (size_t i = 0; i < half.size(); ++i) floats[i] = std::min(floatFromHalf(half[i]), 1.0f);
+    return floats;
+}
+
+std::vector<uint8_t> withAlpha(const std::vector<uint8_t>& rgb, const std::vector<uint8_t>& alpha)
+{
+    std::vector<uint8_t> rgba(4 * alpha.size());
+    for (size_t i = 0; i < alpha.size(); ++i) {
+        for (size_t c = 0; c < 3; ++c) rgba[4 * i + c] = rgb[3 * i + c];
+        rgba[4 * i + 3] = alpha[i];
+    }
+    return rgba;
+}
+
+class ResultWriter
+{
+public:
+    ResultWriter(const Scan& scan, const Decomposition& result, StagedFolder& folder, Progress& progress)
+        : scan_(scan), result_(result), folder_(folder), progress_(progress), relit_(scan.pages.size())
+    {}
+
+    void writePages();
+    void writeWhole();
+
+private:
+    void writePage(size_t page, PageLayers layers);
+    void writeAlbedo(size_t page, const PageLayers& layers);
+    [[nodiscard]] std::filesystem::path file(const char* layer, size_t page, const char* ending) const
+    {
+        return folder_ / nameOfLayer(layer, page, scan_.pages.size(), ending);
+    }
+
+    const Scan& scan_;
+    const Decomposition& result_;
+    StagedFolder& folder_;
+    Progress& progress_;
+    std::vector<RelitPage> relit_;
+    std::vector<PreviewPage> previews_;
+};
+
+void ResultWriter::writeAlbedo(size_t page, const PageLayers& layers)
+{
+    const Size size{layers.width, layers.height};
+    const std::vector<uint8_t> rgb = srgbBytes(layers.albedo);
+    const std::vector<uint8_t>& alpha = scan_.pages[page].image.alpha;
+    EncodedImage png{alpha.empty() ? encodePng(rgb, size, 3) : encodePng(withAlpha(rgb, alpha), size, 4),
+                     "image/png"};
+    writeFile(file("albedo", page, "png"), std::as_bytes(std::span(png.bytes)));
+    RelitPage& relit = relit_[page];
+    if (scan_.pages[page].ofVertices) {
+        relit.vertexAlbedo = floatsFrom(layers.albedo);
+        return;
+    }
+    // A scan that came as JPEG stays as small as one.
+    const bool asJpeg = scan_.pages[page].image.wasJpeg && alpha.empty();
+    relit.albedo = asJpeg ? EncodedImage{encodeJpeg(rgb, size), "image/jpeg"} : std::move(png);
+    if (!layers.emission.empty())
+        relit.emission = asJpeg ? EncodedImage{encodeJpeg(layers.emission, size), "image/jpeg"}
+                                : EncodedImage{encodePng(layers.emission, size, 3), "image/png"};
+}
+
+void ResultWriter::writePage(size_t page, PageLayers layers)
+{
+    const Size size{layers.width, layers.height};
+    previews_.push_back(previewOf(scan_.pages[page], layers));
+    Progress::Stage stage(progress_, "write", 4);
+    tbb::parallel_invoke(
+        [&] {
+            writeAlbedo(page, layers);
+            stage.advance();
+        },
+        [&] {
+            writeExr(file("albedo", page, "exr"), layers.albedo, size);
+            const auto png = encodePng(layers.confidence, size, 1);
+            writeFile(file("confidence", page, "png"), std::as_bytes(std::span(png)));
+            stage.advance();
+        },
+        [&] {
+            writeExr(file("direct", page, "exr"), layers.direct, size);
+            stage.advance();
+        },
+        [&] { writeExr(file("indirect", page, "exr"), layers.indirect, size); });
+    addInto(layers.direct, layers.indirect); // now it is the whole shading
+    writeExr(file("shading", page, "exr"), layers.direct, size);
+    stage.advance();
+}
+
+void ResultWriter::writePages()
+{
+    for (size_t page = 0; page < scan_.pages.size(); ++page) writePage(page, result_.layers(page, progress_));
+}
+
+void ResultWriter::writeWhole()
+{
+    const Decomposition::State& state = result_.state();
+    const std::vector<Camera> cameras = chooseViewpoints(scan_, state.scene, kViewpoints);
+    const PreviewPicture preview = renderPreview(state.texels, state.scene, previews_, cameras, progress_);
+    Progress::Stage stage(progress_, "write", 2);
+    const auto png = encodePng(preview.rgb, preview.size, 3);
+    writeFile(folder_ / "preview.png", std::as_bytes(std::span(png)));
+    stage.advance();
+    writeFile(folder_ / (scan_.name + ".glb"), writeGlb(scan_, relit_, result_.mergedLights()));
+    writeFile(folder_ / "lights.json", lightsAsJson(result_.lights()));
+    stage.advance();
+}
+
+} // namespace
+
+std::string writeResult(const Scan& scan, const Decomposition& decomposition,
+                        const std::filesystem::path& scanFile, const std::filesystem::path& folder,
+                        Progress& progress)
+{
+    StagedFolder staged(folder, progress);
+    ResultWriter writer(scan, decomposition, staged, progress);
+    writer.writePages();
+    writer.writeWhole();
+    std::vector<std::string> files = staged.names();
+    files.emplace_back("report.json");
+    const std::string report = reportAsJson(scan, decomposition, scanFile, files, progress);
+    writeFile(staged / "report.json", report);
+    progress.check();
+    staged.commit("report.json", filesOfFormerReport(folder));
+    return report;
+}
+
+const char* version()
+{
+    return RELAMP_VERSION;
+}
+
+} // namespace relamp

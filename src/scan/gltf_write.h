@@ -1,0 +1,36 @@
+#pragma once
+
+#include "relamp/lights.h"
+#include "relamp/scan.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace relamp
+{
+
+/// A picture file as it goes into a GLB.
+struct EncodedImage
+{
+    std::vector<uint8_t> bytes; // empty: none
+    std::string mimeType;
+};
+
+/// What takes the place of a page's baked-in light.
+struct RelitPage
+{
+    EncodedImage albedo;             // of a textured page
+    EncodedImage emission;           // of a textured page; empty where nothing shines
+    std::vector<float> vertexAlbedo; // of a page of vertices: linear RGB a vertex
+};
+
+/// The scan as a GLB that can be relit: as it came, but with albedo for base colour, emissive textures
+/// for what shines, lit materials, and `lights` as KHR_lights_punctual.
+///
+/// `pages` belong to scan.pages; the result is the file's bytes. Scans of other formats than glTF get
+/// a plain node a mesh. Throws Error(unsupported) beyond the 4 GiB of a GLB.
+std::string writeGlb(const Scan& scan, const std::vector<RelitPage>& pages,
+                     const std::vector<PointLight>& lights);
+
+} // namespace relamp

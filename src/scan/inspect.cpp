@@ -1,0 +1,131 @@
+#include "relamp/inspect.h"
+
+#include "base/disjoint_sets.h"
+#include "scan/texels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kClipped = 0.97f; // of white
+constexpr double kMuchClipped = 0.25;
+constexpr double kFewTexels = 0.10;
+constexpr float kSmallestRoom = 1.0f; // m
+constexpr float kLargestRoom = 100.0f;
+
+double clippedShare(const Texels& texels, size_t page)
+{
+    const TexelLoader loader(texels, page);
+    const size_t count = texels.pages[page].count();
+    std::vector<size_t> clipped(count / TexelBlock::kCapacity + 1, 0);
+    forEachBlock(texels.pages[page], [&](size_t begin, size_t blockCount) {
+        TexelBlock block;
+        loader.loadRadiance(begin, blockCount, block);
+        size_t& sum = clipped[begin / TexelBlock::kCapacity];
+        for (size_t i = 0; i < blockCount; ++i)
+            sum += std::max({block.r[i], block.g[i], block.b[i]}) >= kClipped ? size_t{1} : size_t{0};
+    });
+    size_t sum = 0;
+    for (const size_t c : clipped) sum += c;
+    return count > 0 ? static_cast<double>(sum) / static_cast<double>(count) : 0.0;
+}
+
+/// Triangles that share a texture coordinate belong to one chart.
+size_t countCharts(const Scan& scan, size_t page)
+{
+    std::map<std::pair<float, float>, uint32_t> idOfUv;
+    std::vector<glm::uvec3> triangles;
+    for (const Mesh& mesh : scan.meshes) {
+        if (static_cast<size_t>(mesh.page) != page) continue;
+        std::vector<uint32_t> id(mesh.uvs.size());
+        for (size_t i = 0; i < id.size(); ++i)
+            id[i] = idOfUv.try_emplace({mesh.uvs[i].x, mesh.uvs[i].y}, static_cast<uint32_t>(idOfUv.size())).first->second;
+        for (const glm::uvec3& t : mesh.triangles) triangles.emplace_back(id[t.x], id[t.y], id[t.z]);
+    }
+    DisjointSets charts(idOfUv.size());
+    for (const glm::uvec3& t : triangles) {
+        charts.join(t.x, t.y);
+        charts.join(t.x, t.z);
+    }
+    std::set<uint32_t> roots;
+    for (const glm::uvec3& t : triangles) roots.insert(charts.find(t.x));
+    return roots.size();
+}
+
+PageInspection inspectPage(const Scan& scan, const Texels& texels, size_t index)
+{
+    const Page& page = scan.pages[index];
+    PageInspection result{.name = page.name,
+                          .width = page.image.width,
+                          .height = page.image.height,
+                          .ofVertices = page.ofVertices};
+    result.coverage = static_cast<double>(texels.pages[index].count()) / static_cast<double>(page.image.pixels());
+    result.clipped = clippedShare(texels, index);
+    if (!page.ofVertices) result.charts = countCharts(scan, index);
+    return result;
+}
+
+void findProblems(Inspection& result)
+{
+    auto& problems = result.problems;
+    const glm::vec3 extent = result.bounds.extent();
+    const float largest = std::max({extent.x, extent.y, extent.z});
+    if (result.overlapShare > 0.02)
+        problems.push_back(fmt::format("{:.0f} % of its texels stand for several places. delight will refuse it: "
+                                       "unwrap it without overlap and bake the texture",
+                                       100.0 * result.overlapShare));
+    if (largest < kSmallestRoom || largest > kLargestRoom)
+        problems.push_back(fmt::format("it is {:.2f} m long, hardly a room. If its unit is not the metre, say so "
+                                       "with --scale (0.01 for centimetres)",
+                                       largest));
+    if (extent.y > 1.2f * std::max(extent.x, extent.z))
+        problems.emplace_back("it is taller than wide. If z points up in it, say --up z");
+    double clipped = 0.0;
+    for (const PageInspection& page : result.pages) {
+        clipped = std::max(clipped, page.clipped);
+        if (!page.ofVertices && page.coverage < kFewTexels)
+            problems.push_back(fmt::format("only {:.0f} % of page \"{}\" shows a surface; the rest of the "
+                                           "texture is wasted",
+                                           100.0 * page.coverage, page.name));
+    }
+    if (clipped > kMuchClipped)
+        problems.push_back(fmt::format("{:.0f} % of a page is burnt out. Albedo cannot be recovered there; scan with "
+                                       "a shorter exposure",
+                                       100.0 * clipped));
+    if (clipped == 0.0)
+        problems.emplace_back("nothing is burnt out, so no lamp or window shows itself. Name the lights with "
+                              "--lights");
+}
+
+} // namespace
+
+Inspection inspect(const Scan& scan, Progress& progress)
+{
+    const Texels texels = rasterizeAtlas(scan, progress);
+    Progress::Stage stage(progress, "inspect", scan.pages.size());
+    Inspection result;
+    result.triangles = scan.triangleCount();
+    result.meshes = scan.meshes.size();
+    result.texels = texels.count();
+    result.squareMetres = texels.area;
+    result.millimetresPerTexel = 1e3 * std::sqrt(texels.area / static_cast<double>(texels.count()));
+    result.bounds = boundsOf(scan);
+    result.overlapShare = texels.overlapShare;
+    for (size_t p = 0; p < scan.pages.size(); ++p) {
+        result.pages.push_back(inspectPage(scan, texels, p));
+        stage.advance();
+    }
+    result.problems = scan.warnings;
+    findProblems(result);
+    return result;
+}
+
+} // namespace relamp
