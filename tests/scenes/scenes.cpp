@@ -1,0 +1,121 @@
+#include "scenes/scenes.h"
+
+#include "base/half.h"
+#include "scan/finish_mesh.h"
+
+#include <array>
+
+#include <glm/geometric.hpp>
+
+namespace relamp::scenes
+{
+namespace
+{
+
+constexpr int kGutter = 2; // pixels around each chart
+
+/// A parallelogram and the rectangle of the page that it takes up, in pixels.
+struct Wall
+{
+    glm::vec3 corner;
+    glm::vec3 alongU;
+    glm::vec3 alongV;
+    int column;
+    int row;
+    int pixels;
+};
+
+Page emptyPage(int width, int height)
+{
+    Page page;
+    page.name = "painted";
+    page.image.width = width;
+    page.image.height = height;
+    page.image.transfer = Transfer::linear;
+    page.image.clipsAtWhite = false;
+    page.image.half.resize(3 * page.image.pixels());
+    return page;
+}
+
+/// Adds a wall whose lit side is where alongU x alongV points from.
+void addWall(Mesh& mesh, Page& page, const Wall& wall, const Paint& paint)
+{
+    const auto first = static_cast<uint32_t>(mesh.positions.size());
+    const glm::vec2 size(page.image.width, page.image.height);
+    const glm::vec2 low(wall.column, wall.row);
+    for (int i = 0; i < 4; ++i) {
+        const auto u = static_cast<float>(i % 2);
+        const auto v = static_cast<float>(i / 2);
+        mesh.positions.push_back(wall.corner + u * wall.alongU + v * wall.alongV);
+        mesh.uvs.push_back((low + glm::vec2(u, v) * static_cast<float>(wall.pixels)) / size);
+    }
+    mesh.triangles.emplace_back(first, first + 1, first + 2);
+    mesh.triangles.emplace_back(first + 1, first + 3, first + 2);
+
+    const glm::vec3 normal = glm::normalize(glm::cross(wall.alongU, wall.alongV));
+    for (int y = 0; y < wall.pixels; ++y)
+        for (int x = 0; x < wall.pixels; ++x) {
+            const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(wall.pixels);
+            const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(wall.pixels);
+            const glm::vec3 radiance = paint(wall.corner + u * wall.alongU + v * wall.alongV, normal);
+            const auto pixel = static_cast<size_t>((wall.row + y) * page.image.width + wall.column + x);
+            for (int c = 0; c < 3; ++c) page.image.half[3 * pixel + static_cast<size_t>(c)] = halfFromFloat(radiance[c]);
+        }
+}
+
+Scan scanOf(Mesh mesh, Page page)
+{
+    Scan scan;
+    scan.name = "scene";
+    mesh.name = "walls";
+    mesh.page = 0;
+    finishMesh(mesh, {}, "scene", scan.warnings);
+    scan.meshes.push_back(std::move(mesh));
+    scan.pages.push_back(std::move(page));
+    return scan;
+}
+
+} // namespace
+
+Scan square(float side, int pixels, const Paint& paint)
+{
+    Mesh mesh;
+    Page page = emptyPage(pixels, pixels);
+    // u along x and v along z would face down; the wall is wound the other way round.
+    addWall(mesh, page, {{0, 0, 0}, {side, 0, 0}, {0, 0, side}, 0, 0, pixels}, [&](glm::vec3 p, glm::vec3) {
+        return paint(p, {0.0f, 1.0f, 0.0f});
+    });
+    for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
+    return scanOf(std::move(mesh), std::move(page));
+}
+
+Scan room(glm::vec3 size, int pixels, const Paint& paint)
+{
+    const int tile = pixels + 2 * kGutter;
+    Mesh mesh;
+    Page page = emptyPage(3 * tile, 2 * tile);
+    const glm::vec3 x(size.x, 0, 0);
+    const glm::vec3 y(0, size.y, 0);
+    const glm::vec3 z(0, 0, size.z);
+    const std::array<std::array<glm::vec3, 3>, 6> walls{{
+        {glm::vec3(0), z, x},  // floor, faces up
+        {y, x, z},             // ceiling, faces down
+        {glm::vec3(0), y, z},  // x = 0
+        {x, z, y},             // x = size.x
+        {glm::vec3(0), x, y},  // z = 0
+        {z, y, x},             // z = size.z
+    }};
+    for (size_t i = 0; i < walls.size(); ++i) {
+        const int column = static_cast<int>(i % 3) * tile + kGutter;
+        const int row = static_cast<int>(i / 3) * tile + kGutter;
+        addWall(mesh, page, {walls[i][0], walls[i][1], walls[i][2], column, row, pixels}, paint);
+    }
+    return scanOf(std::move(mesh), std::move(page));
+}
+
+Paint plain(glm::vec3 radiance)
+{
+    return [radiance](glm::vec3, glm::vec3) { return radiance; };
+}
+
+} // namespace relamp::scenes

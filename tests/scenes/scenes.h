@@ -1,0 +1,24 @@
+#pragma once
+
+#include "relamp/scan.h"
+
+#include <functional>
+
+namespace relamp::scenes
+{
+
+/// Linear radiance that a surface shows at a place.
+using Paint = std::function<glm::vec3(glm::vec3 position, glm::vec3 normal)>;
+
+/// A flat square in the xz plane, `side` metres long, facing +y, on a page of `pixels` squared that it
+/// fills to its edges. u runs along x, v along z; corner (0, 0, 0) is u = v = 0.
+Scan square(float side, int pixels, const Paint& paint);
+
+/// The inside of a box from the origin to `size`: six walls, each a chart of its own of `pixels`
+/// squared with a gutter around it, in one 3 x 2 atlas. Textures are half floats: nothing is clipped.
+Scan room(glm::vec3 size, int pixels, const Paint& paint);
+
+/// The same radiance everywhere.
+Paint plain(glm::vec3 radiance);
+
+} // namespace relamp::scenes
