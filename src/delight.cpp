@@ -51,7 +51,8 @@ void setDials(ThesisShading& shading, const Texels& texels, const SurfelLight& l
         if (!dials.power) dials.power = fitted.power;
         if (!dials.ambient) dials.ambient = fitted.ambient * *dials.power;
     }
-    shading.ambient = *dials.ambient * meanColor(lights);
+    const bool asGiven = luminance(lights.ambient) > 0.0f && *dials.ambient == luminance(lights.ambient);
+    shading.ambient = asGiven ? lights.ambient : *dials.ambient * meanColor(lights);
 }
 
 /// Lights of a file are as bright as they say; the dials follow them.

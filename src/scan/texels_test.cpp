@@ -1,0 +1,197 @@
+#include "scan/texels.h"
+
+#include "relamp/error.h"
+#include "relamp/threads.h"
+#include "scenes/scenes.h"
+
+#include <cmath>
+#include <set>
+
+#include <gmock/gmock.h>
+
+namespace relamp
+{
+namespace
+{
+
+Texels rasterize(const Scan& scan)
+{
+    Progress progress;
+    return rasterizeAtlas(scan, progress);
+}
+
+/// Calls `visit(block, i, pixel)` for every texel of the first page.
+template<class Visit>
+void forEachTexel(const Texels& texels, const Visit& visit)
+{
+    const TexelLoader loader(texels, 0);
+    const size_t count = texels.pages[0].count();
+    TexelBlock block;
+    for (size_t begin = 0; begin < count; begin += TexelBlock::kCapacity) {
+        loader.load(begin, std::min(TexelBlock::kCapacity, count - begin), block);
+        for (size_t i = 0; i < block.count; ++i) visit(block, i, texels.pages[0].pixel[begin + i]);
+    }
+}
+
+const scenes::Paint kGrey = scenes::plain(glm::vec3(0.5f));
+
+/// The square again, with one colour a corner and no texture.
+Scan vertexColored()
+{
+    Scan scan = scenes::square(2.0f, 4, kGrey);
+    scan.meshes[0].uvs.clear();
+    scan.pages[0].ofVertices = true;
+    scan.pages[0].image.width = 4;
+    scan.pages[0].image.height = 1;
+    scan.pages[0].image.half.resize(12);
+    return scan;
+}
+
+} // namespace
+
+TEST(Texels, AreasSumToTheMeshsArea)
+{
+    EXPECT_NEAR(rasterize(scenes::square(2.0f, 64, kGrey)).area, 4.0, 1e-4);
+    const Texels room = rasterize(scenes::room({4.0f, 2.5f, 3.0f}, 96, kGrey));
+    EXPECT_NEAR(room.area, 2.0 * (4.0 * 2.5 + 4.0 * 3.0 + 2.5 * 3.0), 0.01);
+    double ofSurfels = 0.0;
+    for (const float area : room.surfels.area) ofSurfels += static_cast<double>(area);
+    EXPECT_NEAR(ofSurfels, room.area, 1e-3 * room.area);
+}
+
+TEST(Texels, VerticesShareTheAreaOfTheirTriangles)
+{
+    const Scan scan = vertexColored();
+    const Texels texels = rasterize(scan);
+    EXPECT_EQ(texels.count(), 4u);
+    EXPECT_NEAR(texels.area, 4.0, 1e-5);
+}
+
+// Pixel (column, row) of a page that a square fills has its centre at (column + 1/2, row + 1/2) / pixels.
+TEST(Texels, LieWhereTheirPixelCentresAre)
+{
+    const Scan scan = scenes::square(2.0f, 64, kGrey);
+    const Texels texels = rasterize(scan);
+    EXPECT_EQ(texels.count(), 64u * 64u);
+    forEachTexel(texels, [](const TexelBlock& block, size_t i, uint32_t pixel) {
+        ASSERT_NEAR(block.x[i], 2.0f * (static_cast<float>(pixel % 64) + 0.5f) / 64.0f, 1e-5f);
+        ASSERT_NEAR(block.z[i], 2.0f * (static_cast<float>(pixel / 64) + 0.5f) / 64.0f, 1e-5f);
+        ASSERT_NEAR(block.y[i], 0.0f, 1e-6f);
+        ASSERT_NEAR(block.ny[i], 1.0f, 1e-6f);
+    });
+}
+
+TEST(Texels, ShowTheRadianceOfTheirPixels)
+{
+    const Scan scan = scenes::square(2.0f, 64, [](glm::vec3 p, glm::vec3) { return glm::vec3(p.x, p.z, 0.25f); });
+    const Texels texels = rasterize(scan);
+    forEachTexel(texels, [](const TexelBlock& block, size_t i, uint32_t) {
+        ASSERT_NEAR(block.r[i], block.x[i], 1e-3f * block.x[i]);
+        ASSERT_NEAR(block.g[i], block.z[i], 1e-3f * block.z[i]);
+        ASSERT_NEAR(block.b[i], 0.25f, 1e-4f);
+    });
+}
+
+TEST(Texels, FactorAndVertexColorsMultiplyTheTexture)
+{
+    Scan scan = scenes::square(2.0f, 64, kGrey);
+    scan.meshes[0].factor = {1.0f, 0.5f, 1.0f};
+    for (const glm::vec3& p : scan.meshes[0].positions) scan.meshes[0].colors.emplace_back(0.5f * p.x, 1.0f, 1.0f);
+    const Texels texels = rasterize(scan);
+    forEachTexel(texels, [](const TexelBlock& block, size_t i, uint32_t) {
+        ASSERT_NEAR(block.r[i], 0.25f * block.x[i], 1e-3f);
+        ASSERT_NEAR(block.g[i], 0.25f, 1e-3f);
+    });
+}
+
+TEST(Texels, OfOneSurfelFollowEachOtherAndLieTogether)
+{
+    const Scan scan = scenes::room({4.0f, 2.5f, 3.0f}, 96, kGrey);
+    const Texels texels = rasterize(scan);
+    const Surfels& surfels = texels.surfels;
+    std::set<uint32_t> seen;
+    for (size_t run = 0; run + 1 < texels.pages[0].runs.size(); ++run)
+        EXPECT_TRUE(seen.insert(texels.pages[0].runs[run].surfel).second);
+    EXPECT_EQ(seen.size(), surfels.count());
+    forEachTexel(texels, [&](const TexelBlock& block, size_t i, uint32_t) {
+        const glm::vec3 place(block.x[i], block.y[i], block.z[i]);
+        ASSERT_LT(glm::distance(place, surfels.position[block.surfel[i]]), std::sqrt(3.0f) * surfels.size);
+        const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
+        ASSERT_GT(glm::dot(normal, surfels.normal[block.surfel[i]]), 0.99f);
+    });
+}
+
+// Neighbours lie on the same wall: the surface is followed, not the straight way round a corner.
+TEST(Surfels, NeighborsAreOnTheSameSurface)
+{
+    const Scan scan = scenes::room({4.0f, 2.5f, 3.0f}, 96, kGrey);
+    const Texels texels = rasterize(scan);
+    const Surfels& surfels = texels.surfels;
+    size_t most = 0;
+    for (size_t s = 0; s < surfels.count(); ++s) {
+        EXPECT_EQ(surfels.neighborsOf(s).front(), s);
+        for (const uint32_t n : surfels.neighborsOf(s))
+            EXPECT_GT(glm::dot(surfels.normal[s], surfels.normal[n]), 0.99f);
+        most = std::max(most, surfels.neighborsOf(s).size());
+    }
+    EXPECT_GE(most, 9u);
+}
+
+TEST(Texels, AreTheSameOnAnyNumberOfThreads)
+{
+    const Scan scan = scenes::room({4.0f, 2.5f, 3.0f}, 96, kGrey);
+    const auto run = [&](int threads) {
+        const ThreadLimit limit(threads);
+        return rasterize(scan);
+    };
+    const Texels one = run(1);
+    const Texels eight = run(8);
+    EXPECT_EQ(one.pages[0].pixel, eight.pages[0].pixel);
+    EXPECT_EQ(one.pages[0].facet, eight.pages[0].facet);
+    EXPECT_EQ(one.surfels.neighbor, eight.surfels.neighbor);
+    EXPECT_TRUE(one.surfels.position == eight.surfels.position);
+}
+
+TEST(Texels, OverlappingUvsAreRefusedWithTheirShare)
+{
+    Scan scan = scenes::square(2.0f, 64, kGrey);
+    scan.meshes.push_back(scan.meshes[0]);
+    for (glm::vec3& p : scan.meshes[1].positions) p.y += 1.0f;
+    const Texels texels = rasterize(scan);
+    EXPECT_NEAR(texels.overlapShare, 1.0, 0.05);
+    try {
+        checkOverlap(texels);
+        FAIL() << "overlap was accepted";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::unsupported);
+        EXPECT_THAT(error.what(), testing::HasSubstr("% of its texels"));
+    }
+}
+
+TEST(Texels, TiledTexturesCountAsOverlapping)
+{
+    Scan scan = scenes::square(2.0f, 64, kGrey);
+    for (glm::vec2& uv : scan.meshes[0].uvs) uv *= 4.0f;
+    EXPECT_GT(rasterize(scan).overlapShare, 0.5);
+}
+
+TEST(Texels, UvsOnAnotherTileAreFoundByWrapping)
+{
+    Scan scan = scenes::square(2.0f, 64, [](glm::vec3 p, glm::vec3) { return glm::vec3(p.x, p.z, 0.0f); });
+    for (glm::vec2& uv : scan.meshes[0].uvs) uv += glm::vec2(3.0f, -2.0f);
+    const Texels texels = rasterize(scan);
+    EXPECT_EQ(texels.count(), 64u * 64u);
+    EXPECT_EQ(texels.overlapShare, 0.0);
+    forEachTexel(texels, [](const TexelBlock& block, size_t i, uint32_t) {
+        ASSERT_NEAR(block.r[i], block.x[i], 2e-3f);
+    });
+}
+
+TEST(Texels, AbsurdUvsNeitherHangNorCrash)
+{
+    Scan scan = scenes::square(2.0f, 64, kGrey);
+    scan.meshes[0].uvs[0] = {-1e30f, 1e30f};
+    EXPECT_GE(rasterize(scan).overlapShare, 0.0);
+}
+
+} // namespace relamp
