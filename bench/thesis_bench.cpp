@@ -14,6 +14,8 @@
 
 #include <vector>
 
+#include <malloc.h>
+
 #include <benchmark/benchmark.h>
 
 namespace relamp::bench
@@ -28,6 +30,9 @@ struct Room
 {
     Room() : scan(sampleRoom(kTexels)), scene(scan), texels(rasterizeAtlas(scan, progress))
     {
+        // Frame after frame, memory is taken and given back; a program that shows frames keeps it.
+        mallopt(M_MMAP_THRESHOLD, 1 << 30);
+        mallopt(M_TRIM_THRESHOLD, -1);
         SurfelLight light = collectLight(texels, {}, progress);
         joinFixtures(light, texels, {});
         lights.points = pointLightsFrom(light.emitters, 6);

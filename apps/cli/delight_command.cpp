@@ -53,7 +53,7 @@ void addDials(CLI::App& command, DelightArguments& arguments)
         ->check(between(0.0, 1e6))->type_name("L")->group(group);
     command.add_option("--merge-distance", dials.mergeDistance, "Lights nearer than this share a shadow map")
         ->check(between(0.0, 1e6))->type_name("M")->group(group);
-    command.add_option("--rsm-size", dials.rsmSize, "Pixels along a face of a reflective shadow map [64]")
+    command.add_option("--rsm-size", dials.rsmSize, "Pixels along a face of a reflective shadow map [32]")
         ->check(between(8, 512))->type_name("N")->group(group);
     command.add_option("--lpv-size", dials.lpvSize, "Cells of the light propagation volume along the room [32]")
         ->check(between(8, 128))->type_name("N")->group(group);

@@ -51,10 +51,18 @@ public:
     explicit Radiance(const Image& image);
 
     /// Linear RGB at `pixel` = row * width + column; >= 0, finite, 1 = the file's white.
-    [[nodiscard]] glm::vec3 operator[](size_t pixel) const;
+    [[nodiscard]] glm::vec3 operator[](size_t pixel) const
+    {
+        if (bytes_ == nullptr) return fromHalf(3 * pixel);
+        const uint8_t* rgb = bytes_ + 3 * pixel;
+        return {linearOf_[rgb[0]], linearOf_[rgb[1]], linearOf_[rgb[2]]};
+    }
 
 private:
-    const Image* image_;
+    [[nodiscard]] glm::vec3 fromHalf(size_t at) const;
+
+    const uint8_t* bytes_;  // null where the image is in half floats
+    const uint16_t* half_;
     std::array<float, 256> linearOf_;
 };
 

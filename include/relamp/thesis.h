@@ -17,7 +17,7 @@ struct ThesisOptions
     std::optional<float> power;    // factor on all light, > 0
     std::optional<float> ambient;  // irradiance / pi, the same everywhere, >= 0
     std::optional<float> mergeDistance; // m; lights closer than this share a shadow map, >= 0
-    int rsmSize = 64;              // pixels along a face of a reflective shadow map, 8..512
+    int rsmSize = 32;              // pixels along a face of a reflective shadow map, 8..512
     int lpvSize = 32;              // cells along the longest side of the room, 8..128
     int lpvSteps = 8;              // 1..128
     float flattenReach = 1.5f;     // of the bilateral filter, in surfel sizes, 1..2

@@ -92,6 +92,7 @@ void LayerMaker::makeBlock(size_t begin, size_t count)
     ShadingBlock shading;
     AlbedoBlock albedo;
     loader_.load(begin, count, block);
+    loader_.loadSurfel(begin, count, block);
     shade(shading_, block, shading);
     divide(block, shading, options_.albedo.darkest, albedo);
     for (size_t i = 0; i < count; ++i) storeTexel(block, shading, albedo, i, texels_.pixel[begin + i]);

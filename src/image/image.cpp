@@ -6,7 +6,8 @@
 namespace relamp
 {
 
-Radiance::Radiance(const Image& image) : image_(&image), linearOf_{}
+Radiance::Radiance(const Image& image)
+    : bytes_(image.encoded.empty() ? nullptr : image.encoded.data()), half_(image.half.data()), linearOf_{}
 {
     for (int i = 0; i < 256; ++i) {
         const float encoded = static_cast<float>(i) / 255.0f;
@@ -15,14 +16,9 @@ Radiance::Radiance(const Image& image) : image_(&image), linearOf_{}
     }
 }
 
-glm::vec3 Radiance::operator[](size_t pixel) const
+glm::vec3 Radiance::fromHalf(size_t at) const
 {
-    const size_t i = 3 * pixel;
-    if (!image_->encoded.empty()) {
-        const uint8_t* rgb = &image_->encoded[i];
-        return {linearOf_[rgb[0]], linearOf_[rgb[1]], linearOf_[rgb[2]]};
-    }
-    const uint16_t* rgb = &image_->half[i];
+    const uint16_t* rgb = half_ + at;
     return {floatFromHalf(rgb[0]), floatFromHalf(rgb[1]), floatFromHalf(rgb[2])};
 }
 

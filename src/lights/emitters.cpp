@@ -98,10 +98,12 @@ SurfelLight collectLight(const Texels& texels, const EmitterOptions& options, Pr
         const TexelLoader loader(texels, p);
         const size_t runs = page.runs.size() - 1;
         std::vector<RunSum> sums(runs);
-        forEachRun(page, [&](size_t run, size_t begin, size_t count) {
-            TexelBlock block;
-            loader.load(begin, count, block);
-            for (size_t i = 0; i < count; ++i) add(block, i, options, sums[run]);
+        forEachRun(page, [&](size_t run, TexelBlock& block) {
+            forEachBlockOfRun(page, run, [&](size_t begin, size_t count) {
+                loader.load(begin, count, block);
+                loader.loadArea(begin, count, block);
+                for (size_t i = 0; i < count; ++i) add(block, i, options, sums[run]);
+            });
         });
         for (size_t run = 0; run < runs; ++run) {
             const uint32_t surfel = page.runs[run].surfel;

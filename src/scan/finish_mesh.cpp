@@ -1,13 +1,12 @@
 #include "scan/finish_mesh.h"
 
+#include "base/fail.h"
 #include "base/parallel.h"
-#include "relamp/error.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 namespace relamp
@@ -40,16 +39,20 @@ size_t keepTriangles(Mesh& mesh, const Keep& keep)
     return before - mesh.triangles.size();
 }
 
-void dropUnusable(Mesh& mesh, const std::string& file, std::vector<std::string>& warnings)
+void checkCounts(const Mesh& mesh, const std::string& what)
 {
-    const auto count = mesh.positions.size();
+    const size_t count = mesh.positions.size();
+    if (!mesh.uvs.empty() && mesh.uvs.size() != count) malformed(what, "has not one texture coordinate a vertex");
+    if (!mesh.colors.empty() && mesh.colors.size() != count) malformed(what, "has not one colour a vertex");
     for (const glm::uvec3& t : mesh.triangles)
-        if (t.x >= count || t.y >= count || t.z >= count)
-            throw Error(ErrorCode::malformed,
-                        fmt::format("{}: mesh \"{}\" refers to vertex {}, and it has {}; the file is "
-                                    "damaged, export it again",
-                                    file, mesh.name, std::max({t.x, t.y, t.z}), count));
+        if (const uint32_t last = std::max({t.x, t.y, t.z}); last >= count)
+            malformed(what, fmt::format("refers to vertex {}, and it has {}; the file is damaged, export it again",
+                                        last, count));
+}
 
+void dropUnusable(Mesh& mesh, std::vector<std::string>& warnings)
+{
+    const size_t count = mesh.positions.size();
     std::vector<uint8_t> usable(count);
     for (size_t i = 0; i < count; ++i)
         usable[i] = isUsable(mesh.positions[i]) &&
@@ -148,7 +151,8 @@ void takeNormals(Mesh& mesh, const std::vector<glm::vec3>& vertexNormals)
 void finishMesh(Mesh& mesh, const std::vector<glm::vec3>& vertexNormals, const std::string& file,
                 std::vector<std::string>& warnings)
 {
-    dropUnusable(mesh, file, warnings);
+    checkCounts(mesh, fmt::format("{}: mesh \"{}\"", file, mesh.name));
+    dropUnusable(mesh, warnings);
     if (vertexNormals.size() == mesh.positions.size())
         takeNormals(mesh, vertexNormals);
     else

@@ -158,7 +158,6 @@ void GltfReader::takeVertices(const tinygltf::Primitive& primitive, const glm::m
                 const float v = read.values[i * read.components + static_cast<size_t>(c)];
                 mesh.colors[i][c] = std::isfinite(v) ? std::max(v, 0.0f) : 0.0f;
             }
-        if (mesh.colors.size() != mesh.positions.size()) malformed(what, "has not one colour a vertex");
     }
     std::vector<uint32_t> indices;
     if (primitive.indices >= 0) {
@@ -185,7 +184,6 @@ void GltfReader::takeColor(const tinygltf::Primitive& primitive, const std::stri
                                 "leave it out with --skip-mesh \"{}\".",
                                 name_, mesh.name, set, mesh.name));
     const AccessorFloats uvs = readFloats(model(), attribute->second, 2, what);
-    if (uvs.count() != mesh.positions.size()) malformed(what, "has not one texture coordinate a vertex");
     mesh.uvs.resize(uvs.count());
     for (size_t i = 0; i < mesh.uvs.size(); ++i)
         mesh.uvs[i] = color.uvFromTexCoord * glm::vec3(glm::make_vec2(&uvs.values[i * uvs.components]), 1.0f);

@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "scan/assimp_read.h"
 #include "scan/gltf_read.h"
+#include "scan/ply_read.h"
 
 #include <algorithm>
 #include <cctype>
@@ -55,8 +56,11 @@ Scan readScan(const std::filesystem::path& file, const ScanOptions& options, Pro
 {
     Progress::Stage stage(progress, "read");
     const std::vector<std::byte> bytes = readFile(file);
-    const bool gltf = isGlb(bytes) || lowerExtension(file) == ".gltf" || lowerExtension(file) == ".glb";
-    return gltf ? readGltf(bytes, file, options, progress) : readWithAssimp(file, options, progress);
+    const std::string extension = lowerExtension(file);
+    if (isGlb(bytes) || extension == ".gltf" || extension == ".glb")
+        return readGltf(bytes, file, options, progress);
+    if (isPly(bytes) || extension == ".ply") return readPly(bytes, file, options, progress);
+    return readWithAssimp(file, options, progress);
 }
 
 } // namespace relamp

@@ -27,31 +27,48 @@ uint32_t wrapped(double pixel, int size, Wrap wrap)
     return static_cast<uint32_t>(std::clamp(pixel, 0.0, last));
 }
 
+/// Pixel coordinates of the point that has these shares of a triangle's corners.
+glm::dvec2 pointOn(const Texels& texels, const Mesh& mesh, const glm::uvec3& v, glm::vec3 weights)
+{
+    const PixelTriangle t = pixelTriangle(*texels.scan, mesh, v);
+    return static_cast<double>(weights.x) * t.corner[0] + static_cast<double>(weights.y) * t.corner[1] +
+           static_cast<double>(weights.z) * t.corner[2];
+}
+
 } // namespace
 
-uint32_t PixelMix::nearest() const
+PixelAt nearestPixelAt(const Texels& texels, const Hit& hit)
 {
-    return pixel[static_cast<size_t>(std::max_element(weight.begin(), weight.end()) - weight.begin())];
+    const auto [mesh, triangle] = triangleOf(texels, hit.triangle);
+    const glm::uvec3& v = mesh.triangles[triangle];
+    const glm::vec3 weights(1.0f - hit.weights.x - hit.weights.y, hit.weights.x, hit.weights.y);
+    const Page& page = texels.scan->pages[static_cast<size_t>(mesh.page)];
+    const auto pageIndex = static_cast<uint32_t>(mesh.page);
+    if (page.ofVertices) {
+        const int corner = weights.x >= weights.y && weights.x >= weights.z ? 0 : weights.y >= weights.z ? 1 : 2;
+        return {pageIndex, static_cast<uint32_t>(mesh.firstPixel + v[corner])};
+    }
+    const glm::dvec2 at = pointOn(texels, mesh, v, weights);
+    const uint32_t column = wrapped(std::round(at.x), page.image.width, mesh.wrapU);
+    const uint32_t row = wrapped(std::round(at.y), page.image.height, mesh.wrapV);
+    return {pageIndex, row * static_cast<uint32_t>(page.image.width) + column};
 }
 
 PixelMix pixelsAt(const Texels& texels, const Hit& hit)
 {
     const auto [mesh, triangle] = triangleOf(texels, hit.triangle);
     const glm::uvec3& v = mesh.triangles[triangle];
-    const float first = 1.0f - hit.weights.x - hit.weights.y;
+    const glm::vec3 weights(1.0f - hit.weights.x - hit.weights.y, hit.weights.x, hit.weights.y);
     PixelMix mix;
     mix.page = static_cast<uint32_t>(mesh.page);
     const Page& page = texels.scan->pages[mix.page];
     if (page.ofVertices) {
         const auto base = static_cast<uint32_t>(mesh.firstPixel);
         mix.pixel = {base + v.x, base + v.y, base + v.z, base + v.x};
-        mix.weight = {first, hit.weights.x, hit.weights.y, 0.0f};
+        mix.weight = {weights.x, weights.y, weights.z, 0.0f};
         return mix;
     }
-    const PixelTriangle t = pixelTriangle(*texels.scan, mesh, v);
-    const glm::dvec2 at = static_cast<double>(first) * t.corner[0] +
-                          static_cast<double>(hit.weights.x) * t.corner[1] +
-                          static_cast<double>(hit.weights.y) * t.corner[2];
+    const glm::dvec2 at = pointOn(texels, mesh, v, weights);
     const glm::dvec2 low(std::floor(at.x), std::floor(at.y));
     const auto fx = static_cast<float>(at.x - low.x);
     const auto fy = static_cast<float>(at.y - low.y);

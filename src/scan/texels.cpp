@@ -37,6 +37,29 @@ Site siteOf(const Facet& facet, float column, float row)
             normal / std::max(glm::length(normal), 1e-12f)};
 }
 
+/// Columns and rows of pixels, without an integer division: half a pixel keeps the quotient clear of
+/// whole numbers, which a double's rounding could miss.
+void splitPixels(std::span<const uint32_t> pixels, uint32_t width, float* columns, float* rows)
+{
+    const double perWidth = 1.0 / width;
+    for (size_t i = 0; i < pixels.size(); ++i) {
+        const auto row = static_cast<int32_t>((pixels[i] + 0.5) * perWidth);
+        rows[i] = static_cast<float>(row);
+        columns[i] = static_cast<float>(static_cast<int32_t>(pixels[i]) - row * static_cast<int32_t>(width));
+    }
+}
+
+void normalize(TexelBlock& block)
+{
+    for (size_t i = 0; i < block.count; ++i) {
+        const float squared = block.nx[i] * block.nx[i] + block.ny[i] * block.ny[i] + block.nz[i] * block.nz[i];
+        const float scale = 1.0f / std::sqrt(squared > 1e-24f ? squared : 1e-24f);
+        block.nx[i] *= scale;
+        block.ny[i] *= scale;
+        block.nz[i] *= scale;
+    }
+}
+
 uint32_t widthOf(const Texels& texels, size_t page)
 {
     return static_cast<uint32_t>(texels.scan->pages[page].image.width);
@@ -171,6 +194,12 @@ void finishSurfels(Surfels& surfels)
 
 } // namespace
 
+size_t PageTexels::runOf(size_t texel) const
+{
+    const auto startsAfter = [](size_t t, const Run& run) { return t < run.begin; };
+    return static_cast<size_t>(std::upper_bound(runs.begin(), runs.end(), texel, startsAfter) - runs.begin()) - 1;
+}
+
 size_t Texels::count() const
 {
     size_t count = 0;
@@ -256,42 +285,64 @@ void TexelLoader::load(size_t begin, size_t count, TexelBlock& block) const
 void TexelLoader::loadGeometry(size_t begin, size_t count, TexelBlock& block) const
 {
     block.count = count;
+    float columns[TexelBlock::kCapacity];
+    float rows[TexelBlock::kCapacity];
+    splitPixels({page_.pixel.data() + begin, count}, width_, columns, rows);
     for (size_t i = 0; i < count; ++i) {
-        const uint32_t pixel = page_.pixel[begin + i];
         const Facet& facet = texels_.facets.facets[page_.facet[begin + i]];
-        const Site site = siteOf(facet, static_cast<float>(pixel % width_), static_cast<float>(pixel / width_));
-        block.x[i] = site.position.x;
-        block.y[i] = site.position.y;
-        block.z[i] = site.position.z;
-        block.nx[i] = site.normal.x;
-        block.ny[i] = site.normal.y;
-        block.nz[i] = site.normal.z;
+        const float dx = columns[i] - facet.pixel.x;
+        const float dy = rows[i] - facet.pixel.y;
+        block.x[i] = facet.position.x + dx * facet.positionX.x + dy * facet.positionY.x;
+        block.y[i] = facet.position.y + dx * facet.positionX.y + dy * facet.positionY.y;
+        block.z[i] = facet.position.z + dx * facet.positionX.z + dy * facet.positionY.z;
+        block.nx[i] = facet.normal.x + dx * facet.normalX.x + dy * facet.normalY.x;
+        block.ny[i] = facet.normal.y + dx * facet.normalX.y + dy * facet.normalY.y;
+        block.nz[i] = facet.normal.z + dx * facet.normalX.z + dy * facet.normalY.z;
     }
+    normalize(block);
 }
 
 void TexelLoader::loadRadiance(size_t begin, size_t count, TexelBlock& block) const
 {
     block.count = count;
     for (size_t i = 0; i < count; ++i) {
-        const uint32_t pixel = page_.pixel[begin + i];
-        const uint32_t facet = page_.facet[begin + i];
-        block.area[i] = texels_.facets.facets[facet].texelArea;
-        glm::vec3 radiance = radiance_[pixel];
-        if (tinted_) {
-            const Tint tint = tintOf(*texels_.scan, texels_.facets, facet);
-            const glm::vec2 from = texels_.facets.facets[facet].pixel;
-            radiance *= tint.color + (static_cast<float>(pixel % width_) - from.x) * tint.colorX +
-                        (static_cast<float>(pixel / width_) - from.y) * tint.colorY;
-        }
+        const glm::vec3 radiance = radiance_[page_.pixel[begin + i]];
         block.r[i] = radiance.r;
         block.g[i] = radiance.g;
         block.b[i] = radiance.b;
     }
-    const auto startsAfter = [](size_t texel, const PageTexels::Run& run) { return texel < run.begin; };
-    auto run = std::upper_bound(page_.runs.begin(), page_.runs.end(), begin, startsAfter) - 1;
+    if (tinted_) tint(begin, block);
+}
+
+void TexelLoader::tint(size_t begin, TexelBlock& block) const
+{
+    for (size_t i = 0; i < block.count; ++i) {
+        const uint32_t pixel = page_.pixel[begin + i];
+        const uint32_t facet = page_.facet[begin + i];
+        const Tint tint = tintOf(*texels_.scan, texels_.facets, facet);
+        const glm::vec2 from = texels_.facets.facets[facet].pixel;
+        const glm::vec3 color = tint.color + (static_cast<float>(pixel % width_) - from.x) * tint.colorX +
+                                (static_cast<float>(pixel / width_) - from.y) * tint.colorY;
+        block.r[i] *= color.r;
+        block.g[i] *= color.g;
+        block.b[i] *= color.b;
+    }
+}
+
+void TexelLoader::loadArea(size_t begin, size_t count, TexelBlock& block) const
+{
+    block.count = count;
+    for (size_t i = 0; i < count; ++i)
+        block.area[i] = texels_.facets.facets[page_.facet[begin + i]].texelArea;
+}
+
+void TexelLoader::loadSurfel(size_t begin, size_t count, TexelBlock& block) const
+{
+    block.count = count;
+    size_t run = page_.runOf(begin);
     for (size_t i = 0; i < count; ++i) {
-        while (begin + i >= (run + 1)->begin) ++run;
-        block.surfel[i] = run->surfel;
+        while (begin + i >= page_.runs[run + 1].begin) ++run;
+        block.surfel[i] = page_.runs[run].surfel;
     }
 }
 

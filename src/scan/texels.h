@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/lanes.h"
 #include "base/parallel.h"
 #include "relamp/progress.h"
 #include "relamp/scan.h"
@@ -30,6 +31,8 @@ struct PageTexels
     std::vector<Run> runs; // ascending; one more than there are, with begin = count()
 
     [[nodiscard]] size_t count() const { return pixel.size(); }
+    /// Index of the run that a texel belongs to.
+    [[nodiscard]] size_t runOf(size_t texel) const;
 };
 
 /// Every place of the scan that shows light, as the stages see it.
@@ -51,17 +54,27 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress);
 /// Throws Error(unsupported), naming the share, where UVs overlap so much that texels mean nothing.
 void checkOverlap(const Texels& texels);
 
-/// A few texels as structure of arrays, the shape that all kernels work on.
+/// A few texels as structure of arrays, the shape that all kernels work on. A kernel may read a group
+/// of lanes behind the last texel: what is there counts for nothing, but it is a number.
 struct TexelBlock
 {
     static constexpr size_t kCapacity = 512;
+    static constexpr size_t kPadded = kCapacity + kLanes;
 
     size_t count = 0;
-    alignas(64) float x[kCapacity] = {}, y[kCapacity] = {}, z[kCapacity] = {};    // world position, m
-    alignas(64) float nx[kCapacity] = {}, ny[kCapacity] = {}, nz[kCapacity] = {}; // unit normal
-    alignas(64) float r[kCapacity] = {}, g[kCapacity] = {}, b[kCapacity] = {};    // radiance, linear
+    alignas(64) float x[kPadded] = {}, y[kPadded] = {}, z[kPadded] = {};    // world position, m
+    alignas(64) float nx[kPadded] = {}, ny[kPadded] = {}, nz[kPadded] = {}; // unit normal
+    alignas(64) float r[kPadded] = {}, g[kPadded] = {}, b[kPadded] = {};    // radiance, linear
     alignas(64) float area[kCapacity] = {};                                       // m^2
     uint32_t surfel[kCapacity] = {};
+};
+
+/// RGB of a block of texels, structure of arrays. Entries behind the block's last texel are unspecified.
+struct RgbBlock
+{
+    alignas(64) float r[TexelBlock::kPadded];
+    alignas(64) float g[TexelBlock::kPadded];
+    alignas(64) float b[TexelBlock::kPadded];
 };
 
 /// Fills `block` with texels [begin, begin + count) of a page; count <= kCapacity.
@@ -72,11 +85,15 @@ class TexelLoader
 public:
     TexelLoader(const Texels& texels, size_t page);
 
-    void load(size_t begin, size_t count, TexelBlock& block) const;
+    void load(size_t begin, size_t count, TexelBlock& block) const; // geometry and radiance
     void loadGeometry(size_t begin, size_t count, TexelBlock& block) const; // position and normal
-    void loadRadiance(size_t begin, size_t count, TexelBlock& block) const; // radiance, area, surfel
+    void loadRadiance(size_t begin, size_t count, TexelBlock& block) const;
+    void loadArea(size_t begin, size_t count, TexelBlock& block) const;
+    void loadSurfel(size_t begin, size_t count, TexelBlock& block) const;
 
 private:
+    void tint(size_t begin, TexelBlock& block) const;
+
     const Texels& texels_;
     const PageTexels& page_;
     Radiance radiance_;
@@ -101,14 +118,14 @@ void forEachBlockOfRun(const PageTexels& page, size_t run, const Work& work)
         work(begin, std::min(TexelBlock::kCapacity, end - begin));
 }
 
-/// Calls `work(run, begin, count)` for all texels of a page in blocks of one surfel each, on all
-/// threads; the blocks of one run come in order and on one thread.
+/// Calls `work(run, block)` for all runs of a page, on all threads. `block` is room to work in; it is
+/// lent from run to run, so that it is not made anew for a dozen texels.
 template<class Work>
 void forEachRun(const PageTexels& page, const Work& work)
 {
     forEachChunk(page.runs.size() - 1, 64, [&](size_t first, size_t last) {
-        for (size_t run = first; run < last; ++run)
-            forEachBlockOfRun(page, run, [&](size_t begin, size_t count) { work(run, begin, count); });
+        TexelBlock block;
+        for (size_t run = first; run < last; ++run) work(run, block);
     });
 }
 

@@ -28,7 +28,9 @@ void forEachTexel(const Texels& texels, const Visit& visit)
     const size_t count = texels.pages[0].count();
     TexelBlock block;
     for (size_t begin = 0; begin < count; begin += TexelBlock::kCapacity) {
-        loader.load(begin, std::min(TexelBlock::kCapacity, count - begin), block);
+        const size_t blockCount = std::min(TexelBlock::kCapacity, count - begin);
+        loader.load(begin, blockCount, block);
+        loader.loadSurfel(begin, blockCount, block);
         for (size_t i = 0; i < block.count; ++i) visit(block, i, texels.pages[0].pixel[begin + i]);
     }
 }

@@ -12,14 +12,6 @@
 namespace relamp
 {
 
-/// RGB of a block of texels, structure of arrays, padded so that kernels need no remainder.
-struct RgbBlock
-{
-    alignas(64) float r[TexelBlock::kCapacity];
-    alignas(64) float g[TexelBlock::kCapacity];
-    alignas(64) float b[TexelBlock::kCapacity];
-};
-
 /// Point lights as structure of arrays.
 struct LightArrays
 {

@@ -70,6 +70,38 @@ struct PropagateArgs
     bool blocking;
 };
 
+/// Rows of the four coefficients of one channel, or of coverage.
+struct Rows
+{
+    const float* k[4];
+
+    Rows(const std::array<std::vector<float>, 4>& of, size_t at)
+        : k{of[0].data() + at, of[1].data() + at, of[2].data() + at, of[3].data() + at}
+    {}
+    [[nodiscard]] glm::vec4 operator[](size_t x) const { return {k[0][x], k[1][x], k[2][x], k[3][x]}; }
+};
+
+/// Light that reaches `count` cells of a row through one face of theirs.
+template<bool blocking>
+void gatherFace(const Face& face, const Rows& in, const Rows& coverage, size_t count,
+                std::array<std::vector<float>, 4>& channel, size_t row)
+{
+    // The lobe of an axis has two coefficients that are not zero: the first, and the axis's own.
+    const glm::vec4 lobe = face.solidAngle / kPi * shLobe(face.normal);
+    const int axis = lobe.y != 0.0f ? 1 : lobe.z != 0.0f ? 2 : 3;
+    const float alongAxis = lobe.y + lobe.z + lobe.w;
+    const glm::vec3 direction = face.direction;
+    float* all = channel[0].data() + row;
+    float* along = channel[static_cast<size_t>(axis)].data() + row;
+    RELAMP_INDEPENDENT_ITERATIONS
+    for (size_t x = 0; x < count; ++x) {
+        const float leaving = max(dot(in[x], shBasis(direction)), 0.0f);
+        const float passed = blocking ? leaving * (1.0f - blocked(coverage[x], direction)) : leaving;
+        all[x] += passed * lobe.x;
+        along[x] += passed * alongAxis;
+    }
+}
+
 /// Light that reaches `count` cells of one row from one neighbour, through its five faces.
 void gatherRow(const PropagateArgs& args, const Source& source, size_t row, size_t count)
 {
@@ -77,37 +109,13 @@ void gatherRow(const PropagateArgs& args, const Source& source, size_t row, size
     const auto offset = source.step.x + grid.cells.x * (source.step.y + grid.cells.y * source.step.z);
     const size_t from = row + static_cast<size_t>(static_cast<ptrdiff_t>(offset));
     // Coverage is stored at the lower of the two cells that a face parts.
-    const size_t face = source.step[source.axis] < 0 ? from : row;
-    const auto& coverage = (*args.coverage)[static_cast<size_t>(source.axis)];
+    const size_t wall = source.step[source.axis] < 0 ? from : row;
+    const Rows coverage((*args.coverage)[static_cast<size_t>(source.axis)], wall);
     for (size_t c = 0; c < 3; ++c) {
-        const auto& in = (*args.from)[c];
-        auto& out = (*args.to)[c];
-        const float* in0 = in[0].data() + from;
-        const float* in1 = in[1].data() + from;
-        const float* in2 = in[2].data() + from;
-        const float* in3 = in[3].data() + from;
-        const float* cover0 = coverage[0].data() + face;
-        const float* cover1 = coverage[1].data() + face;
-        const float* cover2 = coverage[2].data() + face;
-        const float* cover3 = coverage[3].data() + face;
-        float* __restrict out0 = out[0].data() + row;
-        float* __restrict out1 = out[1].data() + row;
-        float* __restrict out2 = out[2].data() + row;
-        float* __restrict out3 = out[3].data() + row;
-        for (size_t x = 0; x < count; ++x) {
-            const glm::vec4 intensity(in0[x], in1[x], in2[x], in3[x]);
-            const glm::vec4 cover(cover0[x], cover1[x], cover2[x], cover3[x]);
-            glm::vec4 sum(out0[x], out1[x], out2[x], out3[x]);
-            for (const Face& f : source.faces) {
-                const float flux = f.solidAngle * max(dot(intensity, shBasis(f.direction)), 0.0f);
-                const float passed = args.blocking ? flux * (1.0f - blocked(cover, f.direction)) : flux;
-                sum += passed / kPi * shLobe(f.normal);
-            }
-            out0[x] = sum[0];
-            out1[x] = sum[1];
-            out2[x] = sum[2];
-            out3[x] = sum[3];
-        }
+        const Rows in((*args.from)[c], from);
+        for (const Face& face : source.faces)
+            args.blocking ? gatherFace<true>(face, in, coverage, count, (*args.to)[c], row)
+                          : gatherFace<false>(face, in, coverage, count, (*args.to)[c], row);
     }
 }
 
@@ -139,44 +147,58 @@ struct ReadOutArgs
     RgbBlock* out;
 };
 
-/// Where a texel looks: half a cell off its surface, in units of cells from the first centre.
-struct Lookup
+/// Where the texels of a block look: half a cell off their surface.
+struct Lookups
 {
-    size_t cell;
-    glm::vec3 part;
+    alignas(64) int32_t cell[TexelBlock::kCapacity];
+    alignas(64) float x[TexelBlock::kCapacity], y[TexelBlock::kCapacity], z[TexelBlock::kCapacity]; // part of a cell
 };
 
-Lookup lookUp(const LpvGrid& grid, glm::vec3 position, glm::vec3 normal)
+void lookUp(const LpvGrid& grid, const TexelBlock& block, Lookups& out)
 {
-    const glm::vec3 place = (position - grid.origin) / grid.cell + 0.5f * normal - 0.5f;
+    const float perCell = 1.0f / grid.cell;
+    const glm::vec3 shift = -grid.origin * perCell - 0.5f; // in cells, from the centre of the first
     const glm::vec3 most = glm::vec3(grid.cells) - 1.001f;
-    const glm::vec3 at = glm::clamp(place, glm::vec3(0.0f), most);
-    const glm::vec3 low = glm::floor(at);
-    return {grid.indexOf(glm::ivec3(low)), at - low};
+    const glm::ivec3 cells = grid.cells;
+    for (size_t i = 0; i < block.count; ++i) {
+        const glm::vec3 position(block.x[i], block.y[i], block.z[i]);
+        const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
+        const glm::vec3 at = glm::clamp(position * perCell + 0.5f * normal + shift, glm::vec3(0.0f), most);
+        const int32_t x = static_cast<int32_t>(at.x); // at >= 0: this is floor
+        const int32_t y = static_cast<int32_t>(at.y);
+        const int32_t z = static_cast<int32_t>(at.z);
+        out.cell[i] = (z * cells.y + y) * cells.x + x;
+        out.x[i] = at.x - static_cast<float>(x);
+        out.y[i] = at.y - static_cast<float>(y);
+        out.z[i] = at.z - static_cast<float>(z);
+    }
 }
 
 void readOutKernel(const ReadOutArgs& args)
 {
     const LpvGrid& grid = *args.grid;
     const TexelBlock& block = *args.block;
+    Lookups at;
+    lookUp(grid, block, at);
     const auto stepY = static_cast<size_t>(grid.cells.x);
     const size_t stepZ = stepY * static_cast<size_t>(grid.cells.y);
     const size_t corner[8] = {0, 1, stepY, stepY + 1, stepZ, stepZ + 1, stepZ + stepY, stepZ + stepY + 1};
+    const float toIrradiance = 4.0f / (grid.cell * grid.cell);
     for (size_t i = 0; i < block.count; ++i) {
-        const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
-        const auto [cell, part] = lookUp(grid, {block.x[i], block.y[i], block.z[i]}, normal);
-        const glm::vec3 rest = 1.0f - part;
-        const float weight[8] = {rest.x * rest.y * rest.z, part.x * rest.y * rest.z, rest.x * part.y * rest.z,
-                                 part.x * part.y * rest.z, rest.x * rest.y * part.z, part.x * rest.y * part.z,
-                                 rest.x * part.y * part.z, part.x * part.y * part.z};
+        const float x[2] = {1.0f - at.x[i], at.x[i]};
+        const float y[2] = {1.0f - at.y[i], at.y[i]};
+        const float z[2] = {1.0f - at.z[i], at.z[i]};
         float sh[kPacked] = {};
         for (size_t c = 0; c < 8; ++c) {
-            const float* source = args.packed + kPacked * (cell + corner[c]);
-            for (size_t k = 0; k < kPacked; ++k) sh[k] += weight[c] * source[k];
+            const float weight = x[c & 1] * y[c >> 1 & 1] * z[c >> 2];
+            const float* source = args.packed + kPacked * (static_cast<size_t>(at.cell[i]) + corner[c]);
+            RELAMP_KEEP_LOOP
+            for (size_t k = 0; k < kPacked; ++k) sh[k] += weight * source[k];
         }
-        args.out->r[i] = irradianceFromCell({sh[0], sh[1], sh[2], sh[3]}, normal, grid.cell);
-        args.out->g[i] = irradianceFromCell({sh[4], sh[5], sh[6], sh[7]}, normal, grid.cell);
-        args.out->b[i] = irradianceFromCell({sh[8], sh[9], sh[10], sh[11]}, normal, grid.cell);
+        const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
+        args.out->r[i] = irradianceFromCell({sh[0], sh[4], sh[8], sh[12]}, normal, toIrradiance);
+        args.out->g[i] = irradianceFromCell({sh[1], sh[5], sh[9], sh[13]}, normal, toIrradiance);
+        args.out->b[i] = irradianceFromCell({sh[2], sh[6], sh[10], sh[14]}, normal, toIrradiance);
     }
 }
 
@@ -272,7 +294,7 @@ void Lpv::finish()
     forEachChunk(grid_.count(), 2048, [&](size_t begin, size_t end) {
         for (size_t c = 0; c < 3; ++c)
             for (size_t k = 0; k < 4; ++k)
-                for (size_t i = begin; i < end; ++i) packed_[kPacked * i + 4 * c + k] = accumulated_[c][k][i];
+                for (size_t i = begin; i < end; ++i) packed_[kPacked * i + 4 * k + c] = accumulated_[c][k][i];
     });
 }
 

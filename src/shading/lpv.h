@@ -80,7 +80,7 @@ private:
     Field arriving_;
     Field accumulated_;
     std::array<std::array<std::vector<float>, 4>, 3> faceCoverage_; // [axis]: between a cell and the next
-    std::vector<float> packed_; // 16 a cell: 4 coefficients of r, g, b, and padding
+    std::vector<float> packed_; // 16 a cell: r, g, b and padding of each coefficient
 };
 
 } // namespace relamp

@@ -38,11 +38,11 @@ SHARED_FN float blocked(vec4 coverage, vec3 w)
     return clamp(dot(coverage, shBasis(-w)), 0.0f, 1.0f);
 }
 
-// Irradiance on a surface of normal n from intensity `sh` in the centre of the cell that it faces:
-// the light arrives over half a cell.
-SHARED_FN float irradianceFromCell(vec4 sh, vec3 n, float cell)
+// Irradiance on a surface of normal n from intensity `sh` in the centre of the cell that it faces: the
+// light arrives over half a cell, perHalfCellSquared = 1 / (cell / 2)^2.
+SHARED_FN float irradianceFromCell(vec4 sh, vec3 n, float perHalfCellSquared)
 {
-    return max(dot(sh, shLobe(-n)), 0.0f) / (0.25f * cell * cell);
+    return max(dot(sh, shLobe(-n)), 0.0f) * perHalfCellSquared;
 }
 
 SHARED_END

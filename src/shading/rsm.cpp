@@ -61,10 +61,10 @@ std::vector<BounceLight> reflectiveShadowMaps(const Texels& texels, const RaySce
         scene.intersect(std::span(rays).first(count), std::span(hits).first(count));
         for (size_t i = 0; i < count; ++i) {
             if (hits[i].missed() || !hits[i].front) continue;
-            const PixelMix at = pixelsAt(texels, hits[i]);
+            const auto [page, pixel] = nearestPixelAt(texels, hits[i]);
             found[task].push_back({rays[i].origin + hits[i].distance * rays[i].direction,
                                    normalAt(texels, hits[i]),
-                                   light.intensity * pixels[begin + i].solidAngle, at.page, at.nearest()});
+                                   light.intensity * pixels[begin + i].solidAngle, page, pixel});
         }
     });
     std::vector<BounceLight> all;
