@@ -58,6 +58,12 @@ public:
         return {linearOf_[rgb[0]], linearOf_[rgb[1]], linearOf_[rgb[2]]};
     }
 
+    /// Brings a pixel near that will be asked for soon.
+    void prefetch(size_t pixel) const
+    {
+        bytes_ != nullptr ? __builtin_prefetch(bytes_ + 3 * pixel) : __builtin_prefetch(half_ + 3 * pixel);
+    }
+
 private:
     [[nodiscard]] glm::vec3 fromHalf(size_t at) const;
 

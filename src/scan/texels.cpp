@@ -21,6 +21,7 @@ constexpr double kLargestSurfel = 0.12;  // m
 constexpr double kMostSurfels = 1.5e6;
 constexpr double kMostOverlap = 0.02; // share of texels; more is a tiled texture, not a seam
 constexpr size_t kChunk = size_t{1} << 16;
+constexpr size_t kAhead = 24; // texels; surface order jumps over the page, and a look ahead hides that
 
 struct Site
 {
@@ -288,7 +289,9 @@ void TexelLoader::loadGeometry(size_t begin, size_t count, TexelBlock& block) co
     float columns[TexelBlock::kCapacity];
     float rows[TexelBlock::kCapacity];
     splitPixels({page_.pixel.data() + begin, count}, width_, columns, rows);
+    const size_t last = page_.count() - 1;
     for (size_t i = 0; i < count; ++i) {
+        __builtin_prefetch(&texels_.facets.facets[page_.facet[std::min(begin + i + kAhead, last)]]);
         const Facet& facet = texels_.facets.facets[page_.facet[begin + i]];
         const float dx = columns[i] - facet.pixel.x;
         const float dy = rows[i] - facet.pixel.y;
@@ -305,7 +308,9 @@ void TexelLoader::loadGeometry(size_t begin, size_t count, TexelBlock& block) co
 void TexelLoader::loadRadiance(size_t begin, size_t count, TexelBlock& block) const
 {
     block.count = count;
+    const size_t last = page_.count() - 1;
     for (size_t i = 0; i < count; ++i) {
+        radiance_.prefetch(page_.pixel[std::min(begin + i + kAhead, last)]);
         const glm::vec3 radiance = radiance_[page_.pixel[begin + i]];
         block.r[i] = radiance.r;
         block.g[i] = radiance.g;
