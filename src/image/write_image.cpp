@@ -55,6 +55,7 @@ void writeExr(const std::filesystem::path& file, std::span<const uint16_t> rgb, 
     OIIO::ImageSpec spec(size.width, size.height, 3, OIIO::TypeHalf);
     spec["compression"] = "piz"; // lossless; the fastest and the smallest of OpenEXR's for such pictures
     spec["oiio:ColorSpace"] = "Linear";
+    spec["DateTime"] = ""; // the same input gives the same bytes, today and tomorrow
     const auto output = OIIO::ImageOutput::create("openexr");
     errno = 0;
     if (!output || !output->open(file.string(), spec) ||

@@ -1,0 +1,164 @@
+// The real program on the sample room: what it writes, what it says, how well it does.
+
+#include "golden/program.h"
+#include "golden/score.h"
+
+#include "relamp/lights.h"
+#include "relamp/scan.h"
+
+#include <chrono>
+#include <fstream>
+#include <iterator>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace relamp::golden
+{
+namespace
+{
+
+using testing::HasSubstr;
+using testing::UnorderedElementsAre;
+
+const std::filesystem::path kRoom = RELAMP_SAMPLES "/bedroom";
+const std::string kScan = kRoom / "scan.glb";
+
+std::vector<std::string> namesIn(const std::filesystem::path& folder)
+{
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) names.push_back(entry.path().filename());
+    return names;
+}
+
+std::string bytesOf(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+} // namespace
+
+TEST(DelightProgram, WritesAllThatTheGuidePromises)
+{
+    const TemporaryFolder folder;
+    const Outcome run = runRelamp({"delight", kScan, "-o", folder / "out"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_THAT(namesIn(folder / "out"),
+                UnorderedElementsAre("albedo.exr", "albedo.png", "confidence.png", "direct.exr", "indirect.exr",
+                                     "lights.json", "preview.png", "report.json", "scan.glb", "shading.exr"));
+    EXPECT_THAT(namesIn(folder.path()), testing::ElementsAre("out")); // and nothing half-written beside it
+
+    const auto report = nlohmann::json::parse(bytesOf(folder / "out/report.json"));
+    EXPECT_EQ(report["scan"]["triangles"], 39855);
+    EXPECT_LT(report["closedLoop"]["rmsError"], 0.1);
+    EXPECT_EQ(readPicture(folder / "out/albedo.png").width, 1024);
+}
+
+// The baseline's figures; the input texture itself scores 11.88 dB with a slope of 1.00.
+TEST(DelightProgram, ThesisSolverTakesSomeShadingOffTheSample)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(runRelamp({"delight", kScan, "-o", folder / "out", "--solver", "thesis", "-q"}).exitCode, 0);
+    const Score input = scoreAlbedo(readPicture(kRoom / "scan_recon.jpg"), kRoom);
+    EXPECT_NEAR(input.psnr, 11.88, 0.05);
+    EXPECT_NEAR(input.leakSlope, 1.0, 0.01);
+    const Score thesis = scoreAlbedo(readPicture(folder / "out/albedo.exr"), kRoom);
+    EXPECT_NEAR(thesis.psnr, 12.4, 0.3);
+    EXPECT_NEAR(thesis.leakSlope, 0.95, 0.05);
+}
+
+TEST(DelightProgram, WritesTheSameBytesOnOneThreadAndOnEight)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(runRelamp({"delight", kScan, "-o", folder / "one", "--threads", "1", "-q"}).exitCode, 0);
+    ASSERT_EQ(runRelamp({"delight", kScan, "-o", folder / "eight", "--threads", "8", "-q"}).exitCode, 0);
+    for (const std::string& name : namesIn(folder / "one")) {
+        if (name == "report.json") continue; // it tells the seconds
+        EXPECT_TRUE(bytesOf(folder / ("one/" + name)) == bytesOf(folder / ("eight/" + name))) << name;
+    }
+}
+
+TEST(DelightProgram, JsonIsAllThatJsonPrints)
+{
+    const TemporaryFolder folder;
+    const Outcome run = runRelamp({"delight", kScan, "-o", folder / "out", "--json"});
+    ASSERT_EQ(run.exitCode, 0);
+    EXPECT_EQ(run.err, "");
+    const auto report = nlohmann::json::parse(run.out);
+    EXPECT_EQ(report["options"]["solver"], "thesis");
+    EXPECT_GT(report["seconds"]["total"], 0.0);
+}
+
+TEST(DelightProgram, QuietIsQuiet)
+{
+    const TemporaryFolder folder;
+    const Outcome run = runRelamp({"delight", kScan, "-o", folder / "out", "--quiet"});
+    EXPECT_EQ(run.out + run.err, "");
+}
+
+TEST(DelightProgram, GlbIsTheScanWithAlbedoAndLights)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(runRelamp({"delight", kScan, "-o", folder / "out", "-q"}).exitCode, 0);
+    Progress progress;
+    const Scan before = readScan(kScan, {}, progress);
+    const Scan after = readScan(folder / "out/scan.glb", {}, progress);
+    ASSERT_EQ(after.meshes.size(), before.meshes.size());
+    EXPECT_EQ(after.meshes[0].positions, before.meshes[0].positions);
+    EXPECT_EQ(after.meshes[0].name, before.meshes[0].name);
+    EXPECT_EQ(after.pages[0].image.width, before.pages[0].image.width);
+    EXPECT_NE(after.pages[0].image.encoded, before.pages[0].image.encoded);
+    EXPECT_THAT(bytesOf(folder / "out/scan.glb"), HasSubstr("KHR_lights_punctual"));
+}
+
+TEST(DelightProgram, ItsLightsCanBeReadAgain)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(runRelamp({"delight", kScan, "-o", folder / "out", "-q"}).exitCode, 0);
+    std::vector<std::string> warnings;
+    const Lights lights = readLights(folder / "out/lights.json", warnings);
+    EXPECT_TRUE(warnings.empty());
+    EXPECT_EQ(lights.points.size(), 64u);
+    const Outcome again =
+        runRelamp({"delight", kScan, "-o", folder / "again", "--lights", folder / "out/lights.json"});
+    EXPECT_EQ(again.exitCode, 0) << again.err;
+}
+
+TEST(DelightProgram, CtrlCEndsItWithinASecondAndLeavesNothing)
+{
+    for (const double seconds : {0.05, 0.4, 0.8}) {
+        const TemporaryFolder folder;
+        const auto start = std::chrono::steady_clock::now();
+        const Outcome run = runRelamp({"delight", kScan, "-o", folder / "out"}, seconds);
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        if (run.exitCode == 0) continue; // it was faster than the finger
+        EXPECT_EQ(run.exitCode, 130) << run.err;
+        EXPECT_LT(elapsed.count(), seconds + 1.0);
+        EXPECT_TRUE(namesIn(folder.path()).empty());
+    }
+}
+
+TEST(InfoProgram, TellsWhatTheSampleIs)
+{
+    const Outcome run = runRelamp({"info", kScan, "--json"});
+    ASSERT_EQ(run.exitCode, 0);
+    const auto info = nlohmann::json::parse(run.out);
+    EXPECT_EQ(info["triangles"], 39855);
+    EXPECT_EQ(info["pages"][0]["width"], 1024);
+    EXPECT_NEAR(info["pages"][0]["coverage"].get<double>(), 0.52, 0.01);
+    EXPECT_GT(info["pages"][0]["charts"], 500);
+    EXPECT_THAT(runRelamp({"info", kScan}).out, HasSubstr("39855 triangles"));
+}
+
+TEST(Program, HelpHasExamplesAndMistakesExitWithTwo)
+{
+    EXPECT_THAT(runRelamp({"--help"}).out, HasSubstr("relamp delight kitchen.glb -o kitchen"));
+    EXPECT_THAT(runRelamp({"delight", "--help"}).out, HasSubstr("Examples:"));
+    EXPECT_EQ(runRelamp({}).exitCode, 2);
+    EXPECT_EQ(runRelamp({"delight"}).exitCode, 2);
+    EXPECT_EQ(runRelamp({"delight", kScan, "-o", "/tmp/x", "--lpv-size", "7"}).exitCode, 2);
+    EXPECT_EQ(runRelamp({"paint", kScan}).exitCode, 2);
+}
+
+} // namespace relamp::golden
