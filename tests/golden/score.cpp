@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
 namespace relamp::golden
@@ -97,6 +98,9 @@ Score scoreAlbedo(const Picture& albedo, const std::filesystem::path& room)
         isClipped.push_back(std::max({in.r, in.g, in.b}) >= kClipped);
     }
     const glm::vec3 scale(scaleOf(estimate, wanted, 0), scaleOf(estimate, wanted, 1), scaleOf(estimate, wanted, 2));
+    glm::vec3 mean(0.0f);
+    for (const glm::vec3& rgb : estimate) mean += rgb / static_cast<float>(estimate.size());
+    const float darkest = 1e-3f * (mean.r + mean.g + mean.b) / 3.0f;
     double squares = 0.0;
     std::vector<double> logError;
     std::vector<double> logShadingThere;
@@ -104,7 +108,8 @@ Score scoreAlbedo(const Picture& albedo, const std::filesystem::path& room)
         if (isClipped[i]) continue;
         const glm::vec3 difference = glm::clamp(scale * estimate[i], 0.0f, 1.0f) - wanted[i];
         squares += static_cast<double>(glm::dot(difference, difference)) / 3.0;
-        logError.push_back(std::log(std::max(luminanceOf(estimate[i]), 1e-3f) / luminanceOf(wanted[i])));
+        const glm::vec3 ratio = glm::max(estimate[i], darkest) / glm::max(wanted[i], 1e-4f);
+        logError.push_back(static_cast<double>(luminanceOf(glm::log(ratio))));
         logShadingThere.push_back(logShading[i]);
     }
     const double mse = squares / static_cast<double>(logError.size());
