@@ -37,7 +37,7 @@ struct Room
         joinFixtures(light, texels, {});
         lights.points = pointLightsFrom(light.emitters, 6);
         dials = deriveDials({}, lights, boundsOf(scan));
-        merged = mergedLights(lights, dials);
+        merged = lightsOfShadowMaps(lights, dials);
         albedo.resize(3 * scan.pages[0].image.pixels());
     }
 
@@ -57,7 +57,7 @@ Room& room()
     return room;
 }
 
-/// Counters beside the time: the floor, and how far above it the stage is.
+/// Counters beside the time: the floor, and the share of the time that it is.
 void report(benchmark::State& state, double bytes, double flops)
 {
     const double floor = floorSeconds(bytes, flops);

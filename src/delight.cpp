@@ -7,6 +7,9 @@
 #include "lights/emitters.h"
 #include "lights/expand.shared.h"
 #include "lights/fixtures.h"
+#include "relamp/error.h"
+
+#include <utility>
 
 namespace relamp
 {
@@ -43,16 +46,22 @@ void setDials(ThesisShading& shading, const Texels& texels, const SurfelLight& l
 {
     ThesisOptions& dials = shading.dials;
     if (!dials.useAmbient) dials.ambient = 0.0f;
-    if (!dials.power || !dials.ambient) {
-        const std::vector<glm::vec3> shades = shadingOfSurfels(texels.surfels, shading);
-        std::vector<DialSample> samples(shades.size());
-        for (size_t s = 0; s < samples.size(); ++s) samples[s] = {light.radiance[s], shades[s], light.area[s]};
-        const Dials fitted = fitDials(samples, dials.useAmbient ? std::nullopt : std::optional(0.0f));
-        if (!dials.power) dials.power = fitted.power;
-        if (!dials.ambient) dials.ambient = fitted.ambient * *dials.power;
-    }
+    const std::optional<float> power = std::exchange(dials.power, 1.0f); // the samples want it at 1
+    const std::vector<glm::vec3> shades = shadingOfSurfels(texels.surfels, shading);
+    std::vector<DialSample> samples(shades.size());
+    for (size_t s = 0; s < samples.size(); ++s) samples[s] = {light.radiance[s], shades[s], light.area[s]};
+    const Dials fitted = fitDials(samples, power, dials.ambient);
+    dials.power = fitted.power;
+    dials.ambient = fitted.ambient;
     const bool asGiven = luminance(lights.ambient) > 0.0f && *dials.ambient == luminance(lights.ambient);
     shading.ambient = asGiven ? lights.ambient : *dials.ambient * meanColor(lights);
+}
+
+void checkAttenuation(const ThesisOptions& thesis)
+{
+    if (thesis.attenuation && *thesis.attenuation == glm::vec3(0.0f))
+        throw Error(ErrorCode::unsupported, "attenuation 0 0 0 would make every light endless; give one of k0, "
+                                            "k1, k2 a value");
 }
 
 /// Lights of a file are as bright as they say; the dials follow them.
@@ -78,10 +87,11 @@ Decomposition delight(const Scan& scan, const DelightOptions& options, Progress&
     auto state = std::make_unique<Decomposition::State>(scan);
     state->texels = rasterizeAtlas(scan, progress);
     checkOverlap(state->texels);
+    checkAttenuation(options.thesis);
     SurfelLight light = collectLight(state->texels, emitterOptions(options.thesis), progress);
     const Lights found = findLights(light, state->texels, options.thesis);
     const Lights& lights = options.lights ? *options.lights : found;
-    if (lights.points.empty())
+    if (lights.points.empty() && !options.lights)
         state->warnings.emplace_back("no light was found: nothing in the texture is burnt out. The result "
                                      "has ambient light alone; give it lights with --lights");
 
@@ -92,7 +102,7 @@ Decomposition delight(const Scan& scan, const DelightOptions& options, Progress&
 
     state->lights = lights;
     scalePower(state->lights, *state->shading.dials.power, state->shading.ambient);
-    state->merged = mergedLights(state->lights, state->shading.dials);
+    state->merged = lightsOfShadowMaps(state->lights, state->shading.dials);
     state->shines.assign(state->texels.surfels.count(), 0);
     for (const Emitter& emitter : light.emitters) state->shines[emitter.surfel] = 1;
     state->options = options;

@@ -64,8 +64,9 @@ void addDials(CLI::App& command, DelightArguments& arguments)
     command.add_option("--flatten-range", dials.flattenRange,
                        "Range of the bilateral filter in square roots of radiance [0.2]")
         ->check(between(0.01, 10.0))->type_name("X")->group(group);
-    command.add_flag("!--no-lpv", dials.useLpv, "No bounce light")->group(group);
-    command.add_flag("!--no-ambient", dials.useAmbient, "No ambient light")->group(group);
+    command.add_flag_callback("--no-lpv", [&dials] { dials.useLpv = false; }, "No bounce light")->group(group);
+    command.add_flag_callback("--no-ambient", [&dials] { dials.useAmbient = false; }, "No ambient light")
+        ->group(group);
 }
 
 void printSummary(const DelightArguments& arguments, const relamp::Scan& scan,
@@ -88,14 +89,15 @@ int run(DelightArguments& arguments)
     const Interrupt interrupt(progress);
     const relamp::ThreadLimit threads(arguments.scan.threads);
 
+    relamp::checkOutput(arguments.scan.file, arguments.folder);
     std::vector<std::string> notes;
     if (!arguments.lights.empty()) arguments.options.lights = relamp::readLights(arguments.lights, notes);
     if (arguments.attenuation.size() == 3)
         arguments.options.thesis.attenuation = {arguments.attenuation[0], arguments.attenuation[1],
                                                 arguments.attenuation[2]};
-    for (const std::string& note : notes) printProblem("note: " + note);
 
-    const relamp::Scan scan = relamp::readScan(arguments.scan.file, arguments.scan.options, progress);
+    relamp::Scan scan = relamp::readScan(arguments.scan.file, arguments.scan.options, progress);
+    scan.warnings.insert(scan.warnings.end(), notes.begin(), notes.end());
     const relamp::Decomposition result = relamp::delight(scan, arguments.options, progress);
     const std::string report =
         relamp::writeResult(scan, result, arguments.scan.file, arguments.folder, progress);

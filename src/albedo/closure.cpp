@@ -44,7 +44,7 @@ ThesisShading withOwnBounces(const Texels& texels, const RayScene& scene, const 
 {
     if (!shading.bounce) return shading;
     std::vector<BounceLight> lit =
-        reflectiveShadowMaps(texels, scene, mergedLights(lights, shading.dials), shading.dials.rsmSize);
+        reflectiveShadowMaps(texels, scene, lightsOfShadowMaps(lights, shading.dials), shading.dials.rsmSize);
     const std::vector<glm::vec3> shades = shadingAt(lit.size(), shading, [&](size_t i) {
         return std::pair(lit[i].position, lit[i].normal);
     });
@@ -71,7 +71,7 @@ std::vector<glm::vec3> shadingOfSurfels(const Surfels& surfels, const ThesisShad
 Closure closeLoop(const Texels& texels, const RayScene& scene, const SurfelLight& light,
                   const Lights& lights, const ThesisShading& shading, float darkest, Progress& progress)
 {
-    Progress::Stage stage(progress, "closed loop", 2);
+    Progress::Stage stage(progress, "closure", 2);
     const std::vector<glm::vec3> divisor = shadingOfSurfels(texels.surfels, shading);
     const ThesisShading own = withOwnBounces(texels, scene, lights, shading, darkest);
     stage.advance();

@@ -1,5 +1,7 @@
 #include "albedo/confidence.h"
 
+#include "lights/burnt_out.shared.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +10,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kBurntOut = 0.97f;
 constexpr float kSafelyBelow = 0.9f;
 constexpr float kWellLit = 4.0f; // times `darkest`
 
@@ -21,7 +22,7 @@ float ramp(float from, float to, float value)
 
 float confidence(glm::vec3 radiance, glm::vec3 shading, float darkest)
 {
-    const float brightest = std::max({radiance.r, radiance.g, radiance.b});
+    const float brightest = brightestChannel(radiance);
     const float weakest = std::min({shading.r, shading.g, shading.b});
     return ramp(kBurntOut, kSafelyBelow, brightest) * ramp(darkest, kWellLit * darkest, weakest);
 }

@@ -10,11 +10,6 @@ namespace relamp
 namespace
 {
 
-struct Divided
-{
-    float albedo;
-};
-
 float divideOne(float radiance, float direct, float indirect, float darkest = 0.02f)
 {
     TexelBlock block;

@@ -2,6 +2,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
+#include "lights/burnt_out.shared.h"
 #include "lights/expand.shared.h"
 
 #include <algorithm>
@@ -11,32 +12,31 @@ namespace relamp
 namespace
 {
 
-constexpr float kClipped = 0.97f; // of white; JPEG rings around a burnt-out spot by a few steps
-
 struct RunSum
 {
     glm::vec3 plain{0.0f};
     float plainArea = 0.0f;
     glm::vec3 position{0.0f};
     glm::vec3 normal{0.0f};
-    glm::vec3 flux{0.0f};
-    float weight = 0.0f; // luminance of flux
+    glm::vec3 intensity{0.0f};
+    float weight = 0.0f; // luminance of intensity
     float area = 0.0f;
 };
 
-void add(const TexelBlock& block, size_t i, const EmitterOptions& options, RunSum& sum)
+/// `clips`: the texture cannot hold more than white, so what is white may have been brighter.
+void add(const TexelBlock& block, size_t i, bool clips, const EmitterOptions& options, RunSum& sum)
 {
     const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
     const float area = block.area[i];
     if (isEmitting(radiance, options)) {
-        const glm::vec3 flux = area * expanded(radiance, options.expansion);
-        const float weight = luminance(flux);
+        const glm::vec3 intensity = area * (clips ? expanded(radiance, options.expansion) : radiance);
+        const float weight = luminance(intensity);
         sum.position += weight * glm::vec3(block.x[i], block.y[i], block.z[i]);
         sum.normal += weight * glm::vec3(block.nx[i], block.ny[i], block.nz[i]);
-        sum.flux += flux;
+        sum.intensity += intensity;
         sum.weight += weight;
         sum.area += area;
-    } else if (std::max({radiance.r, radiance.g, radiance.b}) < kClipped) {
+    } else if (!clips || brightestChannel(radiance) < kBurntOut) {
         sum.plain += area * radiance;
         sum.plainArea += area;
     }
@@ -48,7 +48,7 @@ Emitter emitterFrom(const RunSum& sum, uint32_t surfel)
     emitter.position = sum.position / sum.weight;
     const float length = glm::length(sum.normal);
     emitter.normal = length > 0.0f ? sum.normal / length : glm::vec3(0.0f);
-    emitter.flux = sum.flux;
+    emitter.intensity = sum.intensity;
     emitter.area = sum.area;
     emitter.surfel = surfel;
     return emitter;
@@ -66,13 +66,13 @@ void mergeSameSurfel(std::vector<Emitter>& emitters)
             continue;
         }
         Emitter& m = merged.back();
-        const float wm = luminance(m.flux);
-        const float we = luminance(e.flux);
+        const float wm = luminance(m.intensity);
+        const float we = luminance(e.intensity);
         m.position = (wm * m.position + we * e.position) / (wm + we);
         const glm::vec3 normal = wm * m.normal + we * e.normal;
         const float length = glm::length(normal);
         m.normal = length > 0.0f ? normal / length : glm::vec3(0.0f);
-        m.flux += e.flux;
+        m.intensity += e.intensity;
         m.area += e.area;
     }
     emitters = std::move(merged);
@@ -82,8 +82,7 @@ void mergeSameSurfel(std::vector<Emitter>& emitters)
 
 bool isEmitting(glm::vec3 radiance, const EmitterOptions& options)
 {
-    return std::max({radiance.r, radiance.g, radiance.b}) >= kClipped &&
-           luminance(radiance) >= options.threshold;
+    return brightestChannel(radiance) >= kBurntOut && luminance(radiance) >= options.threshold;
 }
 
 SurfelLight collectLight(const Texels& texels, const EmitterOptions& options, Progress& progress)
@@ -96,13 +95,14 @@ SurfelLight collectLight(const Texels& texels, const EmitterOptions& options, Pr
     for (size_t p = 0; p < texels.pages.size(); ++p) {
         const PageTexels& page = texels.pages[p];
         const TexelLoader loader(texels, p);
+        const bool clips = texels.scan->pages[p].image.clipsAtWhite;
         const size_t runs = page.runs.size() - 1;
         std::vector<RunSum> sums(runs);
         forEachRun(page, [&](size_t run, TexelBlock& block) {
             forEachBlockOfRun(page, run, [&](size_t begin, size_t count) {
                 loader.load(begin, count, block);
                 loader.loadArea(begin, count, block);
-                for (size_t i = 0; i < count; ++i) add(block, i, options, sums[run]);
+                for (size_t i = 0; i < count; ++i) add(block, i, clips, options, sums[run]);
             });
         });
         for (size_t run = 0; run < runs; ++run) {
@@ -137,8 +137,8 @@ int joinFixtures(SurfelLight& light, const Texels& texels, const EmitterOptions&
     std::vector<float> power(emitters.size(), 0.0f); // of each set, at its representative
     float total = 0.0f;
     for (uint32_t i = 0; i < emitters.size(); ++i) {
-        power[sets.find(i)] += luminance(emitters[i].flux);
-        total += luminance(emitters[i].flux);
+        power[sets.find(i)] += luminance(emitters[i].intensity);
+        total += luminance(emitters[i].intensity);
     }
     std::vector<uint32_t> kept;
     for (uint32_t i = 0; i < emitters.size(); ++i)

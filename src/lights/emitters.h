@@ -19,9 +19,9 @@ struct EmitterOptions
 /// What all texels of a surfel that shine send out together.
 struct Emitter
 {
-    glm::vec3 position{0.0f}; // mean, weighted by flux
+    glm::vec3 position{0.0f}; // mean, weighted by intensity
     glm::vec3 normal{0.0f};   // mean, unit
-    glm::vec3 flux{0.0f};     // expanded radiance * area, summed
+    glm::vec3 intensity{0.0f}; // expanded radiance * area, summed: what it sends along its normal
     float area = 0.0f;        // m^2
     uint32_t surfel = 0;
     int fixture = -1;         // index of the connected blob that it belongs to

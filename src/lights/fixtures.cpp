@@ -43,6 +43,7 @@ struct LightSum
     [[nodiscard]] PointLight light() const
     {
         PointLight light;
+        if (weight <= 0.0f) return light; // switched off: it is nowhere and counts for nothing
         light.position = position / weight;
         light.normal = glm::length(normal) > kAllAround * weight ? unitOrZero(normal) : glm::vec3(0.0f);
         light.intensity = intensity;
@@ -60,9 +61,9 @@ std::vector<Fixture> fixturesFrom(std::span<const Emitter> emitters, int count)
     std::vector<Fixture> fixtures(static_cast<size_t>(count));
     for (const Emitter& e : emitters) {
         const auto f = static_cast<size_t>(e.fixture);
-        sums[f].add(e.position, e.normal, e.flux);
+        sums[f].add(e.position, e.normal, e.intensity);
         fixtures[f].area += e.area;
-        fixtures[f].radiance += e.flux;
+        fixtures[f].radiance += e.intensity;
     }
     for (size_t f = 0; f < fixtures.size(); ++f) {
         const PointLight light = sums[f].light();
@@ -77,14 +78,16 @@ std::vector<PointLight> pointLightsFrom(std::span<const Emitter> emitters, int l
 {
     std::vector<CutPoint> points;
     points.reserve(emitters.size());
-    for (const Emitter& e : emitters) points.push_back({e.position, luminance(e.flux)});
+    for (const Emitter& e : emitters) points.push_back({e.position, luminance(e.intensity)});
     std::vector<PointLight> lights;
     for (const auto& region : medianCut(points, levels)) {
         LightSum sum;
         for (const uint32_t i : region)
-            sum.add(emitters[i].position, emitters[i].normal, 0.25f * emitters[i].flux);
+            sum.add(emitters[i].position, emitters[i].normal, 0.25f * emitters[i].intensity);
         lights.push_back(sum.light());
-        lights.back().fixture = emitters[region.front()].fixture;
+        const int fixture = emitters[region.front()].fixture;
+        const auto isSame = [&](uint32_t i) { return emitters[i].fixture == fixture; };
+        if (std::all_of(region.begin(), region.end(), isSame)) lights.back().fixture = fixture;
     }
     return lights;
 }
@@ -104,6 +107,7 @@ std::vector<PointLight> mergeLights(std::span<const PointLight> lights, float di
     std::vector<Group> groups;
     for (const size_t i : order) {
         const PointLight& light = lights[i];
+        if (luminance(light.intensity) <= 0.0f) continue;
         const auto belongs = [&](const Group& group) {
             const bool near = glm::distance(group.strongest->position, light.position) < distance;
             const bool unfacing = group.strongest->normal == glm::vec3(0.0f) || light.normal == glm::vec3(0.0f);

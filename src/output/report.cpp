@@ -19,7 +19,7 @@ ordered_json toJson(glm::vec3 v)
     return {shortest(v.x), shortest(v.y), shortest(v.z)};
 }
 
-double milliseconds(double seconds)
+double toMillisecond(double seconds)
 {
     return std::round(seconds * 1e3) / 1e3;
 }
@@ -55,6 +55,7 @@ ordered_json optionsAsJson(const DelightOptions& options)
             {"flattenReach", shortest(thesis.flattenReach)},
             {"flattenRange", shortest(thesis.flattenRange)},
             {"lpv", thesis.useLpv},
+            {"ambientLight", thesis.useAmbient},
             {"darkest", shortest(options.albedo.darkest)},
             {"lightsFromFile", options.lights.has_value()}};
 }
@@ -67,15 +68,15 @@ ordered_json secondsAsJson(const Progress& progress)
     double inverse = 0.0;
     double total = 0.0;
     for (const auto& [stage, seconds] : progress.times()) {
-        stages[stage] = milliseconds(seconds);
+        stages[stage] = toMillisecond(seconds);
         total += seconds;
         if (stage == "flatten") bilateral += seconds;
         if (stage == "bounce" || stage == "divide") inverse += seconds;
     }
     return {{"stages", std::move(stages)},
-            {"bilateral", milliseconds(bilateral)},
-            {"inverseRendering", milliseconds(inverse)},
-            {"total", milliseconds(total)}};
+            {"bilateral", toMillisecond(bilateral)},
+            {"inverseRendering", toMillisecond(inverse)},
+            {"total", toMillisecond(total)}};
 }
 
 ordered_json lightsAsReport(const Decomposition& result)

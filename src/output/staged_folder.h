@@ -9,7 +9,7 @@
 namespace relamp
 {
 
-/// A folder that gets its files whole or not at all.
+/// A folder that gets its files when all of them are complete, or none.
 ///
 /// Files are written into a hidden folder beside it and moved in by commit(). Without a commit, and
 /// whatever is thrown, what was there before stays as it was and the hidden folder goes.
@@ -25,7 +25,8 @@ public:
     /// Where to write the file that will be `name` in the folder.
     [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return staging_ / name; }
 
-    /// Moves all in, `last` as the last one, so that its presence says that the others are complete.
+    /// Moves all in: a folder that is not there yet appears in one step; into one that is, file by file,
+    /// `last` as the last one, so that its presence says that the others are complete.
     /// Files of the folder named in `stale` and not written anew are removed.
     void commit(const std::string& last, const std::vector<std::string>& stale);
 

@@ -1,5 +1,6 @@
 #include "relamp/result.h"
 
+#include "base/fail.h"
 #include "base/file.h"
 #include "base/half.h"
 #include "base/parallel.h"
@@ -145,6 +146,7 @@ void ResultWriter::writePages()
 void ResultWriter::writeWhole()
 {
     const Decomposition::State& state = result_.state();
+    progress_.check();
     const std::vector<Camera> cameras = chooseViewpoints(scan_, state.scene, kViewpoints);
     const PreviewPicture preview = renderPreview(state.texels, state.scene, previews_, cameras, progress_);
     Progress::Stage stage(progress_, "write", 2);
@@ -162,6 +164,7 @@ std::string writeResult(const Scan& scan, const Decomposition& decomposition,
                         const std::filesystem::path& scanFile, const std::filesystem::path& folder,
                         Progress& progress)
 {
+    checkOutput(scanFile, folder);
     StagedFolder staged(folder, progress);
     ResultWriter writer(scan, decomposition, staged, progress);
     writer.writePages();
@@ -173,6 +176,16 @@ std::string writeResult(const Scan& scan, const Decomposition& decomposition,
     progress.check();
     staged.commit("report.json", filesOfFormerReport(folder));
     return report;
+}
+
+void checkOutput(const std::filesystem::path& scanFile, const std::filesystem::path& folder)
+{
+    const std::filesystem::path glb = folder / (scanFile.stem().string() + ".glb");
+    std::error_code ignored;
+    if (std::filesystem::equivalent(scanFile, glb, ignored))
+        fail(ErrorCode::cannotWrite, glb.string(), "is the scan itself and would be overwritten; name another folder with -o");
+    Progress nobody;
+    const StagedFolder trial(folder, nobody);
 }
 
 const char* version()

@@ -88,6 +88,28 @@ SurfelCells::Range SurfelCells::operator[](uint64_t firstKey) const
     return slots_[slotOf(firstKey)].range;
 }
 
+uint32_t Surfels::find(glm::vec3 place, glm::vec3 facing) const
+{
+    const uint64_t wanted = grid.keyOf(place, facing);
+    const auto [begin, end] = cells[wanted / SurfelGrid::kFacings * SurfelGrid::kFacings];
+    for (uint32_t s = begin; s < end; ++s)
+        if (key[s] == wanted) return s;
+    uint32_t nearest = kNone;
+    float least = 4.0f * size * size;
+    forEachInReach(place, [&](size_t s) {
+        const glm::vec3 way = position[s] - place;
+        // A step off the surface, or a turn, counts as a detour.
+        const float off = glm::dot(way, facing);
+        const float turned = 1.0f - glm::dot(normal[s], facing);
+        const float far = glm::dot(way, way) + 4.0f * off * off + size * size * turned * turned;
+        if (far < least) {
+            least = far;
+            nearest = static_cast<uint32_t>(s);
+        }
+    });
+    return nearest;
+}
+
 void connectNeighbors(Surfels& surfels)
 {
     const size_t count = surfels.count();

@@ -67,6 +67,7 @@ struct Surfels
     float size = 0.0f; // metres; edge of the cells that texels are gathered in
     SurfelGrid grid;
     SurfelCells cells;
+    std::vector<uint64_t> key; // of grid, ascending
     std::vector<glm::vec3> position;
     std::vector<glm::vec3> normal;
     std::vector<float> area;
@@ -81,6 +82,11 @@ struct Surfels
     {
         return {neighbor.data() + firstNeighbor[surfel], neighbor.data() + firstNeighbor[surfel + 1]};
     }
+
+    static constexpr uint32_t kNone = ~0u;
+    /// The surfel that a texel at `place` facing `facing` belongs to; where there is no texel just there,
+    /// the nearest that faces about the same way; kNone where nothing is near.
+    [[nodiscard]] uint32_t find(glm::vec3 place, glm::vec3 facing) const;
 
     /// Calls `visit(surfel)` for all whose cell is at most two from that of `place`: all within a
     /// distance of `size`, and more.

@@ -23,13 +23,7 @@ constexpr double kMostOverlap = 0.02; // share of texels; more is a tiled textur
 constexpr size_t kChunk = size_t{1} << 16;
 constexpr size_t kAhead = 24; // texels; surface order jumps over the page, and a look ahead hides that
 
-struct Site
-{
-    glm::vec3 position;
-    glm::vec3 normal;
-};
-
-Site siteOf(const Facet& facet, float column, float row)
+TexelSite siteOn(const Facet& facet, float column, float row)
 {
     const float dx = column - facet.pixel.x;
     const float dy = row - facet.pixel.y;
@@ -109,7 +103,7 @@ PageKeys keysOf(const Texels& texels, const PageCoverage& coverage, size_t page)
         std::vector<uint64_t>& distinct = ofChunk[begin / kChunk];
         for (size_t i = begin; i < end; ++i) {
             const uint32_t pixel = coverage.pixel[i];
-            const Site site = siteOf(texels.facets.facets[coverage.facet[i]],
+            const TexelSite site = siteOn(texels.facets.facets[coverage.facet[i]],
                                      static_cast<float>(pixel % width), static_cast<float>(pixel / width));
             keys.ofTexel[i] = texels.surfels.grid.keyOf(site.position, site.normal);
             if (distinct.empty() || distinct.back() != keys.ofTexel[i]) distinct.push_back(keys.ofTexel[i]);
@@ -170,7 +164,7 @@ void accumulateSurfels(Texels& texels, size_t pageIndex)
             double area = 0.0;
             for (uint32_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i) {
                 const Facet& facet = texels.facets.facets[page.facet[i]];
-                const Site site = siteOf(facet, static_cast<float>(page.pixel[i] % width),
+                const TexelSite site = siteOn(facet, static_cast<float>(page.pixel[i] % width),
                                          static_cast<float>(page.pixel[i] / width));
                 position += static_cast<double>(facet.texelArea) * glm::dvec3(site.position);
                 normal += facet.texelArea * site.normal;
@@ -248,6 +242,7 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress)
     }
     finishSurfels(texels.surfels);
     texels.surfels.cells = SurfelCells(surfelKeys);
+    texels.surfels.key = std::move(surfelKeys);
     connectNeighbors(texels.surfels);
 
     const auto covered = static_cast<double>(texels.count());
@@ -266,6 +261,14 @@ void checkOverlap(const Texels& texels)
                      "Light can only be taken off where every place has a texel of its own: unwrap it "
                      "without overlap and bake the texture.",
                      100.0 * texels.overlapShare));
+}
+
+TexelSite Texels::siteOf(size_t page, size_t texel) const
+{
+    const uint32_t pixel = pages[page].pixel[texel];
+    const uint32_t width = widthOf(*this, page);
+    return siteOn(facets.facets[pages[page].facet[texel]], static_cast<float>(pixel % width),
+                  static_cast<float>(pixel / width));
 }
 
 TexelLoader::TexelLoader(const Texels& texels, size_t page)

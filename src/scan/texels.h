@@ -35,6 +35,12 @@ struct PageTexels
     [[nodiscard]] size_t runOf(size_t texel) const;
 };
 
+struct TexelSite
+{
+    glm::vec3 position; // world, m
+    glm::vec3 normal;   // unit
+};
+
 /// Every place of the scan that shows light, as the stages see it.
 struct Texels
 {
@@ -46,6 +52,8 @@ struct Texels
     double overlapShare = 0.0; // of texels that stand for more than one place, 0..1
 
     [[nodiscard]] size_t count() const;
+    /// Where texel `texel` of a page lies.
+    [[nodiscard]] TexelSite siteOf(size_t page, size_t texel) const;
 };
 
 /// Rasterises the atlas once and sorts its texels into surfels.

@@ -58,7 +58,7 @@ void shade(const ThesisShading& shading, const TexelBlock& block, ShadingBlock& 
     }
 }
 
-std::vector<PointLight> mergedLights(const Lights& lights, const ThesisOptions& dials)
+std::vector<PointLight> lightsOfShadowMaps(const Lights& lights, const ThesisOptions& dials)
 {
     return mergeLights(lights.points, dials.mergeDistance.value_or(0.0f));
 }
@@ -94,7 +94,7 @@ ThesisShading solveThesis(const Texels& texels, const RayScene& scene, const Lig
     const Flattened surface = flatten(texels, {dials.flattenReach, dials.flattenRange}, progress);
     Progress::Stage stage(progress, "bounce", 2);
     std::vector<BounceLight> lit =
-        reflectiveShadowMaps(texels, scene, mergedLights(lights, shading.dials), dials.rsmSize);
+        reflectiveShadowMaps(texels, scene, lightsOfShadowMaps(lights, shading.dials), dials.rsmSize);
     for (BounceLight& light : lit) light.flux *= surface.at(light.page, light.pixel);
     stage.advance();
     shading.bounce = spread(texels, lit, shading.dials);

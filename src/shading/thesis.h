@@ -28,26 +28,25 @@ struct ShadingBlock
 struct ThesisShading
 {
     ThesisOptions dials;   // with everything that was derived filled in
-    LightArrays lights;    // power 1
+    LightArrays lights;    // before `dials.power`
     glm::vec3 ambient{0.0f};
-    std::shared_ptr<const Lpv> bounce; // power 1; null without bounce light
+    std::shared_ptr<const Lpv> bounce; // before `dials.power`; null without bounce light
 };
 
 /// Shading at the texels of a block. Entries behind its last texel are unspecified.
 void shade(const ThesisShading& shading, const TexelBlock& block, ShadingBlock& out);
 
 /// The lights that cast a reflective shadow map each.
-std::vector<PointLight> mergedLights(const Lights& lights, const ThesisOptions& dials);
+std::vector<PointLight> lightsOfShadowMaps(const Lights& lights, const ThesisOptions& dials);
 
 /// Fills in the dials that follow from the lights and the size of the room: attenuation, merge distance.
 ThesisOptions deriveDials(const ThesisOptions& dials, const Lights& lights, const Bounds& room);
 
-/// Spreads the light that `arriving` surfaces pass on; their flux is already multiplied by a colour.
+/// Spreads the light that surfaces pass on: `leaving` is what arrived, multiplied by a colour.
 std::shared_ptr<const Lpv> spread(const Texels& texels, std::span<const BounceLight> leaving,
                                   const ThesisOptions& dials);
 
-/// The whole shading but power and ambient, which are 1 and 0 (or as the dials say): flattened
-/// texture, reflective shadow maps of the merged lights, light propagation volume.
+/// The whole shading but power and ambient, which stay as `dials` has them: flattened texture, reflective shadow maps of the merged lights, light propagation volume.
 ThesisShading solveThesis(const Texels& texels, const RayScene& scene, const Lights& lights,
                           const ThesisOptions& dials, Progress& progress);
 

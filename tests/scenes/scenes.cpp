@@ -22,7 +22,7 @@ struct Wall
     glm::vec3 alongV;
     int column;
     int row;
-    int pixels;
+    glm::ivec2 pixels;
 };
 
 Page emptyPage(int width, int height)
@@ -32,7 +32,7 @@ Page emptyPage(int width, int height)
     page.image.width = width;
     page.image.height = height;
     page.image.transfer = Transfer::linear;
-    page.image.clipsAtWhite = false;
+    page.image.clipsAtWhite = true; // finer than a photo, but white is its end too
     page.image.half.resize(3 * page.image.pixels());
     return page;
 }
@@ -47,16 +47,16 @@ void addWall(Mesh& mesh, Page& page, const Wall& wall, const Paint& paint)
         const auto u = static_cast<float>(i % 2);
         const auto v = static_cast<float>(i / 2);
         mesh.positions.push_back(wall.corner + u * wall.alongU + v * wall.alongV);
-        mesh.uvs.push_back((low + glm::vec2(u, v) * static_cast<float>(wall.pixels)) / size);
+        mesh.uvs.push_back((low + glm::vec2(u, v) * glm::vec2(wall.pixels)) / size);
     }
     mesh.triangles.emplace_back(first, first + 1, first + 2);
     mesh.triangles.emplace_back(first + 1, first + 3, first + 2);
 
     const glm::vec3 normal = glm::normalize(glm::cross(wall.alongU, wall.alongV));
-    for (int y = 0; y < wall.pixels; ++y)
-        for (int x = 0; x < wall.pixels; ++x) {
-            const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(wall.pixels);
-            const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(wall.pixels);
+    for (int y = 0; y < wall.pixels.y; ++y)
+        for (int x = 0; x < wall.pixels.x; ++x) {
+            const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(wall.pixels.x);
+            const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(wall.pixels.y);
             const glm::vec3 radiance = paint(wall.corner + u * wall.alongU + v * wall.alongV, normal);
             const auto pixel = static_cast<size_t>((wall.row + y) * page.image.width + wall.column + x);
             for (int c = 0; c < 3; ++c) page.image.half[3 * pixel + static_cast<size_t>(c)] = halfFromFloat(radiance[c]);
@@ -82,9 +82,24 @@ Scan square(float side, int pixels, const Paint& paint)
     Mesh mesh;
     Page page = emptyPage(pixels, pixels);
     // u along x and v along z would face down; the wall is wound the other way round.
-    addWall(mesh, page, {{0, 0, 0}, {side, 0, 0}, {0, 0, side}, 0, 0, pixels}, [&](glm::vec3 p, glm::vec3) {
+    addWall(mesh, page, {{0, 0, 0}, {side, 0, 0}, {0, 0, side}, 0, 0, glm::ivec2(pixels)}, [&](glm::vec3 p, glm::vec3) {
         return paint(p, {0.0f, 1.0f, 0.0f});
     });
+    for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
+    return scanOf(std::move(mesh), std::move(page));
+}
+
+Scan splitSquare(float side, int pixels, const Paint& paint)
+{
+    const int half = pixels / 2;
+    Mesh mesh;
+    Page page = emptyPage(2 * (half + 2 * kGutter), pixels + 2 * kGutter);
+    const Paint upwards = [&](glm::vec3 p, glm::vec3) { return paint(p, {0.0f, 1.0f, 0.0f}); };
+    // The right half comes first on the page, so that the seam's two sides are far apart there.
+    const glm::vec3 alongU(0.5f * side, 0, 0);
+    const glm::vec3 alongV(0, 0, side);
+    addWall(mesh, page, {alongU, alongU, alongV, kGutter, kGutter, {half, pixels}}, upwards);
+    addWall(mesh, page, {glm::vec3(0), alongU, alongV, half + 3 * kGutter, kGutter, {half, pixels}}, upwards);
     for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
     return scanOf(std::move(mesh), std::move(page));
 }
@@ -108,7 +123,7 @@ Scan room(glm::vec3 size, int pixels, const Paint& paint)
     for (size_t i = 0; i < walls.size(); ++i) {
         const int column = static_cast<int>(i % 3) * tile + kGutter;
         const int row = static_cast<int>(i / 3) * tile + kGutter;
-        addWall(mesh, page, {walls[i][0], walls[i][1], walls[i][2], column, row, pixels}, paint);
+        addWall(mesh, page, {walls[i][0], walls[i][1], walls[i][2], column, row, glm::ivec2(pixels)}, paint);
     }
     return scanOf(std::move(mesh), std::move(page));
 }

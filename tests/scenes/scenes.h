@@ -14,8 +14,11 @@ using Paint = std::function<glm::vec3(glm::vec3 position, glm::vec3 normal)>;
 /// fills to its edges. u runs along x, v along z; corner (0, 0, 0) is u = v = 0.
 Scan square(float side, int pixels, const Paint& paint);
 
+/// The same square in two charts that meet at x = side / 2 in space and lie apart on the page.
+Scan splitSquare(float side, int pixels, const Paint& paint);
+
 /// The inside of a box from the origin to `size`: six walls, each a chart of its own of `pixels`
-/// squared with a gutter around it, in one 3 x 2 atlas. Textures are half floats: nothing is clipped.
+/// squared with a gutter around it, in one 3 x 2 atlas. Textures are half floats.
 Scan room(glm::vec3 size, int pixels, const Paint& paint);
 
 /// The same radiance everywhere.

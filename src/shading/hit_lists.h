@@ -1,0 +1,65 @@
+#pragma once
+
+#include "relamp/progress.h"
+#include "scan/rays.h"
+#include "scan/texels.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace relamp
+{
+
+/// A surfel has two sides; the back is what rays see that pass behind a single-sided surface.
+struct Side
+{
+    uint32_t index; // 2 * surfel, + 1 for the back
+
+    static Side front(uint32_t surfel) { return {2 * surfel}; }
+    static Side back(uint32_t surfel) { return {2 * surfel + 1}; }
+    [[nodiscard]] uint32_t surfel() const { return index / 2; }
+    [[nodiscard]] bool isBack() const { return index % 2 != 0; }
+};
+
+/// What a ray met, in four bytes: the side of a surfel, there a texel that is burnt out or not; or
+/// nothing.
+class HitTarget
+{
+public:
+    static HitTarget nothing() { return HitTarget(~0u); }
+    static HitTarget of(Side side, bool clipped) { return HitTarget(side.index << 1 | (clipped ? 1u : 0u)); }
+
+    [[nodiscard]] bool isNothing() const { return bits_ == ~0u; }
+    [[nodiscard]] Side side() const { return {bits_ >> 1}; }
+    [[nodiscard]] bool isClipped() const { return (bits_ & 1u) != 0; }
+
+private:
+    explicit HitTarget(uint32_t bits) : bits_(bits) {}
+    uint32_t bits_;
+};
+
+/// Cosine-distributed rays of the sides of surfels and what they met. Cast once per scan: light that
+/// changes needs no new rays.
+struct HitLists
+{
+    static constexpr int32_t kNoList = -1;
+
+    size_t raysPerList = 0;
+    std::vector<Side> sideOfList;
+    std::vector<int32_t> listOfSide;  // kNoList for a side that nobody sees
+    std::vector<HitTarget> targets;   // raysPerList a list
+
+    [[nodiscard]] std::span<const HitTarget> targetsOf(size_t list) const
+    {
+        return {targets.data() + list * raysPerList, raysPerList};
+    }
+};
+
+/// Casts rays from the fronts of all surfels, then from the backs that were met, then from those
+/// that these met. Rays start all over a surfel's texels, so that a list averages over its area.
+/// `clipped[page][pixel]` is not 0 where a texel is burnt out.
+HitLists castHitLists(const Texels& texels, const RayScene& scene,
+                      std::span<const std::vector<uint8_t>> clipped, size_t raysPerList, Progress& progress);
+
+} // namespace relamp

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "base/shared.h"
+
+SHARED_BEGIN
+
+// Point i of the R2 sequence (Roberts 2018), shifted; fills the unit square evenly at any length.
+SHARED_FN vec2 evenPoint(float i, vec2 shift)
+{
+    return fract(shift + i * vec2(0.7548776662f, 0.5698402910f));
+}
+
+// Direction around `normal` with density cos / pi; u in [0, 1)^2.
+SHARED_FN vec3 cosineDirection(vec3 normal, vec2 u)
+{
+    // Duff et al. 2017, "Building an Orthonormal Basis, Revisited"
+    const float s = normal.z < 0.0f ? -1.0f : 1.0f;
+    const float a = -1.0f / (s + normal.z);
+    const float b = normal.x * normal.y * a;
+    const vec3 tangent = vec3(1.0f + s * normal.x * normal.x * a, s * b, -s * normal.x);
+    const vec3 bitangent = vec3(b, s + normal.y * normal.y * a, -normal.y);
+    const float radius = sqrt(u.x);
+    const float angle = 6.28318531f * u.y;
+    const float up = sqrt(max(1.0f - u.x, 0.0f));
+    return normalize(radius * cos(angle) * tangent + radius * sin(angle) * bitangent + up * normal);
+}
+
+SHARED_END
