@@ -84,7 +84,8 @@ template<class Work>
 void overBlocks(const Room& r, const Work& work)
 {
     const TexelLoader loader(r.texels, 0);
-    forEachBlock(r.texels.pages[0], [&](size_t begin, size_t count) { work(loader, begin, count); });
+    forEachBlock(r.texels.pages[0],
+                 [&](size_t begin, size_t count) { work(loader, begin, count); });
 }
 
 void loadStage(benchmark::State& state)
@@ -123,8 +124,9 @@ void rsmStage(benchmark::State& state)
     for (auto _ : state)
         rays = reflectiveShadowMaps(r.texels, r.scene, r.merged, r.dials.rsmSize).size();
     state.counters["lights"] = static_cast<double>(r.merged.size());
-    state.counters["rays"] = benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(rays),
-                                                benchmark::Counter::kIsRate);
+    state.counters["rays"] =
+        benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(rays),
+                           benchmark::Counter::kIsRate);
 }
 
 void lpvStage(benchmark::State& state)
@@ -190,8 +192,8 @@ void thesisFrame(benchmark::State& state)
         shadeAndDivide(r, shading);
     }
     state.counters["texels"] = static_cast<double>(r.texels.count());
-    state.counters["of_36.06ms"] = benchmark::Counter(static_cast<double>(state.iterations()) * 36.06e-3,
-                                                      benchmark::Counter::kIsRate);
+    state.counters["of_36.06ms"] = benchmark::Counter(
+        static_cast<double>(state.iterations()) * 36.06e-3, benchmark::Counter::kIsRate);
 }
 
 void machineFloor(benchmark::State& state)
@@ -208,9 +210,15 @@ BENCHMARK(thesisFrame)->Name("thesis_frame")->Unit(benchmark::kMillisecond)->Use
 BENCHMARK(flattenStage)->Name("thesis/flatten")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(rsmStage)->Name("thesis/rsm")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(lpvStage)->Name("thesis/lpv")->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(shadeAndDivideStage)->Name("thesis/shade_and_divide")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(shadeAndDivideStage)
+    ->Name("thesis/shade_and_divide")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK(loadStage)->Name("thesis/part/load")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(directStage)->Name("thesis/part/direct64")->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(readOutStage)->Name("thesis/part/lpv_read_out")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(readOutStage)
+    ->Name("thesis/part/lpv_read_out")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 } // namespace relamp::bench

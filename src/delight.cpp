@@ -42,26 +42,30 @@ glm::vec3 meanColor(const Lights& lights)
 }
 
 /// Sets power and ambient as the options say, or from the scan where they leave them open.
-void setDials(ThesisShading& shading, const Texels& texels, const SurfelLight& light, const Lights& lights)
+void setDials(ThesisShading& shading, const Texels& texels, const SurfelLight& light,
+              const Lights& lights)
 {
     ThesisOptions& dials = shading.dials;
     if (!dials.useAmbient) dials.ambient = 0.0f;
     const std::optional<float> power = std::exchange(dials.power, 1.0f); // the samples want it at 1
     const std::vector<glm::vec3> shades = shadingOfSurfels(texels.surfels, shading);
     std::vector<DialSample> samples(shades.size());
-    for (size_t s = 0; s < samples.size(); ++s) samples[s] = {light.radiance[s], shades[s], light.area[s]};
+    for (size_t s = 0; s < samples.size(); ++s)
+        samples[s] = {light.radiance[s], shades[s], light.area[s]};
     const Dials fitted = fitDials(samples, power, dials.ambient);
     dials.power = fitted.power;
     dials.ambient = fitted.ambient;
-    const bool asGiven = luminance(lights.ambient) > 0.0f && *dials.ambient == luminance(lights.ambient);
+    const bool asGiven =
+        luminance(lights.ambient) > 0.0f && *dials.ambient == luminance(lights.ambient);
     shading.ambient = asGiven ? lights.ambient : *dials.ambient * meanColor(lights);
 }
 
 void checkAttenuation(const ThesisOptions& thesis)
 {
     if (thesis.attenuation && *thesis.attenuation == glm::vec3(0.0f))
-        throw Error(ErrorCode::unsupported, "attenuation 0 0 0 would make every light endless; give one of k0, "
-                                            "k1, k2 a value");
+        throw Error(ErrorCode::unsupported,
+                    "attenuation 0 0 0 would make every light endless; give one of k0, "
+                    "k1, k2 a value");
 }
 
 /// Lights of a file are as bright as they say; the dials follow them.
@@ -92,13 +96,18 @@ Decomposition delight(const Scan& scan, const DelightOptions& options, Progress&
     const Lights found = findLights(light, state->texels, options.thesis);
     const Lights& lights = options.lights ? *options.lights : found;
     if (lights.points.empty() && !options.lights)
-        state->warnings.emplace_back("no light was found: nothing in the texture is burnt out. The result "
-                                     "has ambient light alone; give it lights with --lights");
+        state->warnings.emplace_back(
+            "no light was found: nothing in the texture is burnt out. The result "
+            "has ambient light alone; give it lights with --lights");
 
     const ThesisOptions dials = options.lights ? dialsFor(lights, options.thesis) : options.thesis;
     state->shading = solveThesis(state->texels, state->scene, lights, dials, progress);
     setDials(state->shading, state->texels, light, lights);
-    state->closure = closeLoop(state->texels, state->scene, light, lights, state->shading, options.albedo.darkest, progress);
+    {
+        const Progress::Stage stage(progress, "closure");
+        state->closure = closeLoop(state->texels, state->scene, light, lights, state->shading,
+                                   options.albedo.darkest);
+    }
 
     state->lights = lights;
     scalePower(state->lights, *state->shading.dials.power, state->shading.ambient);
@@ -157,7 +166,8 @@ const Decomposition::State& Decomposition::state() const
 
 PageLayers Decomposition::layers(size_t page, Progress& progress) const
 {
-    return makeLayers(state_->texels, page, state_->shading, state_->shines, state_->options, progress);
+    return makeLayers(state_->texels, page, state_->shading, state_->shines, state_->options,
+                      progress);
 }
 
 } // namespace relamp

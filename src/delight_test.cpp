@@ -40,7 +40,8 @@ scenes::Paint litBy(const Lights& lights)
     return [lights](glm::vec3 p, glm::vec3 n) {
         glm::vec3 shading(0.05f);
         for (const PointLight& light : lights.points)
-            shading += light.intensity * receivedFrom(light.position - p, n, {0.0f, 0.0f, 1.0f}) / kPi;
+            shading +=
+                light.intensity * receivedFrom(light.position - p, n, {0.0f, 0.0f, 1.0f}) / kPi;
         return paper(p, n) * shading;
     };
 }
@@ -77,9 +78,10 @@ float largestError(const Worked& worked, const ErrorOf& errorOf)
         TexelBlock block;
         loader.load(i, 1, block);
         const uint16_t* rgb = &worked.layers.albedo[3 * size_t{worked.texels.pages[0].pixel[i]}];
-        const float error = errorOf(glm::vec3(block.x[0], block.y[0], block.z[0]),
-                                    glm::vec3(block.nx[0], block.ny[0], block.nz[0]),
-                                    glm::vec3(floatFromHalf(rgb[0]), floatFromHalf(rgb[1]), floatFromHalf(rgb[2])));
+        const float error =
+            errorOf(glm::vec3(block.x[0], block.y[0], block.z[0]),
+                    glm::vec3(block.nx[0], block.ny[0], block.nz[0]),
+                    glm::vec3(floatFromHalf(rgb[0]), floatFromHalf(rgb[1]), floatFromHalf(rgb[2])));
         largest = std::max(largest, error);
     }
     return largest;
@@ -96,7 +98,8 @@ TEST(Delight, RoundTripGivesThePaperBack)
         const glm::vec3 wrong = glm::abs(albedo / paper(p, n) - 1.0f);
         return std::max({wrong.r, wrong.g, wrong.b});
     };
-    EXPECT_LT(largestError(worked, relativeError), 0.005f); // two half floats' rounding, and a third's
+    EXPECT_LT(largestError(worked, relativeError),
+              0.005f); // two half floats' rounding, and a third's
 }
 
 // A closed box of one radiance everywhere shows nothing but one albedo: no light can be told in it.
@@ -104,7 +107,9 @@ TEST(Delight, FurnaceIsUniform)
 {
     const Scan scan = scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f)));
     const Worked worked = work(scan, {});
-    const auto error = [](glm::vec3, glm::vec3, glm::vec3 albedo) { return std::abs(albedo.g - 0.9f); };
+    const auto error = [](glm::vec3, glm::vec3, glm::vec3 albedo) {
+        return std::abs(albedo.g - 0.9f);
+    };
     EXPECT_LT(largestError(worked, error), 0.01f);
 }
 
@@ -112,14 +117,16 @@ TEST(Delight, SaysSoWhereNothingShines)
 {
     const Scan scan = scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f)));
     Progress progress;
-    EXPECT_THAT(delight(scan, {}, progress).warnings(), testing::ElementsAre(testing::HasSubstr("no light was found")));
+    EXPECT_THAT(delight(scan, {}, progress).warnings(),
+                testing::ElementsAre(testing::HasSubstr("no light was found")));
 }
 
 /// A grey room lit from a burnt-out panel in its ceiling.
 Scan panelRoom()
 {
     return scenes::room(kRoom, 96, [](glm::vec3 p, glm::vec3 n) {
-        if (n.y < -0.5f && std::abs(p.x - 2.0f) < 0.4f && std::abs(p.z - 2.5f) < 0.4f) return glm::vec3(1.0f);
+        if (n.y < -0.5f && std::abs(p.x - 2.0f) < 0.4f && std::abs(p.z - 2.5f) < 0.4f)
+            return glm::vec3(1.0f);
         const glm::vec3 toLight = glm::vec3(2.0f, 2.5f, 2.5f) - p;
         return paper(p, n) * (0.1f + 0.6f * receivedFrom(toLight, n, {0.2f, 0.0f, 1.0f}));
     });
@@ -139,9 +146,11 @@ TEST(Delight, TakesMostOfAPanelsLightOff)
         loader.load(i, 1, block);
         const uint32_t pixel = worked.texels.pages[0].pixel[i];
         if (radiance[pixel].g > 0.95f || block.ny[0] < -0.5f) continue;
-        const float wanted = paper({block.x[0], block.y[0], block.z[0]}, {block.nx[0], block.ny[0], block.nz[0]}).g;
+        const float wanted =
+            paper({block.x[0], block.y[0], block.z[0]}, {block.nx[0], block.ny[0], block.nz[0]}).g;
         const double logBefore = std::log(radiance[pixel].g / wanted);
-        const double logAfter = std::log(floatFromHalf(worked.layers.albedo[3 * size_t{pixel} + 1]) / wanted);
+        const double logAfter =
+            std::log(floatFromHalf(worked.layers.albedo[3 * size_t{pixel} + 1]) / wanted);
         before += logBefore * logBefore;
         after += logAfter * logAfter;
         count += 1.0;
@@ -214,7 +223,8 @@ TEST(Delight, ItsOwnLightsGivenBackChangeNothing)
     const PageLayers a = first.layers(0, progress);
     const PageLayers b = second.layers(0, progress);
     for (size_t i = 0; i < a.albedo.size(); i += 97)
-        ASSERT_NEAR(floatFromHalf(b.albedo[i]), floatFromHalf(a.albedo[i]), 0.01f * floatFromHalf(a.albedo[i]) + 1e-4f);
+        ASSERT_NEAR(floatFromHalf(b.albedo[i]), floatFromHalf(a.albedo[i]),
+                    0.01f * floatFromHalf(a.albedo[i]) + 1e-4f);
 }
 
 } // namespace relamp

@@ -37,35 +37,80 @@ CLI::Validator between(double low, double high)
 void addDials(CLI::App& command, DelightArguments& arguments)
 {
     relamp::ThesisOptions& dials = arguments.options.thesis;
-    const std::string group = "Dials of the thesis solver (what is not given follows from the scan)";
-    command.add_option("--emitter-threshold", dials.emitterThreshold,
-                       "Luminance from which a burnt-out texel is taken to shine [0.9]")
-        ->check(between(0.0, 1.0))->type_name("L")->group(group);
-    command.add_option("--expansion", dials.expansion, "Radiance of white once the range is expanded [8]")
-        ->check(between(1.0, 1e4))->type_name("L")->group(group);
+    const std::string group =
+        "Dials of the thesis solver (what is not given follows from the scan)";
+    command
+        .add_option("--emitter-threshold", dials.emitterThreshold,
+                    "Luminance from which a burnt-out texel is taken to shine [0.9]")
+        ->check(between(0.0, 1.0))
+        ->type_name("L")
+        ->group(group);
+    command
+        .add_option("--expansion", dials.expansion,
+                    "Radiance of white once the range is expanded [8]")
+        ->check(between(1.0, 1e4))
+        ->type_name("L")
+        ->group(group);
     command.add_option("--light-levels", dials.lightLevels, "2^N lights by median cut [6]")
-        ->check(between(0, 10))->type_name("N")->group(group);
-    command.add_option("--attenuation", arguments.attenuation, "k0 k1 k2 of 1 / (k0 + k1 d + k2 d^2), d in metres")
-        ->expected(3)->check(between(0.0, 1e6))->type_name("K0 K1 K2")->group(group);
+        ->check(between(0, 10))
+        ->type_name("N")
+        ->group(group);
+    command
+        .add_option("--attenuation", arguments.attenuation,
+                    "k0 k1 k2 of 1 / (k0 + k1 d + k2 d^2), d in metres")
+        ->expected(3)
+        ->check(between(0.0, 1e6))
+        ->type_name("K0 K1 K2")
+        ->group(group);
     command.add_option("--power", dials.power, "Factor on all light")
-        ->check(between(1e-6, 1e6))->type_name("X")->group(group);
+        ->check(between(1e-6, 1e6))
+        ->type_name("X")
+        ->group(group);
     command.add_option("--ambient", dials.ambient, "Ambient light, irradiance / pi")
-        ->check(between(0.0, 1e6))->type_name("L")->group(group);
-    command.add_option("--merge-distance", dials.mergeDistance, "Lights nearer than this share a shadow map")
-        ->check(between(0.0, 1e6))->type_name("M")->group(group);
-    command.add_option("--rsm-size", dials.rsmSize, "Pixels along a face of a reflective shadow map [32]")
-        ->check(between(8, 512))->type_name("N")->group(group);
-    command.add_option("--lpv-size", dials.lpvSize, "Cells of the light propagation volume along the room [32]")
-        ->check(between(8, 128))->type_name("N")->group(group);
+        ->check(between(0.0, 1e6))
+        ->type_name("L")
+        ->group(group);
+    command
+        .add_option("--merge-distance", dials.mergeDistance,
+                    "Lights nearer than this share a shadow map")
+        ->check(between(0.0, 1e6))
+        ->type_name("M")
+        ->group(group);
+    command
+        .add_option("--rsm-size", dials.rsmSize,
+                    "Pixels along a face of a reflective shadow map [32]")
+        ->check(between(8, 512))
+        ->type_name("N")
+        ->group(group);
+    command
+        .add_option("--lpv-size", dials.lpvSize,
+                    "Cells of the light propagation volume along the room [32]")
+        ->check(between(8, 128))
+        ->type_name("N")
+        ->group(group);
     command.add_option("--lpv-steps", dials.lpvSteps, "Propagation steps [8]")
-        ->check(between(1, 128))->type_name("N")->group(group);
-    command.add_option("--flatten-reach", dials.flattenReach, "Reach of the bilateral filter in surfel sizes [1.5]")
-        ->check(between(1.0, 2.0))->type_name("X")->group(group);
-    command.add_option("--flatten-range", dials.flattenRange,
-                       "Range of the bilateral filter in square roots of radiance [0.2]")
-        ->check(between(0.01, 10.0))->type_name("X")->group(group);
-    command.add_flag_callback("--no-lpv", [&dials] { dials.useLpv = false; }, "No bounce light")->group(group);
-    command.add_flag_callback("--no-ambient", [&dials] { dials.useAmbient = false; }, "No ambient light")
+        ->check(between(1, 128))
+        ->type_name("N")
+        ->group(group);
+    command
+        .add_option("--flatten-reach", dials.flattenReach,
+                    "Reach of the bilateral filter in surfel sizes [1.5]")
+        ->check(between(1.0, 2.0))
+        ->type_name("X")
+        ->group(group);
+    command
+        .add_option("--flatten-range", dials.flattenRange,
+                    "Range of the bilateral filter in square roots of radiance [0.2]")
+        ->check(between(0.01, 10.0))
+        ->type_name("X")
+        ->group(group);
+    command
+        .add_flag_callback(
+            "--no-lpv", [&dials] { dials.useLpv = false; }, "No bounce light")
+        ->group(group);
+    command
+        .add_flag_callback(
+            "--no-ambient", [&dials] { dials.useAmbient = false; }, "No ambient light")
         ->group(group);
 }
 
@@ -73,9 +118,11 @@ void printSummary(const DelightArguments& arguments, const relamp::Scan& scan,
                   const relamp::Decomposition& result, double seconds)
 {
     const relamp::Lights& lights = result.lights();
-    fmt::print("{}: {} fixtures, {} point lights, {} texels in {:.1f} s\n", arguments.scan.file.string(),
-               lights.fixtures.size(), lights.points.size(), result.texelCount(), seconds);
-    fmt::print("{}/{}.glb is the room without its light; preview.png shows it as scanned, albedo, shading\n",
+    fmt::print("{}: {} fixtures, {} point lights, {} texels in {:.1f} s\n",
+               arguments.scan.file.string(), lights.fixtures.size(), lights.points.size(),
+               result.texelCount(), seconds);
+    fmt::print("{}/{}.glb is the room without its light; preview.png shows it as scanned, albedo, "
+               "shading\n",
                arguments.folder.string(), scan.name);
     for (const std::string& warning : scan.warnings) printProblem("note: " + warning);
     for (const std::string& warning : result.warnings()) printProblem("note: " + warning);
@@ -91,7 +138,8 @@ int run(DelightArguments& arguments)
 
     relamp::checkOutput(arguments.scan.file, arguments.folder);
     std::vector<std::string> notes;
-    if (!arguments.lights.empty()) arguments.options.lights = relamp::readLights(arguments.lights, notes);
+    if (!arguments.lights.empty())
+        arguments.options.lights = relamp::readLights(arguments.lights, notes);
     if (arguments.attenuation.size() == 3)
         arguments.options.thesis.attenuation = {arguments.attenuation[0], arguments.attenuation[1],
                                                 arguments.attenuation[2]};
@@ -112,18 +160,27 @@ int run(DelightArguments& arguments)
 
 void addDelightCommand(CLI::App& app, Run& run)
 {
-    CLI::App& command = *app.add_subcommand("delight", "Take the light out of a scan: albedo, lights, relightable GLB");
+    CLI::App& command = *app.add_subcommand(
+        "delight", "Take the light out of a scan: albedo, lights, relightable GLB");
     const auto arguments = std::make_shared<DelightArguments>();
     addScanArguments(command, arguments->scan);
-    command.add_option("-o,--output", arguments->folder, "Folder for the result; made if it is not there")
-        ->required()->type_name("DIR");
+    command
+        .add_option("-o,--output", arguments->folder,
+                    "Folder for the result; made if it is not there")
+        ->required()
+        ->type_name("DIR");
     command.add_option("--solver", arguments->solver, "How the shading is found: thesis [thesis]")
-        ->check(CLI::IsMember({"thesis"}).description(""))->type_name("NAME");
-    command.add_option("--lights", arguments->lights, "Use the lights of this lights.json instead of finding them")
+        ->check(CLI::IsMember({"thesis"}).description(""))
+        ->type_name("NAME");
+    command
+        .add_option("--lights", arguments->lights,
+                    "Use the lights of this lights.json instead of finding them")
         ->type_name("FILE");
-    command.add_option("--darkest", arguments->options.albedo.darkest,
-                       "Shading below this is raised to it before dividing [0.02]")
-        ->check(between(1e-6, 1.0))->type_name("L");
+    command
+        .add_option("--darkest", arguments->options.albedo.darkest,
+                    "Shading below this is raised to it before dividing [0.02]")
+        ->check(between(1e-6, 1.0))
+        ->type_name("L");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
     command.add_flag("--json", arguments->json, "Print the report as JSON and nothing else");
     addDials(command, *arguments);

@@ -50,17 +50,20 @@ void print(const std::string& file, const relamp::Inspection& found)
     fmt::print("{}\n", file);
     fmt::print("  surface   {} triangles in {} meshes, {:.1f} m^2\n", found.triangles, found.meshes,
                found.squareMetres);
-    fmt::print("  size      {:.2f} x {:.2f} x {:.2f} m (x, y up, z)\n", extent.x, extent.y, extent.z);
+    fmt::print("  size      {:.2f} x {:.2f} x {:.2f} m (x, y up, z)\n", extent.x, extent.y,
+               extent.z);
     fmt::print("  texels    {} covered, {:.1f} mm each, {:.2f} % overlapping\n", found.texels,
                found.millimetresPerTexel, 100.0 * found.overlapShare);
     for (size_t i = 0; i < found.pages.size(); ++i) {
         const relamp::PageInspection& page = found.pages[i];
         if (page.ofVertices)
-            fmt::print("  page {}    vertex colours, {:.1f} % burnt out\n", i, 100.0 * page.clipped);
-        else
-            fmt::print("  page {}    {} x {} \"{}\", {:.0f} % covered by {} charts, {:.1f} % burnt out\n", i,
-                       page.width, page.height, page.name, 100.0 * page.coverage, page.charts,
+            fmt::print("  page {}    vertex colours, {:.1f} % burnt out\n", i,
                        100.0 * page.clipped);
+        else
+            fmt::print(
+                "  page {}    {} x {} \"{}\", {:.0f} % covered by {} charts, {:.1f} % burnt out\n",
+                i, page.width, page.height, page.name, 100.0 * page.coverage, page.charts,
+                100.0 * page.clipped);
     }
     for (const std::string& problem : found.problems) fmt::print("  note      {}\n", problem);
     if (found.problems.empty()) fmt::print("  fine      nothing stands in the way of delight\n");
@@ -72,11 +75,13 @@ int run(const InfoArguments& arguments)
     relamp::Progress progress(progressDisplay(talk));
     const Interrupt interrupt(progress);
     const relamp::ThreadLimit threads(arguments.scan.threads);
-    const relamp::Scan scan = relamp::readScan(arguments.scan.file, arguments.scan.options, progress);
+    const relamp::Scan scan =
+        relamp::readScan(arguments.scan.file, arguments.scan.options, progress);
     const relamp::Inspection found = relamp::inspect(scan, progress);
     endProgressDisplay(talk);
     if (arguments.json)
-        fmt::print("{}\n", asJson(found).dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
+        fmt::print("{}\n",
+                   asJson(found).dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
     else
         print(arguments.scan.file.string(), found);
     return 0;
@@ -86,7 +91,8 @@ int run(const InfoArguments& arguments)
 
 void addInfoCommand(CLI::App& app, Run& run)
 {
-    CLI::App& command = *app.add_subcommand("info", "Tell what a scan is and what will be a problem");
+    CLI::App& command =
+        *app.add_subcommand("info", "Tell what a scan is and what will be a problem");
     const auto arguments = std::make_shared<InfoArguments>();
     addScanArguments(command, arguments->scan);
     command.add_flag("--json", arguments->json, "Print JSON and nothing else");

@@ -40,11 +40,13 @@ Interrupt::~Interrupt()
 void Interrupt::watch()
 {
     const sigset_t signals = politeSignals();
-    while (!done_ && sigtimedwait(&signals, nullptr, &kPoll) < 0) {}
+    while (!done_ && sigtimedwait(&signals, nullptr, &kPoll) < 0) {
+    }
     if (done_) return;
     progress_.cancel();
     const auto deadline = Clock::now() + kPatience;
-    while (!done_ && Clock::now() < deadline && sigtimedwait(&signals, nullptr, &kPoll) < 0) {}
+    while (!done_ && Clock::now() < deadline && sigtimedwait(&signals, nullptr, &kPoll) < 0) {
+    }
     if (done_) return;
     progress_.abandon();
     _exit(kExitCode);

@@ -30,7 +30,9 @@ int main(int argc, char** argv)
     std::signal(SIGPIPE, SIG_IGN); // a reader that went away, or a file size limit, is an error
     std::signal(SIGXFSZ, SIG_IGN); // to report, not a reason to vanish
 
-    CLI::App app("Takes the light out of a scanned room: albedo, lights, and a room that can be relit.", "relamp");
+    CLI::App app(
+        "Takes the light out of a scanned room: albedo, lights, and a room that can be relit.",
+        "relamp");
     app.set_version_flag("--version", std::string("relamp ") + relamp::version());
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);

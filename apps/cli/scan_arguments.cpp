@@ -14,7 +14,8 @@ void addScanArguments(CLI::App& command, ScanArguments& arguments)
     command.add_option("scan", arguments.file, "glTF, GLB, OBJ, PLY, or what else Assimp reads")
         ->required()
         ->type_name("SCAN");
-    command.add_option("--up", options.up, "The file's axis that points to the ceiling: y or z [y]")
+    command
+        .add_option("--up", options.up, "The file's axis that points to the ceiling: y or z [y]")
         ->transform(CLI::CheckedTransformer(axes).description(""))
         ->type_name("AXIS");
     command.add_option("--scale", options.scale, "Metres a unit of the file [1]")
@@ -25,7 +26,8 @@ void addScanArguments(CLI::App& command, ScanArguments& arguments)
                     "What the texture's numbers are: srgb, linear, or auto by type [auto]")
         ->transform(CLI::CheckedTransformer(transfers).description(""))
         ->type_name("CURVE");
-    command.add_option("--skip-mesh", options.skipMeshes, "Leave out meshes of this name (repeatable)")
+    command
+        .add_option("--skip-mesh", options.skipMeshes, "Leave out meshes of this name (repeatable)")
         ->type_name("NAME")
         ->allow_extra_args(false);
     command.add_option("--threads", arguments.threads, "Threads to work with; 0 is one a core [0]")

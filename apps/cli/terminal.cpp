@@ -24,8 +24,8 @@ bool isTerminal()
 void drawBar(std::string_view stage, double fraction)
 {
     const int done = static_cast<int>(fraction * kBarWidth);
-    fmt::print(stderr, "\r  {:<12} [{:<{}}] {:3.0f} %", stage, std::string(static_cast<size_t>(done), '#'),
-               kBarWidth, 100.0 * fraction);
+    fmt::print(stderr, "\r  {:<12} [{:<{}}] {:3.0f} %", stage,
+               std::string(static_cast<size_t>(done), '#'), kBarWidth, 100.0 * fraction);
     std::fflush(stderr);
 }
 
@@ -43,7 +43,9 @@ relamp::Progress::Sink progressDisplay(Talk talk)
     if (isTerminal())
         return [state](const relamp::Progress::Event& event) {
             const auto now = Clock::now();
-            if (event.stage == state->stage && event.fraction < 1.0 && now - state->drawn < kRedrawEvery) return;
+            if (event.stage == state->stage && event.fraction < 1.0 &&
+                now - state->drawn < kRedrawEvery)
+                return;
             *state = {std::string(event.stage), now};
             drawBar(event.stage, event.fraction);
         };

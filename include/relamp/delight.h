@@ -33,11 +33,11 @@ struct PageLayers
 {
     int width = 0;
     int height = 0;
-    std::vector<uint16_t> albedo;     // 0..1 where it can be trusted; above 1 the shading fell short
-    std::vector<uint16_t> direct;     // irradiance / pi straight from the lights
-    std::vector<uint16_t> indirect;   // irradiance / pi by way of other surfaces, and ambient
-    std::vector<uint8_t> emission;    // sRGB of texels that shine, else 0; empty where none does
-    std::vector<uint8_t> confidence;  // 0: a guess (burnt out, shining, unlit) .. 255
+    std::vector<uint16_t> albedo;    // 0..1 where it can be trusted; above 1 the shading fell short
+    std::vector<uint16_t> direct;    // irradiance / pi straight from the lights
+    std::vector<uint16_t> indirect;  // irradiance / pi by way of other surfaces, and ambient
+    std::vector<uint8_t> emission;   // sRGB of texels that shine, else 0; empty where none does
+    std::vector<uint8_t> confidence; // 0: a guess (burnt out, shining, unlit) .. 255
 };
 
 /// How well the result explains the scan.
@@ -81,6 +81,7 @@ private:
 ///
 /// Throws Error(unsupported) where the scan's texels cannot be told apart (overlapping UVs), and
 /// Error(cancelled).
-RELAMP_API Decomposition delight(const Scan& scan, const DelightOptions& options, Progress& progress);
+RELAMP_API Decomposition delight(const Scan& scan, const DelightOptions& options,
+                                 Progress& progress);
 
 } // namespace relamp

@@ -25,18 +25,18 @@ enum class Transfer {
 
 /// A picture of light: RGB, row 0 on top, plus opacity where the file had any.
 ///
-/// 8-bit files stay as they are in `encoded`; everything finer is kept as linear IEEE half floats in
-/// `half`. Exactly one of the two is filled.
+/// 8-bit files stay as they are in `encoded`; everything finer is kept as linear IEEE half floats
+/// in `half`. Exactly one of the two is filled.
 struct Image
 {
     int width = 0;
     int height = 0;
     Transfer transfer = Transfer::srgb; // of `encoded`; never `automatic`
-    bool clipsAtWhite = true;           // false where the file can hold more than white (float formats)
-    bool wasJpeg = false;               // came as a JPEG file
-    std::vector<uint8_t> encoded;       // 3 * width * height
-    std::vector<uint16_t> half;         // 3 * width * height, finite, >= 0
-    std::vector<uint8_t> alpha;         // width * height, or empty where all is opaque
+    bool clipsAtWhite = true;     // false where the file can hold more than white (float formats)
+    bool wasJpeg = false;         // came as a JPEG file
+    std::vector<uint8_t> encoded; // 3 * width * height
+    std::vector<uint16_t> half;   // 3 * width * height, finite, >= 0
+    std::vector<uint8_t> alpha;   // width * height, or empty where all is opaque
 
     [[nodiscard]] size_t pixels() const
     {
@@ -61,13 +61,14 @@ public:
     /// Brings a pixel near that will be asked for soon.
     void prefetch(size_t pixel) const
     {
-        bytes_ != nullptr ? __builtin_prefetch(bytes_ + 3 * pixel) : __builtin_prefetch(half_ + 3 * pixel);
+        bytes_ != nullptr ? __builtin_prefetch(bytes_ + 3 * pixel)
+                          : __builtin_prefetch(half_ + 3 * pixel);
     }
 
 private:
     [[nodiscard]] glm::vec3 fromHalf(size_t at) const;
 
-    const uint8_t* bytes_;  // null where the image is in half floats
+    const uint8_t* bytes_; // null where the image is in half floats
     const uint16_t* half_;
     std::array<float, 256> linearOf_;
 };

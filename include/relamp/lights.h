@@ -26,8 +26,9 @@ struct Fixture
 /// A light without extent.
 struct PointLight
 {
-    glm::vec3 position{0.0f};  // world, m
-    glm::vec3 normal{0.0f};    // where the surface that it stands for faces; zero for none. Does not aim it
+    glm::vec3 position{0.0f}; // world, m
+    glm::vec3 normal{
+        0.0f}; // where the surface that it stands for faces; zero for none. Does not aim it
     glm::vec3 intensity{0.0f}; // RGB radiant intensity, radiance * m^2; E = intensity cos / d^2
     float radius = 0.0f;       // m; rms distance of the patch that it stands for from its centre
     int fixture = -1;          // index into Lights::fixtures; -1 for none

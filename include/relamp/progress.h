@@ -14,7 +14,8 @@
 namespace relamp
 {
 
-/// Where a long computation stands. One object serves one computation; a second thread may cancel it.
+/// Where a long computation stands. One object serves one computation; a second thread may cancel
+/// it.
 class RELAMP_API Progress
 {
 public:

@@ -20,8 +20,8 @@ enum class UpAxis { y, z };
 
 struct ScanOptions
 {
-    UpAxis up = UpAxis::y;               // the file's axis that points to the ceiling
-    double scale = 1.0;                  // metres a unit of the file, > 0
+    UpAxis up = UpAxis::y; // the file's axis that points to the ceiling
+    double scale = 1.0;    // metres a unit of the file, > 0
     Transfer transfer = Transfer::automatic;
     std::vector<std::string> skipMeshes; // names of meshes to leave out
 };
@@ -29,23 +29,24 @@ struct ScanOptions
 /// What a texture shows outside [0, 1].
 enum class Wrap { repeat, mirror, clamp };
 
-/// One piece of surface with one material: a glTF primitive at its node, or a mesh of another format.
+/// One piece of surface with one material: a glTF primitive at its node, or a mesh of another
+/// format.
 ///
 /// All positions are in the world: metres, right-handed, Y up. Every number is finite, every index
 /// in range, every triangle has an area.
 struct Mesh
 {
     std::string name;
-    int page = -1;                       // index into Scan::pages
+    int page = -1; // index into Scan::pages
     Wrap wrapU = Wrap::repeat;
     Wrap wrapV = Wrap::repeat;
-    glm::vec3 factor{1.0f};              // linear; multiplies what the page shows
+    glm::vec3 factor{1.0f}; // linear; multiplies what the page shows
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec2> uvs;          // of `positions`, v downwards; empty on a page of vertices
-    std::vector<glm::vec3> colors;       // of `positions`, linear, multiplies the page; may be empty
-    std::vector<glm::uvec3> triangles;   // counter-clockwise seen from the lit side
-    std::vector<glm::vec3> normals;      // unit, one a triangle's corner: 3 * triangles
-    size_t firstPixel = 0;               // on a page of vertices: pixel of vertex 0
+    std::vector<glm::vec2> uvs;        // of `positions`, v downwards; empty on a page of vertices
+    std::vector<glm::vec3> colors;     // of `positions`, linear, multiplies the page; may be empty
+    std::vector<glm::uvec3> triangles; // counter-clockwise seen from the lit side
+    std::vector<glm::vec3> normals;    // unit, one a triangle's corner: 3 * triangles
+    size_t firstPixel = 0;             // on a page of vertices: pixel of vertex 0
 };
 
 /// A texture with baked-in light, or the colours of all vertices of meshes without texture.
@@ -68,7 +69,7 @@ struct Scan
     glm::mat4 worldFromFile{1.0f};
     std::shared_ptr<const GltfSource> gltf; // null for other formats
 
-    [[nodiscard]] size_t triangleCount() const;
+    [[nodiscard]] RELAMP_API size_t triangleCount() const;
 };
 
 struct Bounds

@@ -7,7 +7,8 @@
 namespace relamp
 {
 
-/// Limits how many threads relamp works with, for as long as it lives. The results do not depend on it.
+/// Limits how many threads relamp works with, for as long as it lives. The results do not depend on
+/// it.
 class RELAMP_API ThreadLimit
 {
 public:

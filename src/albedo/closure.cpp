@@ -32,7 +32,8 @@ std::vector<glm::vec3> shadingAt(size_t count, const ThesisShading& shading, con
         }
         shade(shading, block, out);
         for (size_t i = 0; i < block.count; ++i)
-            result[begin + i] = {out.direct.r[i] + out.indirect.r[i], out.direct.g[i] + out.indirect.g[i],
+            result[begin + i] = {out.direct.r[i] + out.indirect.r[i],
+                                 out.direct.g[i] + out.indirect.g[i],
                                  out.direct.b[i] + out.indirect.b[i]};
     });
     return result;
@@ -43,11 +44,10 @@ ThesisShading withOwnBounces(const Texels& texels, const RayScene& scene, const 
                              const ThesisShading& shading, float darkest)
 {
     if (!shading.bounce) return shading;
-    std::vector<BounceLight> lit =
-        reflectiveShadowMaps(texels, scene, lightsOfShadowMaps(lights, shading.dials), shading.dials.rsmSize);
-    const std::vector<glm::vec3> shades = shadingAt(lit.size(), shading, [&](size_t i) {
-        return std::pair(lit[i].position, lit[i].normal);
-    });
+    std::vector<BounceLight> lit = reflectiveShadowMaps(
+        texels, scene, lightsOfShadowMaps(lights, shading.dials), shading.dials.rsmSize);
+    const std::vector<glm::vec3> shades = shadingAt(
+        lit.size(), shading, [&](size_t i) { return std::pair(lit[i].position, lit[i].normal); });
     std::vector<Radiance> radianceOf;
     for (const Page& page : texels.scan->pages) radianceOf.emplace_back(page.image);
     for (size_t i = 0; i < lit.size(); ++i) {
@@ -63,32 +63,31 @@ ThesisShading withOwnBounces(const Texels& texels, const RayScene& scene, const 
 
 std::vector<glm::vec3> shadingOfSurfels(const Surfels& surfels, const ThesisShading& shading)
 {
-    return shadingAt(surfels.count(), shading, [&](size_t s) {
-        return std::pair(surfels.position[s], surfels.normal[s]);
-    });
+    return shadingAt(surfels.count(), shading,
+                     [&](size_t s) { return std::pair(surfels.position[s], surfels.normal[s]); });
 }
 
 Closure closeLoop(const Texels& texels, const RayScene& scene, const SurfelLight& light,
-                  const Lights& lights, const ThesisShading& shading, float darkest, Progress& progress)
+                  const Lights& lights, const ThesisShading& shading, float darkest)
 {
-    Progress::Stage stage(progress, "closure", 2);
     const std::vector<glm::vec3> divisor = shadingOfSurfels(texels.surfels, shading);
     const ThesisShading own = withOwnBounces(texels, scene, lights, shading, darkest);
-    stage.advance();
     const std::vector<glm::vec3> again = shadingOfSurfels(texels.surfels, own);
     double error = 0.0;
     double input = 0.0;
     double area = 0.0;
     for (size_t s = 0; s < divisor.size(); ++s) {
         const glm::vec3 radiance = light.radiance[s];
-        const glm::vec3 albedo = glm::min(dividedByShading(radiance, divisor[s], darkest), glm::vec3(1.0f));
+        const glm::vec3 albedo =
+            glm::min(dividedByShading(radiance, divisor[s], darkest), glm::vec3(1.0f));
         const glm::vec3 difference = albedo * again[s] - radiance;
         error += static_cast<double>(light.area[s] * glm::dot(difference, difference) / 3.0f);
         input += static_cast<double>(light.area[s] * glm::dot(radiance, radiance) / 3.0f);
         area += static_cast<double>(light.area[s]);
     }
     if (area <= 0.0) return {};
-    return {static_cast<float>(std::sqrt(error / area)), static_cast<float>(std::sqrt(input / area))};
+    return {static_cast<float>(std::sqrt(error / area)),
+            static_cast<float>(std::sqrt(input / area))};
 }
 
 } // namespace relamp

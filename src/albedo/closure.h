@@ -14,7 +14,7 @@ namespace relamp
 /// Closes the loop: shades the recovered albedo with the recovered lights, its own bounces and not
 /// the texture's, and compares that with the texture, surfel by surfel, weighted by area.
 Closure closeLoop(const Texels& texels, const RayScene& scene, const SurfelLight& light,
-                  const Lights& lights, const ThesisShading& shading, float darkest, Progress& progress);
+                  const Lights& lights, const ThesisShading& shading, float darkest);
 
 /// Shading at every surfel.
 std::vector<glm::vec3> shadingOfSurfels(const Surfels& surfels, const ThesisShading& shading);

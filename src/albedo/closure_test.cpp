@@ -36,7 +36,7 @@ class ClosureTest : public testing::Test
 protected:
     [[nodiscard]] Closure close(const ThesisShading& shading, const Lights& lights)
     {
-        return closeLoop(texels, scene, collectLight(texels, {}, progress), lights, shading, 0.02f, progress);
+        return closeLoop(texels, scene, collectLight(texels, {}, progress), lights, shading, 0.02f);
     }
     [[nodiscard]] ThesisShading shadingOf(const Lights& lights, bool bounces)
     {

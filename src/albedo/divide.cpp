@@ -14,7 +14,8 @@ void divideKernel(const TexelBlock& block, const ShadingBlock& shading, const fl
     for (size_t i = 0; i < block.count; ++i) {
         const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
         const glm::vec3 direct(shading.direct.r[i], shading.direct.g[i], shading.direct.b[i]);
-        const glm::vec3 indirect(shading.indirect.r[i], shading.indirect.g[i], shading.indirect.b[i]);
+        const glm::vec3 indirect(shading.indirect.r[i], shading.indirect.g[i],
+                                 shading.indirect.b[i]);
         const glm::vec3 rho = dividedByShading(radiance, direct + indirect, darkest);
         albedo.r[i] = halfFromFloat(rho.r);
         albedo.g[i] = halfFromFloat(rho.g);
@@ -24,8 +25,8 @@ void divideKernel(const TexelBlock& block, const ShadingBlock& shading, const fl
 
 } // namespace
 
-void divide(const TexelBlock& block, const ShadingBlock& shading, float darkest, AlbedoBlock& albedo,
-            InstructionSet set)
+void divide(const TexelBlock& block, const ShadingBlock& shading, float darkest,
+            AlbedoBlock& albedo, InstructionSet set)
 {
     runKernel<divideKernel>(set, block, shading, darkest, albedo);
 }

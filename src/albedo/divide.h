@@ -19,7 +19,7 @@ struct AlbedoBlock
     alignas(64) uint16_t g[TexelBlock::kCapacity];
     alignas(64) uint16_t b[TexelBlock::kCapacity];
 };
-void divide(const TexelBlock& block, const ShadingBlock& shading, float darkest, AlbedoBlock& albedo,
-            InstructionSet set = bestInstructionSet());
+void divide(const TexelBlock& block, const ShadingBlock& shading, float darkest,
+            AlbedoBlock& albedo, InstructionSet set = bestInstructionSet());
 
 } // namespace relamp

@@ -13,7 +13,8 @@ namespace relamp
 namespace
 {
 
-constexpr float kAlbedoOfFixtures = 0.6f; // a lamp's own glass cannot be seen for its light; confidence says so
+constexpr float kAlbedoOfFixtures =
+    0.6f; // a lamp's own glass cannot be seen for its light; confidence says so
 
 void storeRgb(std::vector<uint16_t>& layer, uint32_t pixel, const RgbBlock& block, size_t i)
 {
@@ -33,8 +34,8 @@ public:
 
 private:
     void makeBlock(size_t begin, size_t count);
-    void storeTexel(const TexelBlock& block, const ShadingBlock& shade, const AlbedoBlock& albedo, size_t i,
-                    uint32_t pixel);
+    void storeTexel(const TexelBlock& block, const ShadingBlock& shade, const AlbedoBlock& albedo,
+                    size_t i, uint32_t pixel);
     void fill();
 
     const PageTexels& texels_;
@@ -57,14 +58,15 @@ LayerMaker::LayerMaker(const Texels& texels, size_t page, const ThesisShading& s
     const Image& image = texels.scan->pages[page].image;
     layers_.width = image.width;
     layers_.height = image.height;
-    for (auto* layer : {&layers_.albedo, &layers_.direct, &layers_.indirect}) layer->resize(3 * image.pixels());
+    for (auto* layer : {&layers_.albedo, &layers_.direct, &layers_.indirect})
+        layer->resize(3 * image.pixels());
     layers_.emission.resize(3 * image.pixels());
     layers_.confidence.resize(image.pixels());
     covered_.resize(image.pixels());
 }
 
-void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade, const AlbedoBlock& albedo,
-                            size_t i, uint32_t pixel)
+void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
+                            const AlbedoBlock& albedo, size_t i, uint32_t pixel)
 {
     covered_[pixel] = 1;
     storeRgb(layers_.direct, pixel, shade.direct, i);
@@ -74,16 +76,19 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade, 
     if (shines_[block.surfel[i]] && isEmitting(radiance, emitters_)) {
         for (int c = 0; c < 3; ++c) {
             rho[c] = halfFromFloat(kAlbedoOfFixtures);
-            layers_.emission[3 * size_t{pixel} + static_cast<size_t>(c)] = srgbByteFromLinear(radiance[c]);
+            layers_.emission[3 * size_t{pixel} + static_cast<size_t>(c)] =
+                srgbByteFromLinear(radiance[c]);
         }
         return; // confidence stays 0
     }
     rho[0] = albedo.r[i];
     rho[1] = albedo.g[i];
     rho[2] = albedo.b[i];
-    const glm::vec3 total(shade.direct.r[i] + shade.indirect.r[i], shade.direct.g[i] + shade.indirect.g[i],
+    const glm::vec3 total(shade.direct.r[i] + shade.indirect.r[i],
+                          shade.direct.g[i] + shade.indirect.g[i],
                           shade.direct.b[i] + shade.indirect.b[i]);
-    layers_.confidence[pixel] = confidenceByte(confidence(radiance, total, options_.albedo.darkest));
+    layers_.confidence[pixel] =
+        confidenceByte(confidence(radiance, total, options_.albedo.darkest));
 }
 
 void LayerMaker::makeBlock(size_t begin, size_t count)
@@ -95,7 +100,8 @@ void LayerMaker::makeBlock(size_t begin, size_t count)
     loader_.loadSurfel(begin, count, block);
     shade(shading_, block, shading);
     divide(block, shading, options_.albedo.darkest, albedo);
-    for (size_t i = 0; i < count; ++i) storeTexel(block, shading, albedo, i, texels_.pixel[begin + i]);
+    for (size_t i = 0; i < count; ++i)
+        storeTexel(block, shading, albedo, i, texels_.pixel[begin + i]);
 }
 
 void LayerMaker::fill()
@@ -114,7 +120,8 @@ PageLayers LayerMaker::run(Progress::Stage& stage)
         stage.advance(count);
     });
     const auto shines = [](uint8_t v) { return v != 0; };
-    if (std::none_of(layers_.emission.begin(), layers_.emission.end(), shines)) layers_.emission = {};
+    if (std::none_of(layers_.emission.begin(), layers_.emission.end(), shines))
+        layers_.emission = {};
     fill();
     return std::move(layers_);
 }
@@ -122,7 +129,8 @@ PageLayers LayerMaker::run(Progress::Stage& stage)
 } // namespace
 
 PageLayers makeLayers(const Texels& texels, size_t page, const ThesisShading& shading,
-                      std::span<const uint8_t> shines, const DelightOptions& options, Progress& progress)
+                      std::span<const uint8_t> shines, const DelightOptions& options,
+                      Progress& progress)
 {
     Progress::Stage stage(progress, "divide", texels.pages[page].count());
     return LayerMaker(texels, page, shading, shines, options).run(stage);

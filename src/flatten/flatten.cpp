@@ -16,7 +16,8 @@ constexpr size_t kBins = 8; // of brightness, in equal steps of its square root
 size_t binOf(glm::vec3 root)
 {
     const float brightness = 0.25f * root.r + 0.5f * root.g + 0.25f * root.b;
-    return static_cast<size_t>(std::clamp(brightness * static_cast<float>(kBins), 0.0f, kBins - 1.0f));
+    return static_cast<size_t>(
+        std::clamp(brightness * static_cast<float>(kBins), 0.0f, kBins - 1.0f));
 }
 
 /// Mean colour of the texels of one surfel that are about equally bright.
@@ -63,9 +64,10 @@ struct Part
     size_t end;
 };
 
-/// Filtered colours (square roots of radiance) of one part of a block. Entries of `out` up to a whole
-/// group of lanes behind it are overwritten, so parts are worked on in order.
-void filterKernel(const TexelBlock& block, const Part& part, const Taps& taps, const Scales& scales, RgbBlock& out)
+/// Filtered colours (square roots of radiance) of one part of a block. Entries of `out` up to a
+/// whole group of lanes behind it are overwritten, so parts are worked on in order.
+void filterKernel(const TexelBlock& block, const Part& part, const Taps& taps, const Scales& scales,
+                  RgbBlock& out)
 {
     const size_t tapCount = taps.count;
     for (size_t first = part.first; first < part.end; first += kLanes) {
@@ -80,8 +82,8 @@ void filterKernel(const TexelBlock& block, const Part& part, const Taps& taps, c
                 const size_t i = first + lane;
                 const glm::vec3 way = position - glm::vec3(block.x[i], block.y[i], block.z[i]);
                 const glm::vec3 step = color - glm::vec3(block.r[i], block.g[i], block.b[i]);
-                const float w = taps.weight[t] *
-                                bilateralWeight(way, step, scales.perReachSquared, scales.perRangeSquared);
+                const float w = taps.weight[t] * bilateralWeight(way, step, scales.perReachSquared,
+                                                                 scales.perRangeSquared);
                 r[lane] += w * color.r;
                 g[lane] += w * color.g;
                 b[lane] += w * color.b;
@@ -129,7 +131,8 @@ Grid compact(const std::vector<Cell>& sums)
 Grid gatherCells(const Texels& texels)
 {
     std::vector<Cell> sums(kBins * texels.surfels.count());
-    for (size_t p = 0; p < texels.pages.size(); ++p) { // one page after the other: they share surfels
+    for (size_t p = 0; p < texels.pages.size();
+         ++p) { // one page after the other: they share surfels
         const PageTexels& page = texels.pages[p];
         const TexelLoader loader(texels, p);
         forEachRun(page, [&](size_t run, TexelBlock& block) {
@@ -156,13 +159,16 @@ void collectTaps(const Surfels& surfels, const Grid& grid, size_t surfel, Taps& 
     for (const uint32_t other : surfels.neighborsOf(surfel)) {
         const float facing = glm::dot(surfels.normal[surfel], surfels.normal[other]);
         for (uint32_t i = grid.firstOfSurfel[other]; i < grid.firstOfSurfel[other + 1]; ++i)
-            taps.add(surfels.position[other], grid.cells[i].color, grid.cells[i].area * facing * facing);
+            taps.add(surfels.position[other], grid.cells[i].color,
+                     grid.cells[i].area * facing * facing);
     }
 }
 
 void store(const RgbBlock& colors, std::span<const uint32_t> pixels, std::vector<uint8_t>& page)
 {
-    const auto byte = [](float root) { return static_cast<uint8_t>(static_cast<int>(255.0f * root + 0.5f)); };
+    const auto byte = [](float root) {
+        return static_cast<uint8_t>(static_cast<int>(255.0f * root + 0.5f));
+    };
     for (size_t i = 0; i < pixels.size(); ++i) {
         uint8_t* rgb = &page[3 * size_t{pixels[i]}];
         rgb[0] = byte(colors.r[i]);
@@ -172,8 +178,8 @@ void store(const RgbBlock& colors, std::span<const uint32_t> pixels, std::vector
 }
 
 /// Filters one page into `out`.
-void filterPage(const Texels& texels, size_t p, const Grid& grid, const Scales& scales, InstructionSet set,
-                std::vector<uint8_t>& out)
+void filterPage(const Texels& texels, size_t p, const Grid& grid, const Scales& scales,
+                InstructionSet set, std::vector<uint8_t>& out)
 {
     const PageTexels& page = texels.pages[p];
     const TexelLoader loader(texels, p);

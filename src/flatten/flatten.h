@@ -33,10 +33,11 @@ struct Flattened
 
 /// Joint bilateral filter on the surface (Petschnigg et al. 2004, as used by Choi 2018).
 ///
-/// Every texel becomes the mean of what lies near it in space, on the same side of the same surface,
-/// and near it in colour; it looks across UV seams and never round an edge. Texels are gathered by
-/// surfel and brightness first and the filter runs over these means (the bilateral grid of Chen et
-/// al. 2007, with surfels for its spatial cells), so that its cost does not depend on its width.
+/// Every texel becomes the mean of what lies near it in space, on the same side of the same
+/// surface, and near it in colour; it looks across UV seams and never round an edge. Texels are
+/// gathered by surfel and brightness first and the filter runs over these means (the bilateral grid
+/// of Chen et al. 2007, with surfels for its spatial cells), so that its cost does not depend on
+/// its width.
 Flattened flatten(const Texels& texels, const FlattenOptions& options, Progress& progress,
                   InstructionSet set = bestInstructionSet());
 

@@ -11,11 +11,13 @@ SHARED_FN float biweight(float q)
     return inside * inside;
 }
 
-// Joint bilateral weight (Petschnigg et al. 2004) of a sample on the surface: near in space and near
-// in colour. Colours are square roots of radiance, where equal steps look about equal.
-SHARED_FN float bilateralWeight(vec3 way, vec3 colorStep, float perReachSquared, float perRangeSquared)
+// Joint bilateral weight (Petschnigg et al. 2004) of a sample on the surface: near in space and
+// near in colour. Colours are square roots of radiance, where equal steps look about equal.
+SHARED_FN float bilateralWeight(vec3 way, vec3 colorStep, float perReachSquared,
+                                float perRangeSquared)
 {
-    return biweight(dot(way, way) * perReachSquared) * biweight(dot(colorStep, colorStep) * perRangeSquared);
+    return biweight(dot(way, way) * perReachSquared) *
+           biweight(dot(colorStep, colorStep) * perRangeSquared);
 }
 
 SHARED_END

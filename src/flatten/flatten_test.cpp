@@ -29,7 +29,8 @@ glm::vec3 at(const Flattened& flat, int x, int y)
 float largestStep(const Flattened& flat, int y)
 {
     float largest = 0.0f;
-    for (int x = 1; x < kPixels; ++x) largest = std::max(largest, std::abs(at(flat, x, y).g - at(flat, x - 1, y).g));
+    for (int x = 1; x < kPixels; ++x)
+        largest = std::max(largest, std::abs(at(flat, x, y).g - at(flat, x - 1, y).g));
     return largest;
 }
 
@@ -61,17 +62,20 @@ TEST(Flatten, TakesFineDetailOff)
 // scale of a texel: no step is larger than the ramp over a surfel.
 TEST(Flatten, FlattensARampWithoutMakingEdges)
 {
-    const Scan scan = scenes::square(kSide, kPixels, [](glm::vec3 p, glm::vec3) { return glm::vec3(0.2f + 0.1f * p.x); });
+    const Scan scan = scenes::square(
+        kSide, kPixels, [](glm::vec3 p, glm::vec3) { return glm::vec3(0.2f + 0.1f * p.x); });
     const Flattened flat = flattenScan(scan);
     EXPECT_LT(largestStep(flat, 64), 0.01f);
     EXPECT_NEAR(at(flat, 64, 64).g, 0.3f, 0.01f);
 }
 
-// Two charts side by side in space, apart on the page: what is right of the seam is filtered with what
-// is left of it, so both give what one chart would.
+// Two charts side by side in space, apart on the page: what is right of the seam is filtered with
+// what is left of it, so both give what one chart would.
 TEST(Flatten, WorksAcrossUvSeams)
 {
-    const auto paint = [](glm::vec3 p, glm::vec3) { return glm::vec3(0.3f + 0.04f * std::sin(60.0f * p.x)); };
+    const auto paint = [](glm::vec3 p, glm::vec3) {
+        return glm::vec3(0.3f + 0.04f * std::sin(60.0f * p.x));
+    };
     const Scan whole = scenes::square(kSide, kPixels, paint);
     const Scan split = scenes::splitSquare(kSide, kPixels, paint);
     const Flattened ofWhole = flattenScan(whole);
@@ -104,7 +108,8 @@ TEST(Flatten, StopsAtGeometricEdges)
 TEST(Flatten, IsTheSameForAllInstructionSets)
 {
     const Scan scan = scenes::square(kSide, kPixels, [](glm::vec3 p, glm::vec3) {
-        return glm::vec3(0.5f + 0.4f * std::sin(9.0f * p.x), 0.4f, 0.3f + 0.2f * std::cos(7.0f * p.z));
+        return glm::vec3(0.5f + 0.4f * std::sin(9.0f * p.x), 0.4f,
+                         0.3f + 0.2f * std::cos(7.0f * p.z));
     });
     const Flattened narrow = flattenScan(scan, InstructionSet::baseline);
     const Flattened wide = flattenScan(scan);

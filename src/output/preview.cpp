@@ -16,10 +16,12 @@ namespace
 constexpr int kWidth = 640; // of one picture
 constexpr int kHeight = 400;
 constexpr int kColumns = 3;
-constexpr int kSamples = 2;         // along each side of a pixel
-constexpr int kLongestSide = 2048;  // of a page in a preview
-constexpr float kNothing = 0.02f;   // where no surface is seen
-constexpr float kBackside = 0.08f;  // where one is seen from behind
+constexpr size_t kRow = size_t{kColumns} * kWidth;
+constexpr size_t kShadingColumn = size_t{2} * kWidth; // the last
+constexpr int kSamples = 2;                           // along each side of a pixel
+constexpr int kLongestSide = 2048;                    // of a page in a preview
+constexpr float kNothing = 0.02f;                     // where no surface is seen
+constexpr float kBackside = 0.08f;                    // where one is seen from behind
 
 glm::vec3 rgbAt(const std::vector<uint16_t>& layer, size_t pixel)
 {
@@ -34,7 +36,8 @@ void put(std::vector<uint16_t>& layer, size_t pixel, glm::vec3 rgb)
 
 /// Mean of `valueOf(pixel)` over the page's pixels that make up one of the preview's.
 template<class ValueOf>
-glm::vec3 meanOf(const PageLayers& layers, const PreviewPage& preview, size_t x, size_t y, const ValueOf& valueOf)
+glm::vec3 meanOf(const PageLayers& layers, const PreviewPage& preview, size_t x, size_t y,
+                 const ValueOf& valueOf)
 {
     const auto step = static_cast<size_t>(preview.shrink);
     const auto width = static_cast<size_t>(layers.width);
@@ -59,8 +62,9 @@ Columns look(const Texels& texels, const std::vector<PreviewPage>& pages, const 
     const auto shrink = static_cast<uint32_t>(page.shrink);
     Columns columns{};
     for (size_t k = 0; k < 4; ++k) {
-        const size_t small = size_t{mix.pixel[k] / width / shrink} * static_cast<size_t>(page.size.width) +
-                             mix.pixel[k] % width / shrink;
+        const size_t small =
+            size_t{mix.pixel[k] / width / shrink} * static_cast<size_t>(page.size.width) +
+            mix.pixel[k] % width / shrink;
         columns[0] += mix.weight[k] * rgbAt(page.scanned, small);
         columns[1] += mix.weight[k] * rgbAt(page.albedo, small);
         columns[2] += mix.weight[k] * rgbAt(page.shading, small);
@@ -88,7 +92,8 @@ void renderRow(const Texels& texels, const RayScene& scene, const std::vector<Pr
         for (int x = 0; x < kWidth; ++x) {
             const Columns columns = look(texels, pages, hits[static_cast<size_t>(x)]);
             for (int c = 0; c < kColumns; ++c)
-                row[c * kWidth + x] += columns[static_cast<size_t>(c)] / static_cast<float>(kSamples * kSamples);
+                row[c * kWidth + x] +=
+                    columns[static_cast<size_t>(c)] / static_cast<float>(kSamples * kSamples);
         }
     }
 }
@@ -98,8 +103,9 @@ float whiteOfShading(const std::vector<glm::vec3>& linear)
 {
     std::vector<float> values;
     for (size_t i = 0; i < linear.size(); ++i)
-        if (i % (kColumns * kWidth) >= 2 * kWidth) values.push_back(linear[i].g);
-    const auto at = values.begin() + static_cast<ptrdiff_t>(0.95 * static_cast<double>(values.size() - 1));
+        if (i % kRow >= kShadingColumn) values.push_back(linear[i].g);
+    const auto at =
+        values.begin() + static_cast<ptrdiff_t>(0.95 * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());
     return std::max(1.0f, *at);
 }
@@ -115,12 +121,14 @@ PreviewPage previewOf(const Page& page, const PageLayers& layers)
                     (layers.height + preview.shrink - 1) / preview.shrink};
     const auto width = static_cast<size_t>(preview.size.width);
     const auto height = static_cast<size_t>(preview.size.height);
-    for (auto* layer : {&preview.scanned, &preview.albedo, &preview.shading}) layer->resize(3 * width * height);
+    for (auto* layer : {&preview.scanned, &preview.albedo, &preview.shading})
+        layer->resize(3 * width * height);
     const Radiance radiance(page.image);
     forEach(height, [&](size_t y) {
         for (size_t x = 0; x < width; ++x) {
             const size_t pixel = y * width + x;
-            put(preview.scanned, pixel, meanOf(layers, preview, x, y, [&](size_t i) { return radiance[i]; }));
+            put(preview.scanned, pixel,
+                meanOf(layers, preview, x, y, [&](size_t i) { return radiance[i]; }));
             put(preview.albedo, pixel,
                 meanOf(layers, preview, x, y, [&](size_t i) { return rgbAt(layers.albedo, i); }));
             put(preview.shading, pixel, meanOf(layers, preview, x, y, [&](size_t i) {
@@ -131,24 +139,27 @@ PreviewPage previewOf(const Page& page, const PageLayers& layers)
     return preview;
 }
 
-PreviewPicture renderPreview(const Texels& texels, const RayScene& scene, const std::vector<PreviewPage>& pages,
+PreviewPicture renderPreview(const Texels& texels, const RayScene& scene,
+                             const std::vector<PreviewPage>& pages,
                              const std::vector<Camera>& cameras, Progress& progress)
 {
-    constexpr size_t kRow = kColumns * kWidth;
     const size_t rows = cameras.size() * kHeight;
     Progress::Stage stage(progress, "preview", rows);
     std::vector<glm::vec3> linear(rows * kRow, glm::vec3(0.0f));
     forEach(rows, [&](size_t row) {
-        renderRow(texels, scene, pages, cameras[row / kHeight], static_cast<int>(row % kHeight), &linear[row * kRow]);
+        renderRow(texels, scene, pages, cameras[row / kHeight], static_cast<int>(row % kHeight),
+                  &linear[row * kRow]);
         stage.advance();
     });
     const float white = whiteOfShading(linear);
-    PreviewPicture picture{{static_cast<int>(kRow), static_cast<int>(rows)}, std::vector<uint8_t>(3 * linear.size())};
+    PreviewPicture picture{{static_cast<int>(kRow), static_cast<int>(rows)},
+                           std::vector<uint8_t>(3 * linear.size())};
     forEachChunk(linear.size(), 4096, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
-            const float scale = i % kRow >= 2 * kWidth ? 1.0f / white : 1.0f;
+            const float scale = i % kRow >= kShadingColumn ? 1.0f / white : 1.0f;
             for (int c = 0; c < 3; ++c)
-                picture.rgb[3 * i + static_cast<size_t>(c)] = srgbByteFromLinear(scale * linear[i][c]);
+                picture.rgb[3 * i + static_cast<size_t>(c)] =
+                    srgbByteFromLinear(scale * linear[i][c]);
         }
     });
     return picture;

@@ -33,9 +33,10 @@ struct PreviewPicture
     std::vector<uint8_t> rgb; // sRGB
 };
 
-/// The room from every camera: a row each, as scanned, its albedo, its shading. The shading is scaled
-/// so that its 95th percentile is white where it is brighter than that.
-PreviewPicture renderPreview(const Texels& texels, const RayScene& scene, const std::vector<PreviewPage>& pages,
+/// The room from every camera: a row each, as scanned, its albedo, its shading. The shading is
+/// scaled so that its 95th percentile is white where it is brighter than that.
+PreviewPicture renderPreview(const Texels& texels, const RayScene& scene,
+                             const std::vector<PreviewPage>& pages,
                              const std::vector<Camera>& cameras, Progress& progress);
 
 } // namespace relamp

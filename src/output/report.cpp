@@ -24,11 +24,13 @@ double toMillisecond(double seconds)
     return std::round(seconds * 1e3) / 1e3;
 }
 
-ordered_json scanAsJson(const Scan& scan, const Decomposition& result, const std::filesystem::path& file)
+ordered_json scanAsJson(const Scan& scan, const Decomposition& result,
+                        const std::filesystem::path& file)
 {
     ordered_json pages = ordered_json::array();
     for (const Page& page : scan.pages)
-        pages.push_back({{"name", page.name}, {"width", page.image.width}, {"height", page.image.height}});
+        pages.push_back(
+            {{"name", page.name}, {"width", page.image.width}, {"height", page.image.height}});
     return {{"file", file.string()},
             {"triangles", scan.triangleCount()},
             {"meshes", scan.meshes.size()},
@@ -94,23 +96,24 @@ ordered_json lightsAsReport(const Decomposition& result)
 
 } // namespace
 
-std::string reportAsJson(const Scan& scan, const Decomposition& result, const std::filesystem::path& scanFile,
+std::string reportAsJson(const Scan& scan, const Decomposition& result,
+                         const std::filesystem::path& scanFile,
                          const std::vector<std::string>& files, const Progress& progress)
 {
     std::vector<std::string> warnings = scan.warnings;
     warnings.insert(warnings.end(), result.warnings().begin(), result.warnings().end());
-    const ordered_json report{
-        {"program", std::string("relamp ") + version()},
-        {"scan", scanAsJson(scan, result, scanFile)},
-        {"options", optionsAsJson(result.optionsInForce())},
-        {"seconds", secondsAsJson(progress)},
-        {"lights", lightsAsReport(result)},
-        {"closedLoop",
-         {{"rmsError", shortest(result.closure().rmsError)}, {"rmsOfScan", shortest(result.closure().rmsInput)}}},
-        {"warnings", warnings},
-        {"files", files}};
-    using handler = nlohmann::json::error_handler_t;
-    return report.dump(1, '\t', false, handler::replace) + "\n";
+    const ordered_json report{{"program", std::string("relamp ") + version()},
+                              {"scan", scanAsJson(scan, result, scanFile)},
+                              {"options", optionsAsJson(result.optionsInForce())},
+                              {"seconds", secondsAsJson(progress)},
+                              {"lights", lightsAsReport(result)},
+                              {"closedLoop",
+                               {{"rmsError", shortest(result.closure().rmsError)},
+                                {"rmsOfScan", shortest(result.closure().rmsInput)}}},
+                              {"warnings", warnings},
+                              {"files", files}};
+    using Handler = nlohmann::json::error_handler_t;
+    return report.dump(1, '\t', false, Handler::replace) + "\n";
 }
 
 std::vector<std::string> filesOfFormerReport(const std::filesystem::path& folder)
@@ -118,7 +121,8 @@ std::vector<std::string> filesOfFormerReport(const std::filesystem::path& folder
     std::vector<std::string> names;
     try {
         const auto bytes = readFile(folder / "report.json", size_t{16} << 20);
-        const auto report = parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, "report.json");
+        const auto report =
+            parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, "report.json");
         for (const auto& name : report.value("files", nlohmann::json::array()))
             if (name.is_string() && name.get<std::string>().find('/') == std::string::npos)
                 names.push_back(name.get<std::string>());

@@ -58,7 +58,8 @@ StagedFolder::~StagedFolder()
 std::vector<std::string> StagedFolder::names() const
 {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(staging_)) names.push_back(entry.path().filename());
+    for (const auto& entry : fs::directory_iterator(staging_))
+        names.push_back(entry.path().filename());
     std::sort(names.begin(), names.end());
     return names;
 }
@@ -75,7 +76,8 @@ void StagedFolder::commit(const std::string& last, const std::vector<std::string
     for (const std::string& name : written)
         if (name != last) moveFile(staging_ / name, folder_ / name);
     for (const std::string& name : stale)
-        if (!std::binary_search(written.begin(), written.end(), name)) fs::remove(folder_ / name, failure);
+        if (!std::binary_search(written.begin(), written.end(), name))
+            fs::remove(folder_ / name, failure);
     moveFile(staging_ / last, folder_ / last);
 }
 

@@ -16,18 +16,22 @@ namespace relamp
 class StagedFolder
 {
 public:
-    /// Throws Error(cannotWrite) where `folder` or its neighbourhood cannot be written, or is a file.
+    /// Throws Error(cannotWrite) where `folder` or its neighbourhood cannot be written, or is a
+    /// file.
     StagedFolder(const std::filesystem::path& folder, Progress& progress);
     ~StagedFolder();
     StagedFolder(const StagedFolder&) = delete;
     StagedFolder& operator=(const StagedFolder&) = delete;
 
     /// Where to write the file that will be `name` in the folder.
-    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return staging_ / name; }
+    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const
+    {
+        return staging_ / name;
+    }
 
-    /// Moves all in: a folder that is not there yet appears in one step; into one that is, file by file,
-    /// `last` as the last one, so that its presence says that the others are complete.
-    /// Files of the folder named in `stale` and not written anew are removed.
+    /// Moves all in: a folder that is not there yet appears in one step; into one that is, file by
+    /// file, `last` as the last one, so that its presence says that the others are complete. Files
+    /// of the folder named in `stale` and not written anew are removed.
     void commit(const std::string& last, const std::vector<std::string>& stale);
 
     /// Names of the files written so far, sorted.

@@ -27,7 +27,8 @@ protected:
     [[nodiscard]] std::vector<std::string> entries(const fs::path& folder) const
     {
         std::vector<std::string> names;
-        for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
+        for (const auto& entry : fs::directory_iterator(folder))
+            names.push_back(entry.path().filename());
         std::sort(names.begin(), names.end());
         return names;
     }
@@ -68,7 +69,8 @@ TEST_F(StagedFolderTest, ReplacesItsOwnFilesAndLeavesOthers)
     writeFile(staged / "albedo.png", std::string("new"));
     writeFile(staged / "report.json", std::string("{}"));
     staged.commit("report.json", {"albedo.1.exr", "albedo.png"});
-    EXPECT_THAT(entries(root / "out"), testing::ElementsAre("albedo.png", "mine.txt", "report.json"));
+    EXPECT_THAT(entries(root / "out"),
+                testing::ElementsAre("albedo.png", "mine.txt", "report.json"));
     EXPECT_EQ(readFile(root / "out" / "albedo.png").size(), 3u);
 }
 

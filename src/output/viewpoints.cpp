@@ -14,9 +14,9 @@ namespace relamp
 namespace
 {
 
-constexpr int kPlaces = 9;        // along each side of the room's plan
+constexpr int kPlaces = 9; // along each side of the room's plan
 constexpr int kYaws = 16;
-constexpr float kPitch = -0.15f;  // radians; people look slightly down into a room
+constexpr float kPitch = -0.15f; // radians; people look slightly down into a room
 constexpr float kAspect = 1.6f;
 constexpr float kEyeHeight = 1.55f; // m above the floor
 constexpr float kElbowRoom = 0.3f;  // m to the nearest thing
@@ -61,7 +61,8 @@ std::vector<glm::vec3> candidatePlaces(const Scan& scan, const RayScene& scene)
     std::vector<glm::vec3> places;
     for (int z = 0; z < kPlaces; ++z)
         for (int x = 0; x < kPlaces; ++x) {
-            const glm::vec3 part((static_cast<float>(x) + 0.5f) / kPlaces, 0.6f, (static_cast<float>(z) + 0.5f) / kPlaces);
+            const glm::vec3 part((static_cast<float>(x) + 0.5f) / kPlaces, 0.6f,
+                                 (static_cast<float>(z) + 0.5f) / kPlaces);
             glm::vec3 place = room.low + part * room.extent();
             const Hit floor = scene.intersect({.origin = place, .direction = {0.0f, -1.0f, 0.0f}});
             const float floorHeight = floor.missed() ? room.low.y : place.y - floor.distance;
@@ -85,7 +86,8 @@ float scoreOf(const RayScene& scene, const Camera& camera, float depth)
             if (hit.missed() || !hit.front)
                 sum -= 0.5f;
             else
-                sum += std::sqrt(std::min(hit.distance / depth, 1.0f)); // far walls, but not only far walls
+                sum += std::sqrt(
+                    std::min(hit.distance / depth, 1.0f)); // far walls, but not only far walls
         }
     return sum / (kAcross * kDown);
 }
@@ -102,7 +104,8 @@ std::vector<Camera> chooseViewpoints(const Scan& scan, const RayScene& scene, in
 {
     const Bounds room = boundsOf(scan);
     const std::vector<glm::vec3> places = candidatePlaces(scan, scene);
-    const float depth = std::max(0.6f * glm::length(glm::vec2(room.extent().x, room.extent().z)), 0.1f);
+    const float depth =
+        std::max(0.6f * glm::length(glm::vec2(room.extent().x, room.extent().z)), 0.1f);
     std::vector<View> views(places.size() * kYaws);
     forEach(places.size(), [&](size_t p) {
         const float inside = insideness(scene, places[p]);
@@ -117,16 +120,18 @@ std::vector<Camera> chooseViewpoints(const Scan& scan, const RayScene& scene, in
     });
     std::vector<Camera> chosen;
     while (static_cast<int>(chosen.size()) < count) {
-        const auto best = std::max_element(views.begin(), views.end(),
-                                           [](const View& a, const View& b) { return a.score < b.score; });
+        const auto best =
+            std::max_element(views.begin(), views.end(),
+                             [](const View& a, const View& b) { return a.score < b.score; });
         if (best->score <= 0.0f) break;
         const Camera camera = best->camera;
         chosen.push_back(camera);
         for (View& view : views) view.score *= 1.0f - likeness(view.camera, camera);
     }
     if (chosen.empty()) // nowhere inside: look at it from outside
-        chosen.push_back({.position = room.centre() + glm::vec3(0.0f, 0.3f, 1.2f) * glm::length(room.extent()),
-                          .forward = glm::normalize(glm::vec3(0.0f, -0.25f, -1.0f))});
+        chosen.push_back(
+            {.position = room.centre() + glm::vec3(0.0f, 0.3f, 1.2f) * glm::length(room.extent()),
+             .forward = glm::normalize(glm::vec3(0.0f, -0.25f, -1.0f))});
     return chosen;
 }
 

@@ -27,7 +27,8 @@ constexpr int kViewpoints = 3;
 /// "albedo.exr", or "albedo.2.exr" where there are several pages.
 std::string nameOfLayer(const char* layer, size_t page, size_t pages, const char* ending)
 {
-    return pages == 1 ? fmt::format("{}.{}", layer, ending) : fmt::format("{}.{}.{}", layer, page, ending);
+    return pages == 1 ? fmt::format("{}.{}", layer, ending)
+                      : fmt::format("{}.{}.{}", layer, page, ending);
 }
 
 std::vector<uint8_t> srgbBytes(const std::vector<uint16_t>& half)
@@ -68,8 +69,10 @@ std::vector<uint8_t> withAlpha(const std::vector<uint8_t>& rgb, const std::vecto
 class ResultWriter
 {
 public:
-    ResultWriter(const Scan& scan, const Decomposition& result, StagedFolder& folder, Progress& progress)
-        : scan_(scan), result_(result), folder_(folder), progress_(progress), relit_(scan.pages.size())
+    ResultWriter(const Scan& scan, const Decomposition& result, StagedFolder& folder,
+                 Progress& progress)
+        : scan_(scan), result_(result), folder_(folder), progress_(progress),
+          relit_(scan.pages.size())
     {}
 
     void writePages();
@@ -78,7 +81,8 @@ public:
 private:
     void writePage(size_t page, PageLayers layers);
     void writeAlbedo(size_t page, const PageLayers& layers);
-    [[nodiscard]] std::filesystem::path file(const char* layer, size_t page, const char* ending) const
+    [[nodiscard]] std::filesystem::path file(const char* layer, size_t page,
+                                             const char* ending) const
     {
         return folder_ / nameOfLayer(layer, page, scan_.pages.size(), ending);
     }
@@ -96,7 +100,8 @@ void ResultWriter::writeAlbedo(size_t page, const PageLayers& layers)
     const Size size{layers.width, layers.height};
     const std::vector<uint8_t> rgb = srgbBytes(layers.albedo);
     const std::vector<uint8_t>& alpha = scan_.pages[page].image.alpha;
-    EncodedImage png{alpha.empty() ? encodePng(rgb, size, 3) : encodePng(withAlpha(rgb, alpha), size, 4),
+    EncodedImage png{alpha.empty() ? encodePng(rgb, size, 3)
+                                   : encodePng(withAlpha(rgb, alpha), size, 4),
                      "image/png"};
     writeFile(file("albedo", page, "png"), std::as_bytes(std::span(png.bytes)));
     RelitPage& relit = relit_[page];
@@ -140,7 +145,8 @@ void ResultWriter::writePage(size_t page, PageLayers layers)
 
 void ResultWriter::writePages()
 {
-    for (size_t page = 0; page < scan_.pages.size(); ++page) writePage(page, result_.layers(page, progress_));
+    for (size_t page = 0; page < scan_.pages.size(); ++page)
+        writePage(page, result_.layers(page, progress_));
 }
 
 void ResultWriter::writeWhole()
@@ -148,7 +154,8 @@ void ResultWriter::writeWhole()
     const Decomposition::State& state = result_.state();
     progress_.check();
     const std::vector<Camera> cameras = chooseViewpoints(scan_, state.scene, kViewpoints);
-    const PreviewPicture preview = renderPreview(state.texels, state.scene, previews_, cameras, progress_);
+    const PreviewPicture preview =
+        renderPreview(state.texels, state.scene, previews_, cameras, progress_);
     Progress::Stage stage(progress_, "write", 2);
     const auto png = encodePng(preview.rgb, preview.size, 3);
     writeFile(folder_ / "preview.png", std::as_bytes(std::span(png)));
@@ -171,7 +178,7 @@ std::string writeResult(const Scan& scan, const Decomposition& decomposition,
     writer.writeWhole();
     std::vector<std::string> files = staged.names();
     files.emplace_back("report.json");
-    const std::string report = reportAsJson(scan, decomposition, scanFile, files, progress);
+    std::string report = reportAsJson(scan, decomposition, scanFile, files, progress);
     writeFile(staged / "report.json", report);
     progress.check();
     staged.commit("report.json", filesOfFormerReport(folder));
@@ -183,7 +190,8 @@ void checkOutput(const std::filesystem::path& scanFile, const std::filesystem::p
     const std::filesystem::path glb = folder / (scanFile.stem().string() + ".glb");
     std::error_code ignored;
     if (std::filesystem::equivalent(scanFile, glb, ignored))
-        fail(ErrorCode::cannotWrite, glb.string(), "is the scan itself and would be overwritten; name another folder with -o");
+        fail(ErrorCode::cannotWrite, glb.string(),
+             "is the scan itself and would be overwritten; name another folder with -o");
     Progress nobody;
     const StagedFolder trial(folder, nobody);
 }

@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# The Debian package holds the program, the library and the headers, and names the libraries that they load.
+set -euo pipefail
+readonly build=$1
+readonly work=$build/tests/install/deb
+rm -rf "$work"
+cpack --config "$build/CPackConfig.cmake" -G DEB -B "$work"
+readonly deb=$(echo "$work"/relamp_*.deb)
+
+missing=0
+expect() { # what, where
+    grep --quiet --fixed-strings -- "$1" <<<"$2" && return
+    echo "the package lacks $1"
+    missing=1
+}
+
+depends=$(dpkg-deb --field "$deb" Depends)
+echo "Depends: $depends"
+for library in libassimp5 libdraco7 libembree3-3 libfmt9 libopenimageio2.4 libtbb12 libstdc++6; do
+    expect "$library " "$depends "
+done
+contents=$(dpkg-deb --contents "$deb")
+for file in bin/relamp librelamp.so. include/relamp/scan.h relampConfig.cmake man/man1/relamp.1; do
+    expect "$file" "$contents"
+done
+exit $missing
