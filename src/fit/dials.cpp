@@ -13,7 +13,7 @@ namespace
 
 constexpr float kBrightestAlbedo = 0.9f;
 constexpr float kBrightestShare = 0.98f;
-constexpr int kAmbientSteps = 33;   // from 1 % to 10 times the mean shading of the lights
+constexpr int kAmbientSteps = 33; // from 1 % to 10 times the mean shading of the lights
 constexpr int kHalvings = 40;
 constexpr float kPowers[] = {1e-4f, 1e4f}; // a power outside is no answer
 
@@ -84,7 +84,8 @@ float evenestAmbient(std::span<const DialSample> samples, float power)
     Dials best{power, 0.0f};
     float least = spreadOf(samples, best);
     for (int i = 0; i < kAmbientSteps; ++i) {
-        const float ambient = mean * std::pow(10.0f, -2.0f + 3.0f * static_cast<float>(i) / (kAmbientSteps - 1));
+        const float ambient =
+            mean * std::pow(10.0f, -2.0f + 3.0f * static_cast<float>(i) / (kAmbientSteps - 1));
         const float spread = spreadOf(samples, {power, ambient});
         if (spread < least) {
             least = spread;
@@ -94,15 +95,16 @@ float evenestAmbient(std::span<const DialSample> samples, float power)
     return best.ambient;
 }
 
-/// The power that brings the brightest albedo to the anchor beside a given ambient. More power, less
-/// albedo: halving finds it.
+/// The power that brings the brightest albedo to the anchor beside a given ambient. More power,
+/// less albedo: halving finds it.
 float anchoredPower(std::span<const DialSample> samples, float ambient)
 {
     float low = std::log(kPowers[0]);
     float high = std::log(kPowers[1]);
     for (int i = 0; i < kHalvings; ++i) {
         const float middle = 0.5f * (low + high);
-        const bool tooBright = brightestAlbedo(samples, {std::exp(middle), ambient}) > kBrightestAlbedo;
+        const bool tooBright =
+            brightestAlbedo(samples, {std::exp(middle), ambient}) > kBrightestAlbedo;
         (tooBright ? low : high) = middle;
     }
     return std::exp(0.5f * (low + high));
@@ -110,7 +112,8 @@ float anchoredPower(std::span<const DialSample> samples, float ambient)
 
 } // namespace
 
-Dials fitDials(std::span<const DialSample> samples, std::optional<float> power, std::optional<float> ambient)
+Dials fitDials(std::span<const DialSample> samples, std::optional<float> power,
+               std::optional<float> ambient)
 {
     if (samples.empty()) return {power.value_or(1.0f), ambient.value_or(0.0f)};
     if (power) return {*power, ambient ? *ambient : evenestAmbient(samples, *power)};

@@ -22,14 +22,16 @@ struct Dials
     float ambient = 0.0f; // irradiance / pi, in the texture's units
 };
 
-/// Sets the two dials that Choi leaves to the eye: how bright the lights are, and how much ambient light
-/// there is beside them: shading = power * sample.shading + ambient.
+/// Sets the two dials that Choi leaves to the eye: how bright the lights are, and how much ambient
+/// light there is beside them: shading = power * sample.shading + ambient.
 ///
 /// Their ratio is the one that makes the albedo most uniform: least spread (interquartile range) of
-/// log radiance / shading over the room, weighted by area and radiance, for what hides in the dark says
-/// little of lamps that cast no shadow. Their size makes the brightest of the room's albedo 0.9, its
-/// 98th percentile: the anchor is a white thing somewhere in the room. A dial that is given is kept, and
-/// the other follows: ambient by the spread, power by the anchor. Without samples, power is 1.
-Dials fitDials(std::span<const DialSample> samples, std::optional<float> power, std::optional<float> ambient);
+/// log radiance / shading over the room, weighted by area and radiance, for what hides in the dark
+/// says little of lamps that cast no shadow. Their size makes the brightest of the room's albedo
+/// 0.9, its 98th percentile: the anchor is a white thing somewhere in the room. A dial that is
+/// given is kept, and the other follows: ambient by the spread, power by the anchor. Without
+/// samples, power is 1.
+Dials fitDials(std::span<const DialSample> samples, std::optional<float> power,
+               std::optional<float> ambient);
 
 } // namespace relamp

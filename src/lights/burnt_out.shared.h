@@ -4,8 +4,8 @@
 
 SHARED_BEGIN
 
-// Where a channel of a texture counts as at the top of its range: JPEG rings around a burnt-out spot by
-// a few of its 255 steps.
+// Where a channel of a texture counts as at the top of its range: JPEG rings around a burnt-out
+// spot by a few of its 255 steps.
 SHARED_CONST kBurntOut = 0.97f;
 
 SHARED_FN float brightestChannel(vec3 rgb)

@@ -29,7 +29,8 @@ void add(const TexelBlock& block, size_t i, bool clips, const EmitterOptions& op
     const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
     const float area = block.area[i];
     if (isEmitting(radiance, options)) {
-        const glm::vec3 intensity = area * (clips ? expanded(radiance, options.expansion) : radiance);
+        const glm::vec3 intensity =
+            area * (clips ? expanded(radiance, options.expansion) : radiance);
         const float weight = luminance(intensity);
         sum.position += weight * glm::vec3(block.x[i], block.y[i], block.z[i]);
         sum.normal += weight * glm::vec3(block.nx[i], block.ny[i], block.nz[i]);
@@ -124,13 +125,15 @@ int joinFixtures(SurfelLight& light, const Texels& texels, const EmitterOptions&
     std::vector<Emitter>& emitters = light.emitters;
     const float reach = 1.75f * texels.surfels.size; // neighbouring cells, and across one empty
     std::vector<int> emitterOf(texels.surfels.count(), -1);
-    for (size_t i = 0; i < emitters.size(); ++i) emitterOf[emitters[i].surfel] = static_cast<int>(i);
+    for (size_t i = 0; i < emitters.size(); ++i)
+        emitterOf[emitters[i].surfel] = static_cast<int>(i);
     DisjointSets sets(emitters.size());
     for (uint32_t i = 0; i < emitters.size(); ++i)
         texels.surfels.forEachInReach(emitters[i].position, [&](size_t surfel) {
             const int other = emitterOf[surfel];
             if (other < 0) return;
-            const glm::vec3 way = emitters[static_cast<size_t>(other)].position - emitters[i].position;
+            const glm::vec3 way =
+                emitters[static_cast<size_t>(other)].position - emitters[i].position;
             if (glm::dot(way, way) < reach * reach) sets.join(i, static_cast<uint32_t>(other));
         });
 
@@ -143,7 +146,8 @@ int joinFixtures(SurfelLight& light, const Texels& texels, const EmitterOptions&
     std::vector<uint32_t> kept;
     for (uint32_t i = 0; i < emitters.size(); ++i)
         if (power[i] > options.leastPower * total) kept.push_back(i);
-    std::stable_sort(kept.begin(), kept.end(), [&](uint32_t a, uint32_t b) { return power[a] > power[b]; });
+    std::stable_sort(kept.begin(), kept.end(),
+                     [&](uint32_t a, uint32_t b) { return power[a] > power[b]; });
 
     std::vector<int> numberOf(emitters.size(), -1);
     for (size_t k = 0; k < kept.size(); ++k) numberOf[kept[k]] = static_cast<int>(k);

@@ -10,8 +10,8 @@ SHARED_FN float luminance(vec3 rgb)
     return dot(rgb, vec3(0.2126f, 0.7152f, 0.0722f));
 }
 
-// Inverse of Reinhard's tone curve L / (1 + k L), k = 1 - 1 / peak (Reinhard et al. 2002, without the
-// burn-out term): leaves the dark as it is and takes white to `peak`. Keeps the hue.
+// Inverse of Reinhard's tone curve L / (1 + k L), k = 1 - 1 / peak (Reinhard et al. 2002, without
+// the burn-out term): leaves the dark as it is and takes white to `peak`. Keeps the hue.
 SHARED_FN vec3 expanded(vec3 radiance, float peak)
 {
     const float l = min(luminance(radiance), 1.0f);

@@ -12,8 +12,8 @@ namespace relamp
 namespace
 {
 
-constexpr float kSameFacing = 0.7f;  // cosine; within about 45 degrees
-constexpr float kAllAround = 0.5f;   // mean normal shorter than this: shines to all sides
+constexpr float kSameFacing = 0.7f; // cosine; within about 45 degrees
+constexpr float kAllAround = 0.5f;  // mean normal shorter than this: shines to all sides
 
 glm::vec3 unitOrZero(glm::vec3 v)
 {
@@ -45,7 +45,8 @@ struct LightSum
         PointLight light;
         if (weight <= 0.0f) return light; // switched off: it is nowhere and counts for nothing
         light.position = position / weight;
-        light.normal = glm::length(normal) > kAllAround * weight ? unitOrZero(normal) : glm::vec3(0.0f);
+        light.normal =
+            glm::length(normal) > kAllAround * weight ? unitOrZero(normal) : glm::vec3(0.0f);
         light.intensity = intensity;
         const float spread = squaredDistance / weight - glm::dot(light.position, light.position);
         light.radius = std::sqrt(std::max(spread, 0.0f));
@@ -110,8 +111,10 @@ std::vector<PointLight> mergeLights(std::span<const PointLight> lights, float di
         if (luminance(light.intensity) <= 0.0f) continue;
         const auto belongs = [&](const Group& group) {
             const bool near = glm::distance(group.strongest->position, light.position) < distance;
-            const bool unfacing = group.strongest->normal == glm::vec3(0.0f) || light.normal == glm::vec3(0.0f);
-            return near && (unfacing || glm::dot(group.strongest->normal, light.normal) > kSameFacing);
+            const bool unfacing =
+                group.strongest->normal == glm::vec3(0.0f) || light.normal == glm::vec3(0.0f);
+            return near &&
+                   (unfacing || glm::dot(group.strongest->normal, light.normal) > kSameFacing);
         };
         auto group = std::find_if(groups.begin(), groups.end(), belongs);
         if (group == groups.end()) group = groups.insert(groups.end(), {&light, {}});

@@ -15,8 +15,8 @@ std::vector<Fixture> fixturesFrom(std::span<const Emitter> emitters, int count);
 /// all around, I = pi L A / (4 pi). A light whose region spans several fixtures belongs to none.
 std::vector<PointLight> pointLightsFrom(std::span<const Emitter> emitters, int levels);
 
-/// Takes lights that are closer than `distance` metres and face the same way as one; strongest first;
-/// lights that are switched off are left out.
+/// Takes lights that are closer than `distance` metres and face the same way as one; strongest
+/// first; lights that are switched off are left out.
 std::vector<PointLight> mergeLights(std::span<const PointLight> lights, float distance);
 
 } // namespace relamp

@@ -63,7 +63,9 @@ TEST(Fixtures, LeaveTheLightOfOtherSurfacesToTheSurfels)
     const Scan scan = scenes::room(kRoom, 128, twoPanels());
     const SurfelLight light = find(scan).light;
     for (size_t s = 0; s < light.radiance.size(); ++s)
-        if (light.area[s] > 0.0f) { EXPECT_NEAR(light.radiance[s].g, 0.4f, 1e-3f); }
+        if (light.area[s] > 0.0f) {
+            EXPECT_NEAR(light.radiance[s].g, 0.4f, 1e-3f);
+        }
 }
 
 TEST(Fixtures, DropBlobsTooWeakToLightARoom)
@@ -72,7 +74,8 @@ TEST(Fixtures, DropBlobsTooWeakToLightARoom)
     EXPECT_EQ(find(scan, {.leastPower = 0.5f}).fixtures.size(), 1u);
 }
 
-// A patch of radiance L and area A sends pi L A; spread over the sphere that is L A / 4 a steradian.
+// A patch of radiance L and area A sends pi L A; spread over the sphere that is L A / 4 a
+// steradian.
 TEST(Fixtures, PointLightsSendThePowerOfThePatchesThatTheyStandFor)
 {
     const Scan scan = scenes::room(kRoom, 128, twoPanels());

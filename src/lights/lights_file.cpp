@@ -20,6 +20,9 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr const char* kFormat = "relamp lights 1";
+constexpr size_t kLargestFile = size_t{16} << 20; // bytes; a thousand lights take a quarter of one MiB
+constexpr double kLargestNumber = 1e9;            // of any unit; its square is still a float
+constexpr float kDark = 1e-9f;                    // intensity; what is less is switched off
 
 // ---- writing
 
@@ -70,12 +73,18 @@ struct Item
     }
 };
 
+/// A value as it stands in a sentence.
+std::string printable(const json& value)
+{
+    return dumpJson(value).substr(0, 40);
+}
+
 float numberFrom(const json& value, const std::string& what)
 {
     if (!value.is_number()) malformed(what, "must be a number");
-    const auto number = static_cast<float>(value.get<double>());
-    if (!std::isfinite(number)) malformed(what, "must be a finite number");
-    return number;
+    const auto number = value.get<double>();
+    if (!(std::abs(number) <= kLargestNumber)) malformed(what, "must be a number between -1e9 and 1e9");
+    return static_cast<float>(number);
 }
 
 glm::vec3 vectorFrom(const json& value, const std::string& what)
@@ -134,29 +143,44 @@ Fixture fixtureFrom(const Item& item, std::vector<std::string>& warnings)
     fixture.normal = facingAt(item);
     fixture.area = sizeAt(item, "area");
     fixture.radiance = lightAt(item, "radiance");
-    if (const json* on = item.find("on"); on != nullptr && *on == false) fixture.radiance = glm::vec3(0.0f);
+    const json* on = item.find("on");
+    if (on != nullptr && !on->is_boolean()) malformed(item.what, "\"on\" must be true or false");
+    if (on != nullptr && *on == false) fixture.radiance = glm::vec3(0.0f);
     return fixture;
 }
 
-PointLight lightFrom(const Item& item, std::vector<std::string>& warnings)
+PointLight lightFrom(const Item& item, size_t fixtures, std::vector<std::string>& warnings)
 {
     warnOfUnknown(item, {"type", "position", "normal", "intensity", "radius", "fixture"}, warnings);
     if (const json* type = item.find("type"); type != nullptr && *type != "point")
-        malformed(item.what, fmt::format("\"type\" is {}; this version knows \"point\"", type->dump()));
+        malformed(item.what, fmt::format("\"type\" is {}; this version knows \"point\"", printable(*type)));
     PointLight light;
     light.position = vectorAt(item, "position");
     light.normal = facingAt(item);
     light.intensity = lightAt(item, "intensity");
     light.radius = sizeAt(item, "radius");
-    if (const json* fixture = item.find("fixture"); fixture != nullptr && fixture->is_number_integer())
-        light.fixture = static_cast<int>(std::clamp<int64_t>(fixture->get<int64_t>(), -1, 1 << 20));
+    if (const json* fixture = item.find("fixture"); fixture != nullptr)
+        if (fixture->is_number_unsigned() && fixture->get<uint64_t>() < fixtures) light.fixture = fixture->get<int>();
     return light;
 }
 
-/// Calls `take(item)` for every object of a list.
-template<class Take>
-void forEachItem(const json& list, const std::string& what, const Take& take)
+/// Lights that do not shine, by themselves or because their fixture is off, are none.
+void dropDark(Lights& lights)
 {
+    const auto isDark = [&](const PointLight& light) {
+        const bool isOff = light.fixture >= 0 && lights.fixtures[static_cast<size_t>(light.fixture)].radiance == glm::vec3(0.0f);
+        return isOff || std::max({light.intensity.r, light.intensity.g, light.intensity.b}) < kDark;
+    };
+    std::erase_if(lights.points, isDark);
+}
+
+/// Calls `take(item)` for every object of a list that the file may have.
+template<class Take>
+void forEachItem(const Item& top, const char* key, const std::string& what, const Take& take)
+{
+    if (top.find(key) == nullptr) return;
+    const json& list = *top.find(key);
+    if (!list.is_array()) malformed(top.what, fmt::format("\"{}\" must be a list", key));
     for (size_t i = 0; i < list.size(); ++i) {
         const Item item{list[i], fmt::format("{} {}", what, i)};
         if (!item.object.is_object()) malformed(item.what, "must be an object in { }");
@@ -195,28 +219,26 @@ std::string lightsAsJson(const Lights& lights)
 Lights readLights(const std::filesystem::path& file, std::vector<std::string>& warnings)
 {
     const std::string name = file.string();
-    const std::vector<std::byte> bytes = readFile(file, size_t{64} << 20);
+    const std::vector<std::byte> bytes = readFile(file, kLargestFile);
     const json document = parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name);
     const Item top{document, name};
     warnOfUnknown(top, {"format", "units", "fixtures", "lights", "ambient"}, warnings);
     if (const json* format = top.find("format"); format != nullptr && *format != kFormat)
-        malformed(name, fmt::format("its format is {}, this version reads \"{}\"", format->dump(), kFormat));
+        malformed(name, fmt::format("its format is {}, this version reads \"{}\"", printable(*format), kFormat));
 
     Lights lights;
-    if (const json* fixtures = top.find("fixtures"); fixtures != nullptr && fixtures->is_array())
-        forEachItem(*fixtures, name + ": fixture",
-                    [&](const Item& item) { lights.fixtures.push_back(fixtureFrom(item, warnings)); });
-    if (const json* points = top.find("lights"); points != nullptr) {
-        if (!points->is_array()) malformed(name, "\"lights\" must be a list");
-        forEachItem(*points, name + ": light",
-                    [&](const Item& item) { lights.points.push_back(lightFrom(item, warnings)); });
-    } else {
+    forEachItem(top, "fixtures", name + ": fixture",
+                [&](const Item& item) { lights.fixtures.push_back(fixtureFrom(item, warnings)); });
+    forEachItem(top, "lights", name + ": light", [&](const Item& item) {
+        lights.points.push_back(lightFrom(item, lights.fixtures.size(), warnings));
+    });
+    if (top.find("lights") == nullptr)
         for (size_t i = 0; i < lights.fixtures.size(); ++i)
             lights.points.push_back(lightOf(lights.fixtures[i], static_cast<int>(i)));
-    }
+    dropDark(lights);
     if (top.find("ambient") != nullptr) lights.ambient = lightAt(top, "ambient");
     if (lights.points.empty() && lights.ambient == glm::vec3(0.0f))
-        malformed(name, "holds no light: it needs \"lights\", \"fixtures\" or \"ambient\"");
+        malformed(name, "holds no light: it needs \"lights\", \"fixtures\" or \"ambient\" that shine");
     return lights;
 }
 

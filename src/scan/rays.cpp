@@ -45,6 +45,27 @@ Hit hitFrom(uint32_t triangle, float distance, glm::vec2 weights, glm::vec3 towa
     return {triangle, distance, weights, glm::dot(towardsFace, direction) < 0.0f};
 }
 
+/// Up to kPacket rays as Embree takes them together; lanes behind the last are switched off.
+void fillPacket(std::span<const Ray> rays, int* valid, RTCRay16& packet)
+{
+    for (size_t i = 0; i < kPacket; ++i) {
+        const Ray& ray = rays[std::min(i, rays.size() - 1)];
+        assert(isFinite(ray));
+        valid[i] = i < rays.size() ? -1 : 0;
+        packet.org_x[i] = ray.origin.x;
+        packet.org_y[i] = ray.origin.y;
+        packet.org_z[i] = ray.origin.z;
+        packet.dir_x[i] = ray.direction.x;
+        packet.dir_y[i] = ray.direction.y;
+        packet.dir_z[i] = ray.direction.z;
+        packet.tnear[i] = ray.nearest;
+        packet.tfar[i] = std::max(ray.farthest, ray.nearest); // Embree ends the process on less
+        packet.time[i] = 0.0f;
+        packet.mask[i] = ~0u;
+        packet.flags[i] = 0;
+    }
+}
+
 } // namespace
 
 struct RayScene::Embree
@@ -87,23 +108,8 @@ void RayScene::intersect(std::span<const Ray> rays, std::span<Hit> hits) const
         const size_t count = std::min(kPacket, rays.size() - begin);
         alignas(64) int valid[kPacket];
         RTCRayHit16 packet;
-        for (size_t i = 0; i < kPacket; ++i) {
-            const Ray& ray = rays[begin + std::min(i, count - 1)];
-            assert(isFinite(ray));
-            valid[i] = i < count ? -1 : 0;
-            packet.ray.org_x[i] = ray.origin.x;
-            packet.ray.org_y[i] = ray.origin.y;
-            packet.ray.org_z[i] = ray.origin.z;
-            packet.ray.dir_x[i] = ray.direction.x;
-            packet.ray.dir_y[i] = ray.direction.y;
-            packet.ray.dir_z[i] = ray.direction.z;
-            packet.ray.tnear[i] = ray.nearest;
-            packet.ray.tfar[i] = ray.farthest;
-            packet.ray.time[i] = 0.0f;
-            packet.ray.mask[i] = ~0u;
-            packet.ray.flags[i] = 0;
-            packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-        }
+        fillPacket(rays.subspan(begin, count), valid, packet.ray);
+        std::fill_n(packet.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
         rtcIntersect16(valid, embree_->scene, &context, &packet);
         for (size_t i = 0; i < count; ++i) {
             const bool missed = packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID;
@@ -113,6 +119,21 @@ void RayScene::intersect(std::span<const Ray> rays, std::span<Hit> hits) const
                                  {packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i]},
                                  rays[begin + i].direction);
         }
+    }
+}
+
+void RayScene::occluded(std::span<const Ray> rays, std::span<uint8_t> blocked) const
+{
+    assert(rays.size() == blocked.size());
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    for (size_t begin = 0; begin < rays.size(); begin += kPacket) {
+        const size_t count = std::min(kPacket, rays.size() - begin);
+        alignas(64) int valid[kPacket];
+        RTCRay16 packet;
+        fillPacket(rays.subspan(begin, count), valid, packet);
+        rtcOccluded16(valid, embree_->scene, &context, &packet);
+        for (size_t i = 0; i < count; ++i) blocked[begin + i] = packet.tfar[i] < 0.0f ? 1 : 0;
     }
 }
 
@@ -129,7 +150,7 @@ Hit RayScene::intersect(const Ray& ray) const
     query.ray.dir_y = ray.direction.y;
     query.ray.dir_z = ray.direction.z;
     query.ray.tnear = ray.nearest;
-    query.ray.tfar = ray.farthest;
+    query.ray.tfar = std::max(ray.farthest, ray.nearest);
     query.ray.mask = ~0u;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(embree_->scene, &context, &query);

@@ -46,6 +46,9 @@ public:
     void intersect(std::span<const Ray> rays, std::span<Hit> hits) const;
     [[nodiscard]] Hit intersect(const Ray& ray) const;
 
+    /// Whether anything lies between `nearest` and `farthest` on each ray: blocked[i] is not 0.
+    void occluded(std::span<const Ray> rays, std::span<uint8_t> blocked) const;
+
 private:
     struct Embree;
     std::unique_ptr<Embree> embree_;

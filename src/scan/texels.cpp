@@ -15,9 +15,6 @@ namespace relamp
 namespace
 {
 
-constexpr double kTexelsAcrossSurfel = 4.0;
-constexpr double kSmallestSurfel = 0.03; // m
-constexpr double kLargestSurfel = 0.12;  // m
 constexpr double kMostSurfels = 1.5e6;
 constexpr double kMostOverlap = 0.02; // share of texels; more is a tiled texture, not a seam
 constexpr size_t kChunk = size_t{1} << 16;
@@ -70,12 +67,13 @@ double areaOf(const Texels& texels, const PageCoverage& coverage)
     return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-double surfelSizeFor(const Texels& texels, const std::vector<PageCoverage>& coverages)
+double surfelSizeFor(const Texels& texels, const std::vector<PageCoverage>& coverages,
+                     const SurfelOptions& options)
 {
     size_t count = 0;
     for (const PageCoverage& coverage : coverages) count += coverage.pixel.size();
     const double texel = std::sqrt(texels.area / static_cast<double>(std::max<size_t>(count, 1)));
-    const double size = std::clamp(kTexelsAcrossSurfel * texel, kSmallestSurfel, kLargestSurfel);
+    const double size = std::clamp(options.texelsAcross * texel, options.smallest, options.largest);
     const double extent = glm::length(boundsOf(*texels.scan).extent());
     return std::max({size, std::sqrt(texels.area / kMostSurfels), extent / SurfelGrid::kMostCells});
 }
@@ -202,7 +200,7 @@ size_t Texels::count() const
     return count;
 }
 
-Texels rasterizeAtlas(const Scan& scan, Progress& progress)
+Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions& surfels)
 {
     const size_t pages = scan.pages.size();
     Progress::Stage stage(progress, "texels", 2 * pages + 1);
@@ -219,7 +217,7 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress)
         stage.advance();
     }
 
-    texels.surfels.size = static_cast<float>(surfelSizeFor(texels, coverages));
+    texels.surfels.size = static_cast<float>(surfelSizeFor(texels, coverages, surfels));
     texels.surfels.grid = SurfelGrid(boundsOf(scan).low, texels.surfels.size);
     std::vector<PageKeys> keys(pages);
     std::vector<uint64_t> surfelKeys;
@@ -269,6 +267,25 @@ TexelSite Texels::siteOf(size_t page, size_t texel) const
     const uint32_t width = widthOf(*this, page);
     return siteOn(facets.facets[pages[page].facet[texel]], static_cast<float>(pixel % width),
                   static_cast<float>(pixel / width));
+}
+
+SurfelSites::SurfelSites(const Texels& texels) : texels_(texels), ranges_(texels.surfels.count())
+{
+    for (uint32_t p = 0; p < texels.pages.size(); ++p) {
+        const auto& runs = texels.pages[p].runs;
+        for (size_t run = 0; run + 1 < runs.size(); ++run) {
+            const uint32_t count = runs[run + 1].begin - runs[run].begin;
+            Range& best = ranges_[runs[run].surfel];
+            if (count > best.count) best = {p, runs[run].begin, count};
+        }
+    }
+}
+
+TexelSite SurfelSites::at(uint32_t surfel, size_t i) const
+{
+    constexpr size_t kStride = 7919; // prime: visits all texels before it repeats
+    const Range& range = ranges_[surfel];
+    return texels_.siteOf(range.page, range.begin + i * kStride % range.count);
 }
 
 TexelLoader::TexelLoader(const Texels& texels, size_t page)

@@ -56,8 +56,36 @@ struct Texels
     [[nodiscard]] TexelSite siteOf(size_t page, size_t texel) const;
 };
 
+/// Texels of surfels, one after the other: where rays of a surfel start so that they average over it.
+class SurfelSites
+{
+public:
+    explicit SurfelSites(const Texels& texels);
+
+    /// Some texel of a surfel; consecutive `i` are spread over it.
+    [[nodiscard]] TexelSite at(uint32_t surfel, size_t i) const;
+
+private:
+    struct Range
+    {
+        uint32_t page = 0;
+        uint32_t begin = 0;
+        uint32_t count = 0;
+    };
+
+    const Texels& texels_;
+    std::vector<Range> ranges_; // on the page where a surfel has most of its texels
+};
+
+struct SurfelOptions
+{
+    double texelsAcross = 4.0; // of a mean texel's width in a surfel, >= 1
+    double smallest = 0.03;    // m
+    double largest = 0.12;     // m
+};
+
 /// Rasterises the atlas once and sorts its texels into surfels.
-Texels rasterizeAtlas(const Scan& scan, Progress& progress);
+Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions& surfels = {});
 
 /// Throws Error(unsupported), naming the share, where UVs overlap so much that texels mean nothing.
 void checkOverlap(const Texels& texels);

@@ -8,7 +8,8 @@ namespace relamp
 namespace
 {
 
-void directKernel(const TexelBlock& block, const LightArrays& lights, const glm::vec3& k, RgbBlock& out)
+void directKernel(const TexelBlock& block, const LightArrays& lights, const glm::vec3& k,
+                  RgbBlock& out)
 {
     const size_t lightCount = lights.count();
     for (size_t first = 0; first < block.count; first += kLanes) {

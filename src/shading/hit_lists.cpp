@@ -14,46 +14,13 @@ namespace
 constexpr float kOffSurface = 2e-3f;   // m; less than things that lie on each other are apart
 constexpr int kGenerationsOfBacks = 2; // backs seen by backs seen by fronts; beyond is dark anyway
 
-/// Texels of one surfel on the page where it has most.
-struct SurfelTexels
-{
-    uint32_t page = 0;
-    uint32_t begin = 0;
-    uint32_t count = 0;
-};
-
-std::vector<SurfelTexels> texelsOfSurfels(const Texels& texels)
-{
-    std::vector<SurfelTexels> result(texels.surfels.count());
-    for (uint32_t p = 0; p < texels.pages.size(); ++p) {
-        const auto& runs = texels.pages[p].runs;
-        for (size_t run = 0; run + 1 < runs.size(); ++run) {
-            const uint32_t count = runs[run + 1].begin - runs[run].begin;
-            SurfelTexels& best = result[runs[run].surfel];
-            if (count > best.count) best = {p, runs[run].begin, count};
-        }
-    }
-    return result;
-}
-
-/// A number in [0, 1) that looks random but is the side's own.
-float hashed(uint32_t index, uint32_t salt)
-{
-    uint32_t h = index * 0x9e3779b9u + salt * 0x85ebca6bu;
-    h ^= h >> 16;
-    h *= 0x7feb352du;
-    h ^= h >> 15;
-    h *= 0x846ca68bu;
-    h ^= h >> 16;
-    return static_cast<float>(h >> 8) * 0x1p-24f;
-}
-
 class Caster
 {
 public:
-    Caster(const Texels& texels, const RayScene& scene, std::span<const std::vector<uint8_t>> clipped,
-           size_t raysPerList)
-        : texels_(texels), scene_(scene), clipped_(clipped), rays_(raysPerList), places_(texelsOfSurfels(texels))
+    Caster(const Texels& texels, const RayScene& scene,
+           std::span<const std::vector<uint8_t>> clipped, size_t raysPerList)
+        : texels_(texels), scene_(scene), clipped_(clipped), rays_(raysPerList),
+          sites_(texels)
     {}
 
     void cast(Side side, std::span<HitTarget> out) const;
@@ -66,16 +33,14 @@ private:
     const RayScene& scene_;
     std::span<const std::vector<uint8_t>> clipped_;
     size_t rays_;
-    std::vector<SurfelTexels> places_;
+    SurfelSites sites_;
 };
 
 Ray Caster::rayOf(Side side, size_t i) const
 {
-    const SurfelTexels& place = places_[side.surfel()];
-    const auto texel = place.begin + static_cast<uint32_t>(i * 7919u % place.count);
-    const TexelSite site = texels_.siteOf(place.page, texel);
+    const TexelSite site = sites_.at(side.surfel(), i);
     const glm::vec3 normal = side.isBack() ? -site.normal : site.normal;
-    const glm::vec2 shift(hashed(side.index, 1), hashed(side.index, 2));
+    const glm::vec2 shift(hashedShift(side.index, 1), hashedShift(side.index, 2));
     return {.origin = site.position + kOffSurface * normal,
             .direction = cosineDirection(normal, evenPoint(static_cast<float>(i), shift))};
 }
@@ -121,7 +86,8 @@ std::vector<Side> newBacks(const HitLists& lists, size_t firstList)
 } // namespace
 
 HitLists castHitLists(const Texels& texels, const RayScene& scene,
-                      std::span<const std::vector<uint8_t>> clipped, size_t raysPerList, Progress& progress)
+                      std::span<const std::vector<uint8_t>> clipped, size_t raysPerList,
+                      Progress& progress)
 {
     const auto surfels = static_cast<uint32_t>(texels.surfels.count());
     const Caster caster(texels, scene, clipped, raysPerList);
@@ -136,10 +102,12 @@ HitLists castHitLists(const Texels& texels, const RayScene& scene,
         const size_t first = lists.sideOfList.size();
         lists.sideOfList.insert(lists.sideOfList.end(), sides.begin(), sides.end());
         lists.targets.resize(lists.sideOfList.size() * raysPerList, HitTarget::nothing());
-        for (size_t i = 0; i < sides.size(); ++i) lists.listOfSide[sides[i].index] = static_cast<int32_t>(first + i);
+        for (size_t i = 0; i < sides.size(); ++i)
+            lists.listOfSide[sides[i].index] = static_cast<int32_t>(first + i);
         forEachChunk(sides.size(), 64, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i)
-                caster.cast(sides[i], {lists.targets.data() + (first + i) * raysPerList, raysPerList});
+                caster.cast(sides[i],
+                            {lists.targets.data() + (first + i) * raysPerList, raysPerList});
             if (generation == 0) stage.advance(end - begin);
         });
         sides = newBacks(lists, first);

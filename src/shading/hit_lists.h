@@ -28,7 +28,10 @@ class HitTarget
 {
 public:
     static HitTarget nothing() { return HitTarget(~0u); }
-    static HitTarget of(Side side, bool clipped) { return HitTarget(side.index << 1 | (clipped ? 1u : 0u)); }
+    static HitTarget of(Side side, bool clipped)
+    {
+        return HitTarget(side.index << 1 | (clipped ? 1u : 0u));
+    }
 
     [[nodiscard]] bool isNothing() const { return bits_ == ~0u; }
     [[nodiscard]] Side side() const { return {bits_ >> 1}; }
@@ -39,16 +42,16 @@ private:
     uint32_t bits_;
 };
 
-/// Cosine-distributed rays of the sides of surfels and what they met. Cast once per scan: light that
-/// changes needs no new rays.
+/// Cosine-distributed rays of the sides of surfels and what they met. Cast once per scan: light
+/// that changes needs no new rays.
 struct HitLists
 {
     static constexpr int32_t kNoList = -1;
 
     size_t raysPerList = 0;
     std::vector<Side> sideOfList;
-    std::vector<int32_t> listOfSide;  // kNoList for a side that nobody sees
-    std::vector<HitTarget> targets;   // raysPerList a list
+    std::vector<int32_t> listOfSide; // kNoList for a side that nobody sees
+    std::vector<HitTarget> targets;  // raysPerList a list
 
     [[nodiscard]] std::span<const HitTarget> targetsOf(size_t list) const
     {
@@ -60,6 +63,7 @@ struct HitLists
 /// that these met. Rays start all over a surfel's texels, so that a list averages over its area.
 /// `clipped[page][pixel]` is not 0 where a texel is burnt out.
 HitLists castHitLists(const Texels& texels, const RayScene& scene,
-                      std::span<const std::vector<uint8_t>> clipped, size_t raysPerList, Progress& progress);
+                      std::span<const std::vector<uint8_t>> clipped, size_t raysPerList,
+                      Progress& progress);
 
 } // namespace relamp

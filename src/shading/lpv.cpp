@@ -24,8 +24,8 @@ struct Face
 /// The five faces through which light from the neighbour on one side enters a cell and goes on.
 struct Source
 {
-    glm::ivec3 step;     // from the cell to the neighbour that the light comes from
-    int axis;            // of `step`
+    glm::ivec3 step; // from the cell to the neighbour that the light comes from
+    int axis;        // of `step`
     std::array<Face, 5> faces;
 };
 
@@ -38,7 +38,8 @@ std::array<Source, 6> makeSources()
         glm::vec3 travel(0.0f); // from source to destination
         travel[source.axis] = s % 2 == 0 ? 1.0f : -1.0f;
         source.step = -glm::ivec3(travel);
-        // The face straight ahead is 1.5 cells off; the four at the sides are one ahead, half aside.
+        // The face straight ahead is 1.5 cells off; the four at the sides are one ahead, half
+        // aside.
         source.faces[0] = {travel, travel, kFrontSolidAngle};
         size_t next = 1;
         for (int axis = 0; axis < 3; ++axis) {
@@ -46,7 +47,8 @@ std::array<Source, 6> makeSources()
             for (const float side : {1.0f, -1.0f}) {
                 glm::vec3 normal(0.0f);
                 normal[axis] = side;
-                source.faces[next++] = {normal, glm::normalize(travel + 0.5f * normal), kSideSolidAngle};
+                source.faces[next++] = {normal, glm::normalize(travel + 0.5f * normal),
+                                        kSideSolidAngle};
             }
         }
     }
@@ -78,7 +80,10 @@ struct Rows
     Rows(const std::array<std::vector<float>, 4>& of, size_t at)
         : k{of[0].data() + at, of[1].data() + at, of[2].data() + at, of[3].data() + at}
     {}
-    [[nodiscard]] glm::vec4 operator[](size_t x) const { return {k[0][x], k[1][x], k[2][x], k[3][x]}; }
+    [[nodiscard]] glm::vec4 operator[](size_t x) const
+    {
+        return {k[0][x], k[1][x], k[2][x], k[3][x]};
+    }
 };
 
 /// Light that reaches `count` cells of a row through one face of theirs.
@@ -96,7 +101,8 @@ void gatherFace(const Face& face, const Rows& in, const Rows& coverage, size_t c
     RELAMP_INDEPENDENT_ITERATIONS
     for (size_t x = 0; x < count; ++x) {
         const float leaving = max(dot(in[x], shBasis(direction)), 0.0f);
-        const float passed = blocking ? leaving * (1.0f - blocked(coverage[x], direction)) : leaving;
+        const float passed =
+            blocking ? leaving * (1.0f - blocked(coverage[x], direction)) : leaving;
         all[x] += passed * lobe.x;
         along[x] += passed * alongAxis;
     }
@@ -106,7 +112,8 @@ void gatherFace(const Face& face, const Rows& in, const Rows& coverage, size_t c
 void gatherRow(const PropagateArgs& args, const Source& source, size_t row, size_t count)
 {
     const LpvGrid& grid = *args.grid;
-    const auto offset = source.step.x + grid.cells.x * (source.step.y + grid.cells.y * source.step.z);
+    const auto offset =
+        source.step.x + grid.cells.x * (source.step.y + grid.cells.y * source.step.z);
     const size_t from = row + static_cast<size_t>(static_cast<ptrdiff_t>(offset));
     // Coverage is stored at the lower of the two cells that a face parts.
     const size_t wall = source.step[source.axis] < 0 ? from : row;
@@ -151,7 +158,8 @@ struct ReadOutArgs
 struct Lookups
 {
     alignas(64) int32_t cell[TexelBlock::kCapacity];
-    alignas(64) float x[TexelBlock::kCapacity], y[TexelBlock::kCapacity], z[TexelBlock::kCapacity]; // part of a cell
+    alignas(64) float x[TexelBlock::kCapacity], y[TexelBlock::kCapacity],
+        z[TexelBlock::kCapacity]; // part of a cell
 };
 
 void lookUp(const LpvGrid& grid, const TexelBlock& block, Lookups& out)
@@ -163,7 +171,8 @@ void lookUp(const LpvGrid& grid, const TexelBlock& block, Lookups& out)
     for (size_t i = 0; i < block.count; ++i) {
         const glm::vec3 position(block.x[i], block.y[i], block.z[i]);
         const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
-        const glm::vec3 at = glm::clamp(position * perCell + 0.5f * normal + shift, glm::vec3(0.0f), most);
+        const glm::vec3 at =
+            glm::clamp(position * perCell + 0.5f * normal + shift, glm::vec3(0.0f), most);
         const int32_t x = static_cast<int32_t>(at.x); // at >= 0: this is floor
         const int32_t y = static_cast<int32_t>(at.y);
         const int32_t z = static_cast<int32_t>(at.z);
@@ -182,7 +191,8 @@ void readOutKernel(const ReadOutArgs& args)
     lookUp(grid, block, at);
     const auto stepY = static_cast<size_t>(grid.cells.x);
     const size_t stepZ = stepY * static_cast<size_t>(grid.cells.y);
-    const size_t corner[8] = {0, 1, stepY, stepY + 1, stepZ, stepZ + 1, stepZ + stepY, stepZ + stepY + 1};
+    const size_t corner[8] = {0,     1,         stepY,         stepY + 1,
+                              stepZ, stepZ + 1, stepZ + stepY, stepZ + stepY + 1};
     const float toIrradiance = 4.0f / (grid.cell * grid.cell);
     for (size_t i = 0; i < block.count; ++i) {
         const float x[2] = {1.0f - at.x[i], at.x[i]};
@@ -191,7 +201,8 @@ void readOutKernel(const ReadOutArgs& args)
         float sh[kPacked] = {};
         for (size_t c = 0; c < 8; ++c) {
             const float weight = x[c & 1] * y[c >> 1 & 1] * z[c >> 2];
-            const float* source = args.packed + kPacked * (static_cast<size_t>(at.cell[i]) + corner[c]);
+            const float* source =
+                args.packed + kPacked * (static_cast<size_t>(at.cell[i]) + corner[c]);
             RELAMP_KEEP_LOOP
             for (size_t k = 0; k < kPacked; ++k) sh[k] += weight * source[k];
         }
@@ -254,7 +265,8 @@ void Lpv::block(std::span<const Blocker> blockers)
             for (size_t i = std::max(begin, a + b); i < end; ++i) {
                 const glm::vec4 cover =
                     0.25f * (corners[i] + corners[i - a] + corners[i - b] + corners[i - a - b]);
-                for (int k = 0; k < 4; ++k) faceCoverage_[axis][static_cast<size_t>(k)][i] = cover[k];
+                for (int k = 0; k < 4; ++k)
+                    faceCoverage_[axis][static_cast<size_t>(k)][i] = cover[k];
             }
         });
     }
@@ -265,12 +277,14 @@ void Lpv::inject(std::span<const BounceLight> lights)
     std::vector<size_t> cells(lights.size());
     forEachChunk(lights.size(), 1024, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
-            cells[i] = grid_.indexOf(grid_.cellAt(lights[i].position + 0.5f * grid_.cell * lights[i].normal));
+            cells[i] = grid_.indexOf(
+                grid_.cellAt(lights[i].position + 0.5f * grid_.cell * lights[i].normal));
     });
     // A channel a task: sums are made in the order of the lights, whatever the number of threads.
     forEach(3, [&](size_t c) {
         for (size_t i = 0; i < lights.size(); ++i) {
-            const glm::vec4 sh = lights[i].flux[static_cast<int>(c)] / kPi * shLobe(lights[i].normal);
+            const glm::vec4 sh =
+                lights[i].flux[static_cast<int>(c)] / kPi * shLobe(lights[i].normal);
             for (int k = 0; k < 4; ++k) travelling_[c][static_cast<size_t>(k)][cells[i]] += sh[k];
         }
     });
@@ -280,7 +294,8 @@ void Lpv::inject(std::span<const BounceLight> lights)
 void Lpv::propagate(bool first, InstructionSet set)
 {
     static const std::array<Source, 6> sources = makeSources();
-    const PropagateArgs args{&grid_, &travelling_, &arriving_, &accumulated_, &faceCoverage_, &sources, !first};
+    const PropagateArgs args{&grid_,         &travelling_, &arriving_, &accumulated_,
+                             &faceCoverage_, &sources,     !first};
     forEachChunk(static_cast<size_t>(grid_.cells.z - 2), 1, [&](size_t begin, size_t end) {
         const Slab slab{static_cast<int>(begin) + 1, static_cast<int>(end) + 1};
         runKernel<propagateKernel>(set, args, slab);
@@ -294,7 +309,8 @@ void Lpv::finish()
     forEachChunk(grid_.count(), 2048, [&](size_t begin, size_t end) {
         for (size_t c = 0; c < 3; ++c)
             for (size_t k = 0; k < 4; ++k)
-                for (size_t i = begin; i < end; ++i) packed_[kPacked * i + 4 * k + c] = accumulated_[c][k][i];
+                for (size_t i = begin; i < end; ++i)
+                    packed_[kPacked * i + 4 * k + c] = accumulated_[c][k][i];
     });
 }
 

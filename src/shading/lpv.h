@@ -15,7 +15,8 @@
 namespace relamp
 {
 
-/// Cubic cells over a box, with one empty cell around them so that propagation needs no border case.
+/// Cubic cells over a box, with one empty cell around them so that propagation needs no border
+/// case.
 struct LpvGrid
 {
     LpvGrid(const Bounds& bounds, int size); // `size` cells along the longest side, 4..128
@@ -26,11 +27,13 @@ struct LpvGrid
 
     [[nodiscard]] size_t count() const
     {
-        return static_cast<size_t>(cells.x) * static_cast<size_t>(cells.y) * static_cast<size_t>(cells.z);
+        return static_cast<size_t>(cells.x) * static_cast<size_t>(cells.y) *
+               static_cast<size_t>(cells.z);
     }
     [[nodiscard]] size_t indexOf(glm::ivec3 at) const
     {
-        return (static_cast<size_t>(at.z) * static_cast<size_t>(cells.y) + static_cast<size_t>(at.y)) *
+        return (static_cast<size_t>(at.z) * static_cast<size_t>(cells.y) +
+                static_cast<size_t>(at.y)) *
                    static_cast<size_t>(cells.x) +
                static_cast<size_t>(at.x);
     }
@@ -79,7 +82,8 @@ private:
     Field travelling_;
     Field arriving_;
     Field accumulated_;
-    std::array<std::array<std::vector<float>, 4>, 3> faceCoverage_; // [axis]: between a cell and the next
+    std::array<std::array<std::vector<float>, 4>, 3>
+        faceCoverage_;          // [axis]: between a cell and the next
     std::vector<float> packed_; // 16 a cell: r, g, b and padding of each coefficient
 };
 

@@ -15,7 +15,8 @@ SHARED_CONST kLobeC0 = 0.886226925f; // sqrt(pi) / 2: the clamped cosine, projec
 SHARED_CONST kLobeC1 = 1.02332671f;  // sqrt(pi / 3)
 
 // Solid angles of the faces of a cell from the centre of its neighbour; one front and four side
-// faces are 2 pi / 3, so that six neighbours see the whole sphere and constant light stays constant.
+// faces are 2 pi / 3, so that six neighbours see the whole sphere and constant light stays
+// constant.
 SHARED_CONST kFrontSolidAngle = 0.4006696846f;
 SHARED_CONST kSideSolidAngle = 0.4234313544f;
 
@@ -38,8 +39,8 @@ SHARED_FN float blocked(vec4 coverage, vec3 w)
     return clamp(dot(coverage, shBasis(-w)), 0.0f, 1.0f);
 }
 
-// Irradiance on a surface of normal n from intensity `sh` in the centre of the cell that it faces: the
-// light arrives over half a cell, perHalfCellSquared = 1 / (cell / 2)^2.
+// Irradiance on a surface of normal n from intensity `sh` in the centre of the cell that it faces:
+// the light arrives over half a cell, perHalfCellSquared = 1 / (cell / 2)^2.
 SHARED_FN float irradianceFromCell(vec4 sh, vec3 n, float perHalfCellSquared)
 {
     return max(dot(sh, shLobe(-n)), 0.0f) * perHalfCellSquared;

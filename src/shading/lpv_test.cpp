@@ -21,7 +21,8 @@ Lpv emptySpace()
 
 BounceLight lightAt(glm::vec3 position, glm::vec3 normal, float flux = 1.0f)
 {
-    // Injection moves a light half a cell along its normal; take that back to stay in the cell meant.
+    // Injection moves a light half a cell along its normal; take that back to stay in the cell
+    // meant.
     return {.position = position - 0.5f * normal, .normal = normal, .flux = glm::vec3(flux)};
 }
 
@@ -41,8 +42,8 @@ TEST(Lpv, SolidAnglesOfOneFrontAndFourSideFacesAreASixthOfTwoSpheres)
     EXPECT_NEAR(kFrontSolidAngle + 4.0f * kSideSolidAngle, 2.0f * kPi / 3.0f, 1e-6f);
 }
 
-// Six neighbours see the whole sphere between them and lobes hold what they are given, so light that
-// is the same in all directions is passed on without gain or loss.
+// Six neighbours see the whole sphere between them and lobes hold what they are given, so light
+// that is the same in all directions is passed on without gain or loss.
 TEST(Lpv, IsotropicLightKeepsItsEnergyEveryStep)
 {
     Lpv lpv = emptySpace();
@@ -76,13 +77,15 @@ TEST(Lpv, FirstStepOfASurfaceMakesItsKnownGainByClamping)
     EXPECT_NEAR(sum(lpv.travelling()[0][0]) / before, 1.138, 1e-3);
 }
 
-// Direction is lost as light is sent on through flat faces: the first band shrinks to 0.3686 a step.
+// Direction is lost as light is sent on through flat faces: the first band shrinks to 0.3686 a
+// step.
 TEST(Lpv, DirectionFadesByItsKnownFactorEveryStep)
 {
     Lpv lpv = emptySpace();
-    const BounceLight lights[] = {lightAt(kMiddle, {1, 0, 0}, 1.0f), lightAt(kMiddle, {-1, 0, 0}, 0.9f),
-                                  lightAt(kMiddle, {0, 1, 0}, 2.0f), lightAt(kMiddle, {0, -1, 0}, 2.0f),
-                                  lightAt(kMiddle, {0, 0, 1}, 2.0f), lightAt(kMiddle, {0, 0, -1}, 2.0f)};
+    const BounceLight lights[] = {
+        lightAt(kMiddle, {1, 0, 0}, 1.0f), lightAt(kMiddle, {-1, 0, 0}, 0.9f),
+        lightAt(kMiddle, {0, 1, 0}, 2.0f), lightAt(kMiddle, {0, -1, 0}, 2.0f),
+        lightAt(kMiddle, {0, 0, 1}, 2.0f), lightAt(kMiddle, {0, 0, -1}, 2.0f)};
     lpv.inject(lights); // nearly isotropic: nothing is clamped
     const double before = sum(lpv.travelling()[0][3]);
     lpv.propagate(true);
@@ -106,8 +109,9 @@ TEST(Lpv, LightSpreadsAlikeToAllSixNeighbors)
         EXPECT_NEAR(lpv.travelling()[0][0][grid.indexOf(home + step)], first, 1e-6f * first);
 }
 
-// A wall that fills a cell's face and looks at the light should stop it all; two bands hold max(0, cos)
-// as 1/4 + 1/2 cos, which stops three quarters head on. (Kaplanyan's volumes leak; this says how much.)
+// A wall that fills a cell's face and looks at the light should stop it all; two bands hold max(0,
+// cos) as 1/4 + 1/2 cos, which stops three quarters head on. (Kaplanyan's volumes leak; this says
+// how much.)
 TEST(Lpv, WallStopsThreeQuartersOfTheLightThatComesTowardsItsFace)
 {
     const auto throughWall = [](float area) {
@@ -115,7 +119,8 @@ TEST(Lpv, WallStopsThreeQuartersOfTheLightThatComesTowardsItsFace)
         std::vector<Blocker> wall;
         for (int y = 0; y < kSize; ++y)
             for (int z = 0; z < kSize; ++z)
-                wall.push_back({{kMiddle.x + 1.5f, static_cast<float>(y) + 0.25f, static_cast<float>(z) + 0.25f},
+                wall.push_back({{kMiddle.x + 1.5f, static_cast<float>(y) + 0.25f,
+                                 static_cast<float>(z) + 0.25f},
                                 {-1, 0, 0},
                                 area});
         lpv.block(wall);
@@ -132,8 +137,9 @@ TEST(Lpv, WallStopsThreeQuartersOfTheLightThatComesTowardsItsFace)
     EXPECT_NEAR(throughWall(1.0f) / throughWall(0.0f), 0.25, 0.05);
 }
 
-// Half a cell in front of a patch that sends out the flux F, the intensity towards a surface that faces
-// it is F / pi, and it arrives over half a cell: E = F / pi / (cell / 2)^2. Two bands blur the lobe.
+// Half a cell in front of a patch that sends out the flux F, the intensity towards a surface that
+// faces it is F / pi, and it arrives over half a cell: E = F / pi / (cell / 2)^2. Two bands blur
+// the lobe.
 TEST(Lpv, ReadOutTurnsIntensityIntoIrradianceOverHalfACell)
 {
     Lpv lpv(LpvGrid({glm::vec3(0.0f), glm::vec3(8.0f)}, 16)); // cells of half a metre
@@ -150,7 +156,8 @@ TEST(Lpv, ReadOutTurnsIntensityIntoIrradianceOverHalfACell)
     block.nx[0] = -1.0f;
     RgbBlock irradiance;
     lpv.irradiance(block, irradiance);
-    const float lobeOnLobe = kLobeC0 * kLobeC0 + kLobeC1 * kLobeC1; // 1.83: two-band product of the lobes
+    const float lobeOnLobe =
+        kLobeC0 * kLobeC0 + kLobeC1 * kLobeC1; // 1.83: two-band product of the lobes
     EXPECT_NEAR(irradiance.r[0], 2.0f / kPi * lobeOnLobe / (0.25f * 0.25f), 1e-3f);
 }
 
@@ -161,9 +168,11 @@ TEST(Lpv, IsTheSameForAllInstructionSets)
         std::vector<BounceLight> lights;
         for (int i = 0; i < 100; ++i) {
             const auto f = static_cast<float>(i);
-            lights.push_back({.position = {2 + std::fmod(f * 1.7f, 20.0f), 3 + std::fmod(f * 2.3f, 18.0f), 4 + std::fmod(f, 16.0f)},
-                              .normal = glm::normalize(glm::vec3(std::sin(f), std::cos(f), std::sin(2 * f))),
-                              .flux = {1.0f, 0.5f, 0.1f * f}});
+            lights.push_back(
+                {.position = {2 + std::fmod(f * 1.7f, 20.0f), 3 + std::fmod(f * 2.3f, 18.0f),
+                              4 + std::fmod(f, 16.0f)},
+                 .normal = glm::normalize(glm::vec3(std::sin(f), std::cos(f), std::sin(2 * f))),
+                 .flux = {1.0f, 0.5f, 0.1f * f}});
         }
         lpv.inject(lights);
         for (int step = 0; step < 4; ++step) lpv.propagate(step == 0, set);
@@ -175,7 +184,8 @@ TEST(Lpv, IsTheSameForAllInstructionSets)
         const Lpv::Field wide = run(set);
         for (size_t c = 0; c < 3; ++c)
             for (size_t i = 0; i < narrow[c][0].size(); ++i)
-                EXPECT_NEAR(wide[c][0][i], narrow[c][0][i], 1e-5f * std::abs(narrow[c][0][i]) + 1e-9f);
+                EXPECT_NEAR(wide[c][0][i], narrow[c][0][i],
+                            1e-5f * std::abs(narrow[c][0][i]) + 1e-9f);
     }
 }
 

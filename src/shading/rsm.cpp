@@ -12,7 +12,8 @@ namespace relamp
 namespace
 {
 
-constexpr float kOffSurface = 0.02f; // m; a light found on a scan lies within the noise of its surface
+constexpr float kOffSurface =
+    0.02f; // m; a light found on a scan lies within the noise of its surface
 constexpr int kFaces = 6;
 constexpr int kTile = 4; // rays of 4 x 4 pixels go together: one packet
 
@@ -22,11 +23,13 @@ struct MapPixel
     float solidAngle;
 };
 
-/// Directions of all pixels of a cube, tile after tile, so that neighbours in the list are in space.
+/// Directions of all pixels of a cube, tile after tile, so that neighbours in the list are in
+/// space.
 std::vector<MapPixel> pixelsOfCube(int resolution)
 {
     std::vector<MapPixel> pixels;
-    pixels.reserve(static_cast<size_t>(kFaces) * static_cast<size_t>(resolution) * static_cast<size_t>(resolution));
+    pixels.reserve(static_cast<size_t>(kFaces) * static_cast<size_t>(resolution) *
+                   static_cast<size_t>(resolution));
     const auto n = static_cast<float>(resolution);
     for (int face = 0; face < kFaces; ++face)
         for (int ty = 0; ty < resolution; ty += kTile)

@@ -4,7 +4,8 @@
 
 SHARED_BEGIN
 
-// Direction through point (u, v) in [-1, 1]^2 of a cube's face; faces 0..5 look along +x -x +y -y +z -z.
+// Direction through point (u, v) in [-1, 1]^2 of a cube's face; faces 0..5 look along +x -x +y -y
+// +z -z.
 SHARED_FN vec3 cubeDirection(int face, float u, float v)
 {
     const float side = (face & 1) == 0 ? 1.0f : -1.0f;

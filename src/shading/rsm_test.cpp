@@ -62,7 +62,8 @@ TEST_F(Rsm, WallsReceiveTheirShareBySolidAngle)
             const double px = 4.0 * (x + 0.5) / kSteps - 1.0;
             const double pz = 3.0 * (z + 0.5) / kSteps - 1.0;
             const double squared = px * px + pz * pz + 4.0;
-            byTexels += 3.0 * 2.0 / (squared * std::sqrt(squared)) * (4.0 * 3.0 / (kSteps * kSteps));
+            byTexels +=
+                3.0 * 2.0 / (squared * std::sqrt(squared)) * (4.0 * 3.0 / (kSteps * kSteps));
         }
     EXPECT_NEAR(onFloor / byTexels, 1.0, 0.01);
 }
@@ -89,9 +90,10 @@ TEST(RsmFormula, CubePixelsCoverTheSphere)
         double sum = 0.0;
         for (int y = 0; y < n; ++y)
             for (int x = 0; x < n; ++x)
-                sum += static_cast<double>(cubePixelSolidAngle((2.0f * static_cast<float>(x) + 1.0f) / static_cast<float>(n) - 1.0f,
-                                                               (2.0f * static_cast<float>(y) + 1.0f) / static_cast<float>(n) - 1.0f,
-                                                               static_cast<float>(n)));
+                sum += static_cast<double>(cubePixelSolidAngle(
+                    (2.0f * static_cast<float>(x) + 1.0f) / static_cast<float>(n) - 1.0f,
+                    (2.0f * static_cast<float>(y) + 1.0f) / static_cast<float>(n) - 1.0f,
+                    static_cast<float>(n)));
         EXPECT_NEAR(6.0 * sum / static_cast<double>(kSphere), 1.0, 0.01) << n;
     }
 }

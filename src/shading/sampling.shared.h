@@ -4,6 +4,16 @@
 
 SHARED_BEGIN
 
+// A number in [0, 1) that looks random but is the index's own.
+SHARED_FN float hashedShift(uint index, uint salt)
+{
+    uint h = index * 0x9e3779b9u + salt * 0x85ebca6bu;
+    h = (h ^ (h >> 16)) * 0x7feb352du;
+    h = (h ^ (h >> 15)) * 0x846ca68bu;
+    h = h ^ (h >> 16);
+    return float(h >> 8) * (1.0f / 16777216.0f);
+}
+
 // Point i of the R2 sequence (Roberts 2018), shifted; fills the unit square evenly at any length.
 SHARED_FN vec2 evenPoint(float i, vec2 shift)
 {

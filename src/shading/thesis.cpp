@@ -69,7 +69,8 @@ ThesisOptions deriveDials(const ThesisOptions& dials, const Lights& lights, cons
     // A patch seen from nearer than its own size is no point: k0 keeps it from growing without end.
     const float radius = std::max(meanRadius(lights), 0.01f);
     if (!derived.attenuation) derived.attenuation = glm::vec3(radius * radius, 0.0f, 1.0f);
-    if (!derived.mergeDistance) derived.mergeDistance = kMergeShareOfRoom * glm::length(room.extent());
+    if (!derived.mergeDistance)
+        derived.mergeDistance = kMergeShareOfRoom * glm::length(room.extent());
     return derived;
 }
 
@@ -93,8 +94,8 @@ ThesisShading solveThesis(const Texels& texels, const RayScene& scene, const Lig
 
     const Flattened surface = flatten(texels, {dials.flattenReach, dials.flattenRange}, progress);
     Progress::Stage stage(progress, "bounce", 2);
-    std::vector<BounceLight> lit =
-        reflectiveShadowMaps(texels, scene, lightsOfShadowMaps(lights, shading.dials), dials.rsmSize);
+    std::vector<BounceLight> lit = reflectiveShadowMaps(
+        texels, scene, lightsOfShadowMaps(lights, shading.dials), dials.rsmSize);
     for (BounceLight& light : lit) light.flux *= surface.at(light.page, light.pixel);
     stage.advance();
     shading.bounce = spread(texels, lit, shading.dials);

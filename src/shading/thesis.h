@@ -9,6 +9,7 @@
 #include "scan/texels.h"
 #include "shading/direct.h"
 #include "shading/lpv.h"
+#include "shading/texel_shading.h"
 
 #include <memory>
 #include <span>
@@ -17,18 +18,12 @@
 namespace relamp
 {
 
-/// Shading of a block of texels: irradiance / pi.
-struct ShadingBlock
-{
-    RgbBlock direct;
-    RgbBlock indirect; // bounce light and ambient
-};
-
-/// Choi's shading of a room: lights without shadows, bounce light by RSM and LPV, and ambient light.
+/// Choi's shading of a room: lights without shadows, bounce light by RSM and LPV, and ambient
+/// light.
 struct ThesisShading
 {
-    ThesisOptions dials;   // with everything that was derived filled in
-    LightArrays lights;    // before `dials.power`
+    ThesisOptions dials; // with everything that was derived filled in
+    LightArrays lights;  // before `dials.power`
     glm::vec3 ambient{0.0f};
     std::shared_ptr<const Lpv> bounce; // before `dials.power`; null without bounce light
 };
@@ -39,14 +34,16 @@ void shade(const ThesisShading& shading, const TexelBlock& block, ShadingBlock& 
 /// The lights that cast a reflective shadow map each.
 std::vector<PointLight> lightsOfShadowMaps(const Lights& lights, const ThesisOptions& dials);
 
-/// Fills in the dials that follow from the lights and the size of the room: attenuation, merge distance.
+/// Fills in the dials that follow from the lights and the size of the room: attenuation, merge
+/// distance.
 ThesisOptions deriveDials(const ThesisOptions& dials, const Lights& lights, const Bounds& room);
 
 /// Spreads the light that surfaces pass on: `leaving` is what arrived, multiplied by a colour.
 std::shared_ptr<const Lpv> spread(const Texels& texels, std::span<const BounceLight> leaving,
                                   const ThesisOptions& dials);
 
-/// The whole shading but power and ambient, which stay as `dials` has them: flattened texture, reflective shadow maps of the merged lights, light propagation volume.
+/// The whole shading but power and ambient, which stay as `dials` has them: flattened texture,
+/// reflective shadow maps of the merged lights, light propagation volume.
 ThesisShading solveThesis(const Texels& texels, const RayScene& scene, const Lights& lights,
                           const ThesisOptions& dials, Progress& progress);
 

@@ -1,0 +1,269 @@
+#include "fit/lamps.h"
+
+#include "base/disjoint_sets.h"
+#include "base/parallel.h"
+#include "fit/pairs.h"
+#include "fit/powers.h"
+#include "lights/expand.shared.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kPi = 3.14159265f;
+constexpr size_t kMostCandidates = 64;
+constexpr size_t kPlaces = 12000;
+constexpr size_t kPairsFirst = 3; // a place, for the first look at all candidates
+constexpr size_t kPairs = 10;
+constexpr float kAboutWhite = 2.0f;     // luminance; a wall lights its surroundings as little as this
+constexpr float kLeastPower = 0.003f;   // share of the room's; below, a lamp does not matter
+constexpr float kBrightWall = 0.75f;    // albedo of what burns out first
+constexpr float kExplained = 0.8f;      // of white
+constexpr size_t kPatchesLookedAt = 16; // of a candidate, to see what lights it
+constexpr size_t kSamplesAPatch = 16;
+constexpr int kMostRounds = 6;
+constexpr float kTouching = 0.12f;      // m between pieces of one lamp
+constexpr float kAboutEqual = 3.0f;     // ratio of their radiances
+
+/// One lamp to be, with what it does at all places at radiance 1.
+struct Suspect
+{
+    Candidate candidate;
+    std::vector<float> direct;
+    glm::vec3 radiance{1.0f};
+    glm::vec3 logError{0.0f};
+
+    [[nodiscard]] float power() const { return candidate.area * luminance(radiance); }
+};
+
+class LampSearch
+{
+public:
+    LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits, const SurfelRadiance& radiance,
+               Progress& progress);
+
+    FoundLamps run();
+
+private:
+    void choosePlaces();
+    void fit(size_t pairsPerPlace, bool oneChannel);
+    void updateField();
+    size_t dropWalls();
+    size_t dropExplained();
+    void joinPieces();
+    [[nodiscard]] bool isExplained(size_t suspect) const;
+    [[nodiscard]] FitData dataFor() const;
+
+    const Texels& texels_;
+    const RayScene& scene_;
+    const HitLists& hits_;
+    const SurfelRadiance& radiance_;
+    Progress::Stage stage_;
+    std::vector<uint32_t> places_; // surfels, which are also the lists of their fronts
+    std::vector<Suspect> suspects_;
+    RadianceField field_;
+    Powers powers_;
+};
+
+LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
+                       const SurfelRadiance& radiance, Progress& progress)
+    : texels_(texels), scene_(scene), hits_(hits), radiance_(radiance), stage_(progress, "lamps", kMostCandidates + 3),
+      field_(fieldOf(radiance))
+{
+    choosePlaces();
+    for (Candidate& candidate : findCandidates(texels, radiance, kMostCandidates)) {
+        Suspect suspect;
+        suspect.direct = directOfLists(texels, scene, hits, AreaLight(candidate), places_);
+        suspect.candidate = std::move(candidate);
+        suspects_.push_back(std::move(suspect));
+        stage_.advance();
+    }
+}
+
+/// Evenly along the curve through space that surfels are sorted by.
+void LampSearch::choosePlaces()
+{
+    std::vector<uint32_t> good;
+    for (uint32_t s = 0; s < texels_.surfels.count(); ++s)
+        if (radiance_.plainArea[s] > 0.0f && radiance_.clippedArea[s] < 0.02f * radiance_.plainArea[s]) good.push_back(s);
+    const size_t count = std::min(kPlaces, good.size());
+    for (size_t i = 0; i < count; ++i) places_.push_back(good[i * good.size() / count]);
+}
+
+FitData LampSearch::dataFor() const
+{
+    FitData data;
+    data.lamps = suspects_.size();
+    const Gathered gathered = gather(hits_, field_, places_);
+    data.gathered = gathered.irradiance;
+    data.missed = gathered.missed;
+    data.direct.resize(places_.size() * data.lamps);
+    for (size_t i = 0; i < places_.size(); ++i) {
+        data.radiance.push_back(radiance_.plain[places_[i]]);
+        for (size_t f = 0; f < data.lamps; ++f) data.direct[i * data.lamps + f] = suspects_[f].direct[i];
+    }
+    return data;
+}
+
+void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
+{
+    std::fill(field_.shines.begin(), field_.shines.end(), uint8_t{0});
+    for (const Suspect& suspect : suspects_)
+        for (const ClippedPatch& patch : suspect.candidate.patches) field_.shines[patch.surfel] = 1;
+    const FitData data = dataFor();
+    const auto pairs = drawPairs(data, places_, texels_.surfels, pairsPerPlace);
+    powers_ = fitPowers(data, pairs, {.oneChannel = oneChannel});
+    for (size_t f = 0; f < suspects_.size(); ++f) {
+        suspects_[f].radiance = powers_.radiance[f];
+        suspects_[f].logError = powers_.logError[f];
+    }
+    stage_.advance(0);
+}
+
+size_t LampSearch::dropWalls()
+{
+    float total = 0.0f;
+    for (const Suspect& suspect : suspects_) total += suspect.power();
+    return std::erase_if(suspects_, [&](const Suspect& suspect) {
+        return luminance(suspect.radiance) < kAboutWhite || suspect.power() < kLeastPower * total;
+    });
+}
+
+/// Whether a white wall in its place would burn out by the light of the others.
+bool LampSearch::isExplained(size_t f) const
+{
+    const auto& patches = suspects_[f].candidate.patches;
+    const size_t looks = std::min(kPatchesLookedAt, patches.size());
+    std::vector<float> expected;
+    for (size_t k = 0; k < looks; ++k) {
+        const ClippedPatch& patch = patches[k * patches.size() / looks];
+        const uint32_t list[] = {patch.surfel};
+        const Gathered gathered = gather(hits_, field_, list);
+        glm::vec3 irradiance = gathered.irradiance[0] + powers_.ambient * gathered.missed[0];
+        for (size_t other = 0; other < suspects_.size(); ++other) {
+            if (other == f) continue;
+            const AreaLight light(suspects_[other].candidate);
+            irradiance += suspects_[other].radiance *
+                          sampleAreaLight(scene_, light, patch.position, patch.normal, kSamplesAPatch, 0.5f).visible;
+        }
+        expected.push_back(kBrightWall * luminance(irradiance) / kPi);
+    }
+    std::nth_element(expected.begin(), expected.begin() + static_cast<ptrdiff_t>(looks / 2), expected.end());
+    const float median = expected[looks / 2];
+    const float above = std::log(luminance(suspects_[f].radiance) / std::max(median, 1.0f));
+    return median > kExplained && above < 0.7f + 2.0f * suspects_[f].logError.g;
+}
+
+/// The weakest that is explained goes first: what it was thought to do falls to the others.
+size_t LampSearch::dropExplained()
+{
+    std::vector<size_t> order(suspects_.size());
+    for (size_t f = 0; f < order.size(); ++f) order[f] = f;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](size_t a, size_t b) { return suspects_[a].power() < suspects_[b].power(); });
+    std::vector<uint8_t> gone(suspects_.size(), 0);
+    for (const size_t f : order) {
+        if (!isExplained(f)) continue;
+        gone[f] = 1;
+        suspects_[f].radiance = glm::vec3(0.0f); // it explains nobody any more
+    }
+    size_t kept = 0;
+    for (size_t f = 0; f < suspects_.size(); ++f)
+        if (gone[f] == 0) std::swap(suspects_[kept++], suspects_[f]);
+    const size_t dropped = suspects_.size() - kept;
+    suspects_.resize(kept);
+    return dropped;
+}
+
+bool touch(const Candidate& a, const Candidate& b)
+{
+    for (const ClippedPatch& p : a.patches)
+        for (const ClippedPatch& q : b.patches) {
+            const glm::vec3 way = p.position - q.position;
+            if (glm::dot(way, way) < kTouching * kTouching) return true;
+        }
+    return false;
+}
+
+void LampSearch::joinPieces()
+{
+    DisjointSets sets(suspects_.size());
+    for (uint32_t a = 0; a < suspects_.size(); ++a)
+        for (uint32_t b = a + 1; b < suspects_.size(); ++b) {
+            const float ratio = luminance(suspects_[a].radiance) / luminance(suspects_[b].radiance);
+            if (ratio < kAboutEqual && ratio > 1.0f / kAboutEqual && touch(suspects_[a].candidate, suspects_[b].candidate))
+                sets.join(a, b);
+        }
+    std::map<uint32_t, Suspect> joined;
+    for (uint32_t f = 0; f < suspects_.size(); ++f) {
+        const auto [found, isNew] = joined.try_emplace(sets.find(f), suspects_[f]);
+        if (isNew) continue;
+        Suspect& whole = found->second;
+        const Candidate& piece = suspects_[f].candidate;
+        whole.candidate.patches.insert(whole.candidate.patches.end(), piece.patches.begin(), piece.patches.end());
+        whole.candidate.centre = (whole.candidate.area * whole.candidate.centre + piece.area * piece.centre) /
+                                 (whole.candidate.area + piece.area);
+        whole.candidate.area += piece.area;
+        for (size_t i = 0; i < whole.direct.size(); ++i) whole.direct[i] += suspects_[f].direct[i];
+    }
+    suspects_.clear();
+    for (auto& [root, suspect] : joined) suspects_.push_back(std::move(suspect));
+}
+
+/// Lets burnt-out walls and backs settle under the lamps as they are now.
+void LampSearch::updateField()
+{
+    std::vector<LitLamp> lamps;
+    for (const Suspect& suspect : suspects_) lamps.push_back({AreaLight(suspect.candidate), suspect.radiance});
+    field_ = lightSides(texels_, scene_, hits_, radiance_, lamps, field_.shines, powers_.ambient).field;
+}
+
+FoundLamps LampSearch::run()
+{
+    FoundLamps found;
+    if (suspects_.empty() || places_.size() < 2) return found;
+    fit(kPairsFirst, true);
+    dropWalls();
+    stage_.advance();
+    for (int round = 0; round < kMostRounds; ++round) {
+        fit(kPairs, false);
+        if (dropWalls() + dropExplained() == 0) break;
+    }
+    joinPieces();
+    fit(kPairs, false);
+    stage_.advance();
+    updateField();
+    fit(kPairs, false);
+    dropWalls();
+    std::stable_sort(suspects_.begin(), suspects_.end(),
+                     [](const Suspect& a, const Suspect& b) { return a.power() > b.power(); });
+    for (Suspect& suspect : suspects_)
+        found.lamps.push_back({std::move(suspect.candidate.patches), suspect.radiance, suspect.logError});
+    found.ambient = powers_.ambient;
+    found.residual = powers_.residual;
+    stage_.advance();
+    return found;
+}
+
+} // namespace
+
+FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists& hits, const SurfelRadiance& radiance,
+                     Progress& progress)
+{
+    return LampSearch(texels, scene, hits, radiance, progress).run();
+}
+
+std::vector<uint8_t> shinesOf(const FoundLamps& found, size_t surfels)
+{
+    std::vector<uint8_t> shines(surfels, 0);
+    for (const FoundLamp& lamp : found.lamps)
+        for (const ClippedPatch& patch : lamp.patches) shines[patch.surfel] = 1;
+    return shines;
+}
+
+} // namespace relamp

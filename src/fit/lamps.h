@@ -1,0 +1,41 @@
+#pragma once
+
+#include "lights/candidates.h"
+#include "relamp/progress.h"
+#include "scan/rays.h"
+#include "shading/hit_lists.h"
+#include "shading/lit_sides.h"
+
+#include <vector>
+
+namespace relamp
+{
+
+/// A lamp that the scan gives away by what it does to the walls.
+struct FoundLamp
+{
+    std::vector<ClippedPatch> patches;
+    glm::vec3 radiance{0.0f}; // RGB, 1 = the texture's white
+    glm::vec3 logError{0.0f}; // standard error of log radiance
+};
+
+struct FoundLamps
+{
+    std::vector<FoundLamp> lamps; // by falling power
+    glm::vec3 ambient{0.0f};      // radiance of what lies outside the scan
+    float residual = 0.0f;        // of the fit, in log radiance
+};
+
+/// Decides by evidence which burnt-out pieces are lamps, and how bright they are.
+///
+/// All candidates are fitted as if they were lamps. One that comes out at about white lights nothing: it
+/// is a wall. One whose brightness the others explain, within the error of its own, is a wall too. What
+/// remains is fitted again, until nothing changes; pieces that touch and are about equally bright become
+/// one lamp.
+FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists& hits,
+                     const SurfelRadiance& radiance, Progress& progress);
+
+/// Marks the surfels whose burnt-out texels belong to a lamp.
+std::vector<uint8_t> shinesOf(const FoundLamps& found, size_t surfels);
+
+} // namespace relamp

@@ -1,0 +1,233 @@
+#include "fit/powers.h"
+
+#include "base/parallel.h"
+#include "lights/expand.shared.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include <ceres/ceres.h>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr double kLeastIrradiance = 1e-3; // what no measured place falls below
+constexpr double kSmallest = -4.0;        // log radiance
+constexpr double kLargest = 8.5;
+
+double medianOf(std::vector<double> values)
+{
+    if (values.empty()) return 0.0;
+    const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// One channel of the data, and what every evaluation of the fit shares: the irradiance of all places.
+class Channel : public ceres::EvaluationCallback
+{
+public:
+    Channel(const FitData& data, int c) : data_(data), unknowns_(data.lamps + 1), log_(unknowns_, 0.0)
+    {
+        const auto pick = [&](glm::vec3 rgb) { return static_cast<double>(c < 0 ? luminance(rgb) : rgb[c]); };
+        for (size_t i = 0; i < data.places(); ++i) {
+            logRadiance_.push_back(std::log(std::max(pick(data.radiance[i]), 1e-4)));
+            gathered_.push_back(pick(data.gathered[i]));
+        }
+        log_ = wanted();
+        irradiance_.resize(data.places());
+        share_.resize(data.places() * unknowns_);
+    }
+
+    void PrepareForEvaluation(bool, bool) override
+    {
+        std::vector<double> value(unknowns_);
+        for (size_t f = 0; f < unknowns_; ++f) value[f] = std::exp(log_[f]);
+        forEachChunk(data_.places(), 512, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i) evaluate(i, value);
+        });
+    }
+
+    [[nodiscard]] double* unknowns() { return log_.data(); }
+    [[nodiscard]] size_t count() const { return unknowns_; }
+    /// Where the unknowns are without evidence: lamps at the texture's white, what lies behind holes as
+    /// bright as the room.
+    [[nodiscard]] std::vector<double> wanted() const
+    {
+        std::vector<double> logs(unknowns_, 0.0);
+        logs.back() = medianOf(logRadiance_);
+        return logs;
+    }
+    [[nodiscard]] double residual(MaterialPair pair) const
+    {
+        return logRadiance_[pair.p] - logRadiance_[pair.q] - std::log(irradiance_[pair.p] / irradiance_[pair.q]);
+    }
+    /// d log E / d unknown at a place: the share of the irradiance that comes from it.
+    [[nodiscard]] const double* shares(uint32_t place) const { return &share_[place * unknowns_]; }
+
+private:
+    void evaluate(size_t i, const std::vector<double>& value)
+    {
+        double* share = &share_[i * unknowns_];
+        double sum = gathered_[i] + kLeastIrradiance;
+        for (size_t f = 0; f < data_.lamps; ++f)
+            sum += share[f] = value[f] * static_cast<double>(data_.direct[i * data_.lamps + f]);
+        sum += share[data_.lamps] = value[data_.lamps] * static_cast<double>(data_.missed[i]);
+        irradiance_[i] = sum;
+        for (size_t f = 0; f < unknowns_; ++f) share[f] /= sum;
+    }
+
+    const FitData& data_;
+    size_t unknowns_;
+    std::vector<double> log_; // of lamps, then of ambient
+    std::vector<double> logRadiance_;
+    std::vector<double> gathered_;
+    std::vector<double> irradiance_;
+    std::vector<double> share_;
+};
+
+/// log (L_p / L_q) - log (E_p / E_q).
+class PairCost : public ceres::CostFunction
+{
+public:
+    PairCost(const Channel& channel, MaterialPair pair) : channel_(channel), pair_(pair)
+    {
+        set_num_residuals(1);
+        mutable_parameter_block_sizes()->push_back(static_cast<int32_t>(channel.count()));
+    }
+
+    bool Evaluate(double const* const*, double* residuals, double** jacobians) const override
+    {
+        residuals[0] = channel_.residual(pair_);
+        if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+        const double* p = channel_.shares(pair_.p);
+        const double* q = channel_.shares(pair_.q);
+        for (size_t f = 0; f < channel_.count(); ++f) jacobians[0][f] = q[f] - p[f];
+        return true;
+    }
+
+private:
+    const Channel& channel_;
+    MaterialPair pair_;
+};
+
+/// Pulls every unknown a little towards where it is without evidence.
+class PriorCost : public ceres::CostFunction
+{
+public:
+    PriorCost(std::vector<double> wanted, double weight)
+        : wanted_(std::move(wanted)), count_(wanted_.size()), weight_(weight)
+    {
+        const size_t count = count_;
+        set_num_residuals(static_cast<int>(count));
+        mutable_parameter_block_sizes()->push_back(static_cast<int32_t>(count));
+    }
+
+    bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override
+    {
+        for (size_t f = 0; f < count_; ++f) residuals[f] = weight_ * (parameters[0][f] - wanted_[f]);
+        if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+        std::fill_n(jacobians[0], count_ * count_, 0.0);
+        for (size_t f = 0; f < count_; ++f) jacobians[0][f * count_ + f] = weight_;
+        return true;
+    }
+
+private:
+    std::vector<double> wanted_;
+    size_t count_;
+    double weight_;
+};
+
+struct ChannelFit
+{
+    std::vector<double> log;
+    std::vector<double> error;
+    double residual = 0.0;
+};
+
+/// Standard errors from the inverse of the information that unbroken pairs give.
+std::vector<double> errorsOf(const Channel& channel, std::span<const MaterialPair> pairs, double scale, double prior)
+{
+    const auto n = static_cast<Eigen::Index>(channel.count());
+    Eigen::MatrixXd information = Eigen::MatrixXd::Identity(n, n) * prior * prior;
+    for (const MaterialPair& pair : pairs) {
+        const double r = channel.residual(pair);
+        const double weight = 1.0 / (1.0 + r * r / (scale * scale));
+        const Eigen::Map<const Eigen::VectorXd> p(channel.shares(pair.p), n);
+        const Eigen::Map<const Eigen::VectorXd> q(channel.shares(pair.q), n);
+        const Eigen::VectorXd step = q - p;
+        information.selfadjointView<Eigen::Lower>().rankUpdate(step, weight);
+    }
+    const Eigen::MatrixXd covariance = information.selfadjointView<Eigen::Lower>().llt().solve(Eigen::MatrixXd::Identity(n, n));
+    std::vector<double> errors(channel.count());
+    for (Eigen::Index f = 0; f < n; ++f) errors[static_cast<size_t>(f)] = scale * std::sqrt(covariance(f, f));
+    return errors;
+}
+
+ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, int c, const PowersOptions& options)
+{
+    Channel channel(data, c);
+    const double prior = std::sqrt(options.priorWeight * static_cast<double>(pairs.size()) /
+                                   static_cast<double>(std::max<size_t>(data.places(), 1)));
+    for (double scale = options.firstScale;; scale = std::max(0.5 * scale, options.lastScale)) {
+        ceres::Problem::Options ownership;
+        ownership.evaluation_callback = &channel;
+        ceres::Problem problem(ownership);
+        problem.AddParameterBlock(channel.unknowns(), static_cast<int>(channel.count()));
+        for (int f = 0; f < static_cast<int>(channel.count()); ++f) {
+            problem.SetParameterLowerBound(channel.unknowns(), f, kSmallest);
+            problem.SetParameterUpperBound(channel.unknowns(), f, kLargest);
+        }
+        for (const MaterialPair& pair : pairs)
+            problem.AddResidualBlock(new PairCost(channel, pair), new ceres::CauchyLoss(scale), channel.unknowns());
+        problem.AddResidualBlock(new PriorCost(channel.wanted(), prior), nullptr, channel.unknowns());
+        ceres::Solver::Options solver;
+        solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+        solver.max_num_iterations = 25;
+        solver.function_tolerance = 1e-4;
+        solver.logging_type = ceres::SILENT;
+        ceres::Solver::Summary summary;
+        ceres::Solve(solver, &problem, &summary);
+        if (scale <= options.lastScale) break;
+    }
+    channel.PrepareForEvaluation(false, true);
+    ChannelFit fit;
+    fit.log.assign(channel.unknowns(), channel.unknowns() + channel.count());
+    fit.error = errorsOf(channel, pairs, options.lastScale, std::max(prior, 1e-3));
+    std::vector<double> sizes;
+    for (const MaterialPair& pair : pairs) sizes.push_back(std::abs(channel.residual(pair)));
+    fit.residual = medianOf(std::move(sizes));
+    return fit;
+}
+
+} // namespace
+
+Powers fitPowers(const FitData& data, std::span<const MaterialPair> pairs, const PowersOptions& options)
+{
+    std::array<ChannelFit, 3> fits;
+    if (options.oneChannel) {
+        fits[0] = fitChannel(data, pairs, -1, options);
+        fits[1] = fits[2] = fits[0];
+    } else {
+        forEach(3, [&](size_t c) { fits[c] = fitChannel(data, pairs, static_cast<int>(c), options); });
+    }
+    Powers powers;
+    powers.radiance.resize(data.lamps);
+    powers.logError.resize(data.lamps);
+    for (int c = 0; c < 3; ++c) {
+        const ChannelFit& fit = fits[static_cast<size_t>(c)];
+        for (size_t f = 0; f < data.lamps; ++f) {
+            powers.radiance[f][c] = static_cast<float>(std::exp(fit.log[f]));
+            powers.logError[f][c] = static_cast<float>(fit.error[f]);
+        }
+        powers.ambient[c] = static_cast<float>(std::exp(fit.log[data.lamps]));
+        powers.residual += static_cast<float>(fit.residual) / 3.0f;
+    }
+    return powers;
+}
+
+} // namespace relamp

@@ -1,0 +1,183 @@
+#include "lights/candidates.h"
+
+#include "base/disjoint_sets.h"
+#include "lights/expand.shared.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kSameFacing = 0.8f;     // cosine; an edge sharper than this cuts
+constexpr float kPlaneFacing = 0.85f;   // cosine to a plane's normal, with a scan's noise
+constexpr float kPlaneThickness = 0.03f; // m; 1.5 times the error of a scan's worst 5 %
+constexpr float kLargePlane = 0.5f;     // m^2; smaller ones are parts of lamps
+constexpr float kBrightRim = 0.55f;     // luminance around a speck that only just burnt out
+constexpr float kSpeck = 0.02f;         // m^2
+constexpr size_t kMostPlanes = 4;       // of one blob
+
+using Members = std::vector<uint32_t>; // indices into SurfelRadiance::clipped
+
+/// Index into SurfelRadiance::clipped of each surfel; -1 where nothing is clipped.
+std::vector<int32_t> clippedOfSurfel(const SurfelRadiance& radiance, size_t surfels)
+{
+    std::vector<int32_t> index(surfels, -1);
+    for (size_t i = 0; i < radiance.clipped.size(); ++i) index[radiance.clipped[i].surfel] = static_cast<int32_t>(i);
+    return index;
+}
+
+float areaOf(const SurfelRadiance& radiance, const Members& members)
+{
+    float area = 0.0f;
+    for (const uint32_t i : members) area += radiance.clipped[i].area;
+    return area;
+}
+
+/// A plane through the largest patch that grows to the mean of what lies on it.
+struct Plane
+{
+    glm::vec3 normal;
+    float offset;
+
+    [[nodiscard]] bool holds(const ClippedPatch& patch) const
+    {
+        return glm::dot(patch.normal, normal) > kPlaneFacing &&
+               std::abs(glm::dot(patch.position, normal) - offset) < kPlaneThickness;
+    }
+};
+
+/// The plane that holds most of the members' area, of a few tried.
+Plane largestPlane(const SurfelRadiance& radiance, const Members& members)
+{
+    constexpr size_t kTried = 24;
+    Plane best{};
+    float most = -1.0f;
+    for (size_t t = 0; t < std::min(kTried, members.size()); ++t) {
+        const ClippedPatch& seed = radiance.clipped[members[t * members.size() / std::min(kTried, members.size())]];
+        Plane plane{seed.normal, glm::dot(seed.position, seed.normal)};
+        float area = 0.0f;
+        for (int round = 0; round < 3; ++round) {
+            glm::vec3 normal(0.0f);
+            glm::vec3 position(0.0f);
+            area = 0.0f;
+            for (const uint32_t i : members) {
+                const ClippedPatch& patch = radiance.clipped[i];
+                if (!plane.holds(patch)) continue;
+                normal += patch.area * patch.normal;
+                position += patch.area * patch.position;
+                area += patch.area;
+            }
+            if (area <= 0.0f) break;
+            plane.normal = glm::normalize(normal);
+            plane.offset = glm::dot(position / area, plane.normal);
+        }
+        if (area > most) {
+            most = area;
+            best = plane;
+        }
+    }
+    return best;
+}
+
+/// Cuts the large planes out of a blob; what is left comes last.
+std::vector<Members> cutPlanes(const SurfelRadiance& radiance, Members members)
+{
+    std::vector<Members> pieces;
+    while (pieces.size() < kMostPlanes && areaOf(radiance, members) > kLargePlane) {
+        const Plane plane = largestPlane(radiance, members);
+        Members on;
+        Members off;
+        for (const uint32_t i : members) (plane.holds(radiance.clipped[i]) ? on : off).push_back(i);
+        if (areaOf(radiance, on) < kLargePlane) break;
+        pieces.push_back(std::move(on));
+        members = std::move(off);
+    }
+    pieces.push_back(std::move(members));
+    return pieces;
+}
+
+/// Connected pieces of `members`, or of all that is clipped where `part` is the same for all.
+std::vector<Members> connected(const Texels& texels, const SurfelRadiance& radiance, const std::vector<int32_t>& part)
+{
+    const std::vector<int32_t> index = clippedOfSurfel(radiance, texels.surfels.count());
+    DisjointSets sets(radiance.clipped.size());
+    for (uint32_t i = 0; i < radiance.clipped.size(); ++i) {
+        const ClippedPatch& patch = radiance.clipped[i];
+        for (const uint32_t other : texels.surfels.neighborsOf(patch.surfel)) {
+            const int32_t j = index[other];
+            if (j < 0 || part[static_cast<size_t>(j)] != part[i]) continue;
+            if (glm::dot(patch.normal, radiance.clipped[static_cast<size_t>(j)].normal) > kSameFacing)
+                sets.join(i, static_cast<uint32_t>(j));
+        }
+    }
+    std::map<uint32_t, Members> blobs;
+    for (uint32_t i = 0; i < radiance.clipped.size(); ++i) blobs[sets.find(i)].push_back(i);
+    std::vector<Members> result;
+    for (auto& [root, members] : blobs) result.push_back(std::move(members));
+    return result;
+}
+
+Candidate candidateOf(const SurfelRadiance& radiance, const Members& members)
+{
+    Candidate candidate;
+    for (const uint32_t i : members) {
+        const ClippedPatch& patch = radiance.clipped[i];
+        candidate.patches.push_back(patch);
+        candidate.area += patch.area;
+        candidate.centre += patch.area * patch.position;
+        candidate.normal += patch.area * patch.normal;
+    }
+    candidate.centre /= candidate.area;
+    candidate.normal /= candidate.area;
+    return candidate;
+}
+
+/// A small flat piece in a surface that is nearly as bright all around it.
+bool isSpeck(const Texels& texels, const SurfelRadiance& radiance, const Candidate& candidate)
+{
+    if (candidate.area > kSpeck || glm::length(candidate.normal) < 0.9f) return false;
+    float sum = 0.0f;
+    float area = 0.0f;
+    for (const ClippedPatch& patch : candidate.patches)
+        for (const uint32_t other : texels.surfels.neighborsOf(patch.surfel)) {
+            sum += radiance.plainArea[other] * luminance(radiance.plain[other]);
+            area += radiance.plainArea[other];
+        }
+    return area > 0.0f && sum > kBrightRim * area;
+}
+
+} // namespace
+
+std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance& radiance, size_t most)
+{
+    std::vector<int32_t> part(radiance.clipped.size(), 0);
+    int32_t parts = 1;
+    for (const Members& blob : connected(texels, radiance, part))
+        for (const Members& piece : cutPlanes(radiance, blob)) {
+            for (const uint32_t i : piece) part[i] = parts;
+            ++parts;
+        }
+    std::vector<Candidate> candidates;
+    for (const Members& members : connected(texels, radiance, part)) {
+        Candidate candidate = candidateOf(radiance, members);
+        if (!isSpeck(texels, radiance, candidate)) candidates.push_back(std::move(candidate));
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.area > b.area; });
+    if (candidates.size() > most) candidates.resize(most);
+    return candidates;
+}
+
+std::vector<int32_t> candidateOfSurfel(const std::vector<Candidate>& candidates, size_t surfels)
+{
+    std::vector<int32_t> index(surfels, -1);
+    for (size_t c = 0; c < candidates.size(); ++c)
+        for (const ClippedPatch& patch : candidates[c].patches) index[patch.surfel] = static_cast<int32_t>(c);
+    return index;
+}
+
+} // namespace relamp

@@ -1,0 +1,140 @@
+#include "relamp/lights.h"
+
+#include "relamp/error.h"
+#include "scenes/temporary_folder.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace relamp
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+std::vector<std::string> lastWarnings;
+
+Lights read(const std::string& text)
+{
+    const scenes::TemporaryFolder folder;
+    lastWarnings.clear();
+    return readLights(folder.write("lights.json", text), lastWarnings);
+}
+
+std::string refusal(const std::string& text)
+{
+    try {
+        read(text);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+const std::string kLamp = R"({"centre": [1, 2, 3], "area": 2, "radiance": [4, 2, 0])";
+const std::string kPoint = R"({"position": [1, 2, 3], "intensity": [4, 2, 1])";
+
+} // namespace
+
+TEST(LightsFile, WhatWasWrittenIsReadAgain)
+{
+    Lights lights;
+    lights.fixtures.push_back({{0.1f, 2.5f, -1.0f}, {0, -1, 0}, 0.25f, {8, 7.5f, 6}});
+    lights.points.push_back({{0.1f, 2.4f, -1.0f}, {0, -1, 0}, {0.5f, 0.25f, 0.125f}, 0.3f, 0});
+    lights.points.push_back({{3, 2, 1}, {0, 0, 0}, {1, 1, 1}, 0.0f, -1});
+    lights.ambient = {0.1f, 0.2f, 0.3f};
+    const Lights again = read(lightsAsJson(lights));
+    ASSERT_THAT(again.fixtures, SizeIs(1));
+    EXPECT_EQ(again.fixtures[0].centre, lights.fixtures[0].centre);
+    EXPECT_EQ(again.fixtures[0].radiance, lights.fixtures[0].radiance);
+    ASSERT_THAT(again.points, SizeIs(2));
+    for (size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(again.points[i].position, lights.points[i].position);
+        EXPECT_EQ(again.points[i].normal, lights.points[i].normal);
+        EXPECT_EQ(again.points[i].intensity, lights.points[i].intensity);
+        EXPECT_EQ(again.points[i].radius, lights.points[i].radius);
+        EXPECT_EQ(again.points[i].fixture, lights.points[i].fixture);
+    }
+    EXPECT_EQ(again.ambient, lights.ambient);
+    EXPECT_THAT(lastWarnings, IsEmpty());
+}
+
+// A patch of area A and radiance L sends pi L A; a point spreads that over 4 pi.
+TEST(LightsFile, AFixtureAloneShinesFromItsCentre)
+{
+    const Lights lights = read(R"({"fixtures": [)" + kLamp + "}]}");
+    ASSERT_THAT(lights.points, SizeIs(1));
+    EXPECT_EQ(lights.points[0].position, glm::vec3(1, 2, 3));
+    EXPECT_EQ(lights.points[0].intensity, glm::vec3(2, 1, 0));
+    EXPECT_NEAR(lights.points[0].radius, std::sqrt(2.0f / 3.14159265f), 1e-6f);
+}
+
+TEST(LightsFile, AFixtureThatIsOffTakesItsLightsAlong)
+{
+    const std::string off = R"({"fixtures": [)" + kLamp + R"(, "on": false}, )" + kLamp + "}]";
+    EXPECT_THAT(read(off + "}").points, SizeIs(1));
+    const Lights lights = read(off + R"(, "lights": [)" + kPoint + R"(, "fixture": 0}, )" + kPoint + R"(, "fixture": 1}]})");
+    ASSERT_THAT(lights.points, SizeIs(1));
+    EXPECT_EQ(lights.points[0].fixture, 1);
+}
+
+TEST(LightsFile, DarkLightsAreNone)
+{
+    EXPECT_THAT(read(R"({"lights": [{"position": [0, 0, 0], "intensity": [0, 0, 0]}], "ambient": [1, 1, 1]})").points, IsEmpty());
+    EXPECT_THAT(refusal(R"({"lights": [{"position": [0, 0, 0], "intensity": [0, 0, 1e-30]}]})"), HasSubstr("holds no light"));
+    EXPECT_THAT(refusal("{}"), HasSubstr("holds no light"));
+}
+
+TEST(LightsFile, NormalsAreMadeUnitAndOmniIsNone)
+{
+    const Lights lights = read(R"({"lights": [)" + kPoint + R"(, "normal": [0, 0, -5]}, )" + kPoint + R"(, "normal": "omni"}]})");
+    EXPECT_EQ(lights.points[0].normal, glm::vec3(0, 0, -1));
+    EXPECT_EQ(lights.points[1].normal, glm::vec3(0.0f));
+}
+
+TEST(LightsFile, AFixtureThatIsNotThereIsNotReferredTo)
+{
+    for (const char* index : {"0", "7", "-3", "1.5", "99999999999999999999", "\"a\""})
+        EXPECT_EQ(read(R"({"lights": [)" + kPoint + R"(, "fixture": )" + index + "}]}").points[0].fixture, -1) << index;
+}
+
+TEST(LightsFile, UnknownKeysAreSaid)
+{
+    read(R"({"lights": [)" + kPoint + R"(, "colour": 3}], "author": "me"})");
+    EXPECT_THAT(lastWarnings, ElementsAre(HasSubstr("\"author\" is not known"), HasSubstr("light 0: \"colour\"")));
+}
+
+TEST(LightsFile, MistakesAreNamedWithTheirPlace)
+{
+    const auto light = [](const std::string& members) { return R"({"lights": [)" + kPoint + "}, {" + members + "}]}"; };
+    EXPECT_THAT(refusal(light(R"("intensity": [1, 1, 1])")), HasSubstr("lights.json: light 1: \"position\" is missing"));
+    EXPECT_THAT(refusal(light(R"("position": [1, 1], "intensity": [1, 1, 1])")), HasSubstr("must be a list of three numbers"));
+    EXPECT_THAT(refusal(light(R"("position": [1, 1, "up"], "intensity": [1, 1, 1])")), HasSubstr("must be a number"));
+    EXPECT_THAT(refusal(light(R"("position": [1, 1, 1e300], "intensity": [1, 1, 1])")), HasSubstr("between -1e9 and 1e9"));
+    EXPECT_THAT(refusal(light(R"("position": [1, 1, 1], "intensity": [1, -1, 1])")), HasSubstr("must not be negative"));
+    EXPECT_THAT(refusal(light(R"("position": [1, 1, 1], "intensity": [1, 1, 1], "type": "spot")")), HasSubstr("\"type\" is \"spot\""));
+    EXPECT_THAT(refusal(light(R"("position": [1, 1, 1], "intensity": [1, 1, 1], "radius": -1)")), HasSubstr("must not be negative"));
+    EXPECT_THAT(refusal(R"({"lights": [7]})"), HasSubstr("light 0: must be an object"));
+    EXPECT_THAT(refusal(R"({"lights": 7})"), HasSubstr("\"lights\" must be a list"));
+    EXPECT_THAT(refusal(R"({"fixtures": {}})"), HasSubstr("\"fixtures\" must be a list"));
+    EXPECT_THAT(refusal(R"({"fixtures": [)" + kLamp + R"(, "on": "no"}]})"), HasSubstr("\"on\" must be true or false"));
+    EXPECT_THAT(refusal(R"({"format": "relamp lights 9"})"), HasSubstr("its format is \"relamp lights 9\""));
+}
+
+TEST(LightsFile, WhatIsNoJsonIsNamedWithItsLine)
+{
+    EXPECT_THAT(refusal("{\n\"lights\": [,]}"), HasSubstr("lights.json: its JSON cannot be read: parse error at line 2"));
+    EXPECT_THAT(refusal("[]"), HasSubstr("is not an object"));
+    EXPECT_THAT(refusal(std::string(300, '[')), HasSubstr("nested deeper"));
+    EXPECT_THAT(refusal("\xff\xfe"), HasSubstr("its JSON cannot be read"));
+    EXPECT_THAT(refusal("{\"format\": \"\xff\"}"), HasSubstr("lights.json"));
+    EXPECT_THAT(refusal(""), HasSubstr("is empty (0 bytes)"));
+}
+
+} // namespace relamp

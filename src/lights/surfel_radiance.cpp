@@ -1,0 +1,94 @@
+#include "lights/surfel_radiance.h"
+
+#include "lights/burnt_out.shared.h"
+
+#include <algorithm>
+
+namespace relamp
+{
+namespace
+{
+
+struct RunSum
+{
+    glm::vec3 plain{0.0f};
+    float plainArea = 0.0f;
+    glm::vec3 position{0.0f};
+    glm::vec3 normal{0.0f};
+    float clippedArea = 0.0f;
+};
+
+void add(const TexelBlock& block, size_t i, bool isClipped, RunSum& sum)
+{
+    const float area = block.area[i];
+    if (isClipped) {
+        sum.position += area * glm::vec3(block.x[i], block.y[i], block.z[i]);
+        sum.normal += area * glm::vec3(block.nx[i], block.ny[i], block.nz[i]);
+        sum.clippedArea += area;
+    } else {
+        sum.plain += area * glm::vec3(block.r[i], block.g[i], block.b[i]);
+        sum.plainArea += area;
+    }
+}
+
+/// Sums of all runs of one page; marks its clipped pixels.
+std::vector<RunSum> sumRuns(const Texels& texels, size_t p, std::vector<uint8_t>& isClipped)
+{
+    const PageTexels& page = texels.pages[p];
+    const TexelLoader loader(texels, p);
+    const float burntOut = texels.scan->pages[p].image.clipsAtWhite ? kBurntOut : 1.0f;
+    std::vector<RunSum> sums(page.runs.size() - 1);
+    isClipped.assign(texels.scan->pages[p].image.pixels(), 0);
+    forEachRun(page, [&](size_t run, TexelBlock& block) {
+        forEachBlockOfRun(page, run, [&](size_t begin, size_t count) {
+            loader.load(begin, count, block);
+            loader.loadArea(begin, count, block);
+            for (size_t i = 0; i < count; ++i) {
+                const bool clipped = brightestChannel({block.r[i], block.g[i], block.b[i]}) >= burntOut;
+                if (clipped) isClipped[page.pixel[begin + i]] = 1;
+                add(block, i, clipped, sums[run]);
+            }
+        });
+    });
+    return sums;
+}
+
+} // namespace
+
+SurfelRadiance collectRadiance(const Texels& texels, Progress& progress)
+{
+    const size_t surfels = texels.surfels.count();
+    std::vector<RunSum> total(surfels);
+    SurfelRadiance result;
+    result.isClipped.resize(texels.pages.size());
+    Progress::Stage stage(progress, "lights", texels.pages.size());
+    for (size_t p = 0; p < texels.pages.size(); ++p) {
+        const std::vector<RunSum> sums = sumRuns(texels, p, result.isClipped[p]);
+        for (size_t run = 0; run < sums.size(); ++run) {
+            RunSum& sum = total[texels.pages[p].runs[run].surfel];
+            sum.plain += sums[run].plain;
+            sum.plainArea += sums[run].plainArea;
+            sum.position += sums[run].position;
+            sum.normal += sums[run].normal;
+            sum.clippedArea += sums[run].clippedArea;
+        }
+        stage.advance();
+    }
+    result.plain.assign(surfels, glm::vec3(1.0f));
+    result.plainArea.resize(surfels);
+    result.clippedArea.resize(surfels);
+    for (uint32_t s = 0; s < surfels; ++s) {
+        const RunSum& sum = total[s];
+        result.plainArea[s] = sum.plainArea;
+        result.clippedArea[s] = sum.clippedArea;
+        if (sum.plainArea > 0.0f) result.plain[s] = sum.plain / sum.plainArea;
+        if (sum.clippedArea <= 0.0f) continue;
+        const float length = glm::length(sum.normal);
+        result.clipped.push_back({sum.position / sum.clippedArea,
+                                  length > 0.0f ? sum.normal / length : texels.surfels.normal[s],
+                                  sum.clippedArea, s});
+    }
+    return result;
+}
+
+} // namespace relamp

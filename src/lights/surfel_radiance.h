@@ -1,0 +1,37 @@
+#pragma once
+
+#include "relamp/progress.h"
+#include "scan/texels.h"
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace relamp
+{
+
+/// The burnt-out texels of one surfel.
+struct ClippedPatch
+{
+    glm::vec3 position{0.0f}; // world, mean
+    glm::vec3 normal{0.0f};   // unit, mean
+    float area = 0.0f;        // m^2
+    uint32_t surfel = 0;
+};
+
+/// What the texture says of the light that leaves every surfel.
+struct SurfelRadiance
+{
+    std::vector<glm::vec3> plain;      // mean of its texels that are not burnt out; linear
+    std::vector<float> plainArea;      // of these, m^2; where it is 0, `plain` is white
+    std::vector<float> clippedArea;    // of the others
+    std::vector<ClippedPatch> clipped; // ascending by surfel
+    std::vector<std::vector<uint8_t>> isClipped; // [page][pixel]: not 0 where a texel is burnt out
+};
+
+/// Walks all texels once. A texture that can hold more than white (float formats) counts as burnt out
+/// where it is brighter than white.
+SurfelRadiance collectRadiance(const Texels& texels, Progress& progress);
+
+} // namespace relamp

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "lights/candidates.h"
+#include "scan/rays.h"
+
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace relamp
+{
+
+/// A lamp as something that points can be sampled on: its burnt-out patches, and where in their order
+/// an area is reached.
+class AreaLight
+{
+public:
+    explicit AreaLight(const Candidate& candidate);
+
+    [[nodiscard]] float area() const { return areaUpTo_.empty() ? 0.0f : areaUpTo_.back(); }
+    /// Patch at which `share` (0..1) of the area is reached.
+    [[nodiscard]] const ClippedPatch& at(float share) const;
+    [[nodiscard]] glm::vec3 centre() const { return centre_; }
+    [[nodiscard]] float radius() const { return radius_; } // of the sphere around `centre` that holds all
+
+private:
+    std::vector<ClippedPatch> patches_;
+    std::vector<float> areaUpTo_;
+    glm::vec3 centre_{0.0f};
+    float radius_ = 0.0f;
+};
+
+/// Irradiance of a lamp of radiance 1 at one place, by samples on its surface.
+struct AreaSample
+{
+    float open = 0.0f;    // without anything in the way
+    float visible = 0.0f; // with shadows
+};
+
+/// `samples` points, evenly over the lamp's area and shifted by `shift` (0..1), each with a shadow ray
+/// where it could be seen. `position` is on the surface, `normal` its unit normal.
+AreaSample sampleAreaLight(const RayScene& scene, const AreaLight& light, glm::vec3 position, glm::vec3 normal,
+                           size_t samples, float shift);
+
+} // namespace relamp

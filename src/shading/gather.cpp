@@ -1,0 +1,56 @@
+#include "shading/gather.h"
+
+#include "base/parallel.h"
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kPi = 3.14159265f;
+
+/// Radiance that a ray meets; nothing from lamps, whose light is direct.
+glm::vec3 radianceAt(const RadianceField& field, HitTarget target)
+{
+    const uint32_t surfel = target.side().surfel();
+    if (target.side().isBack()) return field.back[surfel];
+    if (!target.isClipped()) return field.plain[surfel];
+    return field.shines[surfel] != 0 ? glm::vec3(0.0f) : field.clipped[surfel];
+}
+
+} // namespace
+
+RadianceField fieldOf(const SurfelRadiance& radiance)
+{
+    const size_t surfels = radiance.plain.size();
+    return {.plain = radiance.plain,
+            .clipped = std::vector<glm::vec3>(surfels, glm::vec3(1.0f)),
+            .back = std::vector<glm::vec3>(surfels, glm::vec3(0.0f)),
+            .shines = std::vector<uint8_t>(surfels, 0)};
+}
+
+Gathered gather(const HitLists& hits, const RadianceField& field, std::span<const uint32_t> lists)
+{
+    const size_t count = lists.empty() ? hits.sideOfList.size() : lists.size();
+    Gathered result;
+    result.irradiance.resize(count);
+    result.missed.resize(count);
+    const float perRay = kPi / static_cast<float>(hits.raysPerList); // rays are cosine-distributed
+    forEachChunk(count, 256, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            glm::vec3 sum(0.0f);
+            float missed = 0.0f;
+            for (const HitTarget target : hits.targetsOf(lists.empty() ? i : lists[i])) {
+                if (target.isNothing())
+                    missed += 1.0f;
+                else
+                    sum += radianceAt(field, target);
+            }
+            result.irradiance[i] = perRay * sum;
+            result.missed[i] = perRay * missed;
+        }
+    });
+    return result;
+}
+
+} // namespace relamp

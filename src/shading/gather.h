@@ -1,0 +1,36 @@
+#pragma once
+
+#include "lights/surfel_radiance.h"
+#include "shading/hit_lists.h"
+
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace relamp
+{
+
+/// What every side of every surfel sends towards whoever looks at it, lamps left out.
+struct RadianceField
+{
+    std::vector<glm::vec3> plain;   // front, texels that are not burnt out: as the texture has it
+    std::vector<glm::vec3> clipped; // front, burnt-out texels that are no lamp: white or more
+    std::vector<glm::vec3> back;    // seen from behind: lit by what is there
+    std::vector<uint8_t> shines;    // not 0 where the burnt-out texels of a surfel belong to a lamp
+};
+
+/// The field before anything is known: burnt-out texels at white, backs dark, no lamps.
+RadianceField fieldOf(const SurfelRadiance& radiance);
+
+/// Light that arrives at the sides of surfels, one entry a list.
+struct Gathered
+{
+    std::vector<glm::vec3> irradiance; // from surfaces that do not shine
+    std::vector<float> missed;         // of directions that leave the scan, at radiance 1
+};
+
+/// Sums the field over hit lists: K and M of method.md 5. `lists` are indices into `hits`; all where empty.
+Gathered gather(const HitLists& hits, const RadianceField& field, std::span<const uint32_t> lists = {});
+
+} // namespace relamp

@@ -1,0 +1,138 @@
+#include "shading/gathered_light.h"
+
+#include "base/instruction_set.h"
+#include "base/lanes.h"
+#include "flatten/flatten.shared.h"
+#include "shading/sampling.shared.h"
+
+#include <algorithm>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kPi = 3.14159265f;
+constexpr float kReach = 1.5f; // of the interpolation, in surfel sizes
+
+/// Surfels around a run of texels, as structure of arrays.
+struct Taps
+{
+    static constexpr size_t kMost = 128;
+
+    float x[kMost], y[kMost], z[kMost];
+    float nx[kMost], ny[kMost], nz[kMost];
+    float r[kMost], g[kMost], b[kMost];
+    size_t count = 0;
+
+    void add(const Surfels& surfels, uint32_t s, glm::vec3 light)
+    {
+        if (count == kMost) return;
+        x[count] = surfels.position[s].x;
+        y[count] = surfels.position[s].y;
+        z[count] = surfels.position[s].z;
+        nx[count] = surfels.normal[s].x;
+        ny[count] = surfels.normal[s].y;
+        nz[count] = surfels.normal[s].z;
+        r[count] = light.r;
+        g[count] = light.g;
+        b[count++] = light.b;
+    }
+};
+
+struct InterpolateArgs
+{
+    const TexelBlock* block;
+    const Taps* taps;
+    size_t first;
+    size_t end;
+    float perReachSquared;
+    RgbBlock* out; // shading, not irradiance
+};
+
+/// Mean of the taps around each texel: near in space and facing alike.
+void interpolateKernel(const InterpolateArgs& args)
+{
+    const TexelBlock& block = *args.block;
+    const Taps& taps = *args.taps;
+    for (size_t first = args.first; first < args.end; first += kLanes) {
+        float r[kLanes] = {};
+        float g[kLanes] = {};
+        float b[kLanes] = {};
+        float sum[kLanes] = {};
+        for (size_t t = 0; t < taps.count; ++t)
+            for (size_t lane = 0; lane < kLanes; ++lane) {
+                const size_t i = first + lane;
+                const glm::vec3 way = glm::vec3(taps.x[t], taps.y[t], taps.z[t]) -
+                                      glm::vec3(block.x[i], block.y[i], block.z[i]);
+                const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
+                const float facing =
+                    max(dot(normal, glm::vec3(taps.nx[t], taps.ny[t], taps.nz[t])), 0.0f);
+                const float w = biweight(dot(way, way) * args.perReachSquared) * facing * facing *
+                                    facing * facing +
+                                1e-9f; // some weight, however far
+                r[lane] += w * taps.r[t];
+                g[lane] += w * taps.g[t];
+                b[lane] += w * taps.b[t];
+                sum[lane] += w;
+            }
+        for (size_t lane = 0; lane < kLanes; ++lane) {
+            const float scale = 1.0f / (kPi * sum[lane]);
+            args.out->r[first + lane] = r[lane] * scale;
+            args.out->g[first + lane] = g[lane] * scale;
+            args.out->b[first + lane] = b[lane] * scale;
+        }
+    }
+}
+
+void addDirect(const RayScene& scene, const GatheredLight& light, const GatheredLightOptions& options,
+               const PageTexels& page, size_t begin, const TexelBlock& block, RgbBlock& out)
+{
+    for (size_t i = 0; i < block.count; ++i) {
+        const glm::vec3 position(block.x[i], block.y[i], block.z[i]);
+        const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
+        glm::vec3 irradiance(0.0f);
+        for (const LitLamp& lamp : light.lamps) {
+            const float shift = hashedShift(page.pixel[begin + i], 0);
+            irradiance += lamp.radiance * sampleAreaLight(scene, lamp.light, position, normal,
+                                                          options.shadowSamples, shift)
+                                              .visible;
+        }
+        out.r[i] = irradiance.r / kPi;
+        out.g[i] = irradiance.g / kPi;
+        out.b[i] = irradiance.b / kPi;
+    }
+}
+
+void interpolate(const Texels& texels, const GatheredLight& light, const PageTexels& page, size_t begin,
+                 const TexelBlock& block, RgbBlock& out)
+{
+    const Surfels& surfels = texels.surfels;
+    const float reach = kReach * surfels.size;
+    size_t run = page.runOf(begin);
+    for (size_t at = begin; at < begin + block.count; ++run) {
+        const size_t end = std::min<size_t>(begin + block.count, page.runs[run + 1].begin);
+        Taps taps;
+        for (const uint32_t s : surfels.neighborsOf(page.runs[run].surfel))
+            taps.add(surfels, s, light.indirect[s]);
+        const InterpolateArgs args{&block, &taps, at - begin, end - begin, 1.0f / (reach * reach), &out};
+        runKernel<interpolateKernel>(bestInstructionSet(), args);
+        at = end;
+    }
+}
+
+} // namespace
+
+TexelShading shadingOf(const Texels& texels, const RayScene& scene,
+                       std::shared_ptr<const GatheredLight> light, const GatheredLightOptions& options)
+{
+    return [&texels, &scene, light = std::move(light), options](size_t p, size_t begin,
+                                                                const TexelBlock& block,
+                                                                ShadingBlock& out) {
+        const PageTexels& page = texels.pages[p];
+        interpolate(texels, *light, page, begin, block, out.indirect);
+        addDirect(scene, *light, options, page, begin, block, out.direct);
+    };
+}
+
+} // namespace relamp

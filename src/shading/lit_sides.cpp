@@ -1,0 +1,100 @@
+#include "shading/lit_sides.h"
+
+#include "base/parallel.h"
+#include "shading/sampling.shared.h"
+
+#include <algorithm>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kPi = 3.14159265f;
+constexpr size_t kOrigins = 4;         // texels of a surfel that a lamp is looked for from
+constexpr size_t kSamplesAnOrigin = 4; // points of the lamp
+constexpr int kRounds = 4;
+constexpr float kLeastIrradiance = 1e-4f;
+constexpr float kDarkestAlbedo = 0.02f;
+constexpr float kBrightestAlbedo = 0.95f;
+constexpr float kAlbedoOfTheUnknown = 0.7f; // of a surfel that is burnt out all over
+constexpr float kMostRadiance = 10.0f;      // of a wall beside a lamp
+
+/// Albedo that the plain texels of every surfel imply; where there are none, the neighbours' mean.
+std::vector<glm::vec3> albedoOf(const Texels& texels, const SurfelRadiance& radiance, const HitLists& hits,
+                                std::span<const glm::vec3> irradiance)
+{
+    const size_t surfels = texels.surfels.count();
+    std::vector<glm::vec3> albedo(surfels, glm::vec3(kAlbedoOfTheUnknown));
+    const auto isKnown = [&](size_t s) { return radiance.plainArea[s] > 0.1f * radiance.clippedArea[s]; };
+    for (size_t s = 0; s < surfels; ++s) {
+        if (!isKnown(s)) continue;
+        const glm::vec3 e = irradiance[static_cast<size_t>(hits.listOfSide[2 * s])];
+        albedo[s] = glm::clamp(kPi * radiance.plain[s] / glm::max(e, glm::vec3(kLeastIrradiance)), kDarkestAlbedo,
+                               kBrightestAlbedo);
+    }
+    for (size_t s = 0; s < surfels; ++s) {
+        if (isKnown(s)) continue;
+        glm::vec3 sum(0.0f);
+        float count = 0.0f;
+        for (const uint32_t n : texels.surfels.neighborsOf(s)) {
+            if (!isKnown(n)) continue;
+            sum += albedo[n];
+            count += 1.0f;
+        }
+        if (count > 0.0f) albedo[s] = sum / count;
+    }
+    return albedo;
+}
+
+} // namespace
+
+std::vector<float> directOfLists(const Texels& texels, const RayScene& scene, const HitLists& hits,
+                                 const AreaLight& light, std::span<const uint32_t> lists)
+{
+    const SurfelSites sites(texels);
+    std::vector<float> direct(lists.empty() ? hits.sideOfList.size() : lists.size());
+    forEachChunk(direct.size(), 64, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            const Side side = hits.sideOfList[lists.empty() ? i : lists[i]];
+            float sum = 0.0f;
+            for (size_t k = 0; k < kOrigins; ++k) {
+                const TexelSite site = sites.at(side.surfel(), k);
+                const glm::vec3 normal = side.isBack() ? -site.normal : site.normal;
+                const float shift = hashedShift(side.index, static_cast<uint32_t>(k));
+                sum += sampleAreaLight(scene, light, site.position, normal, kSamplesAnOrigin, shift).visible;
+            }
+            direct[i] = sum / kOrigins;
+        }
+    });
+    return direct;
+}
+
+LitSides lightSides(const Texels& texels, const RayScene& scene, const HitLists& hits, const SurfelRadiance& radiance,
+                    std::span<const LitLamp> lamps, std::span<const uint8_t> shines, glm::vec3 ambient)
+{
+    LitSides sides;
+    sides.field = fieldOf(radiance);
+    sides.field.shines.assign(shines.begin(), shines.end());
+    sides.direct.assign(hits.sideOfList.size(), glm::vec3(0.0f));
+    for (const LitLamp& lamp : lamps) {
+        const std::vector<float> direct = directOfLists(texels, scene, hits, lamp.light);
+        for (size_t i = 0; i < direct.size(); ++i) sides.direct[i] += direct[i] * lamp.radiance;
+    }
+    for (int round = 0; round < kRounds; ++round) {
+        sides.gathered = gather(hits, sides.field);
+        std::vector<glm::vec3> irradiance(sides.direct.size());
+        for (size_t i = 0; i < irradiance.size(); ++i)
+            irradiance[i] = sides.direct[i] + sides.gathered.irradiance[i] + ambient * sides.gathered.missed[i];
+        sides.albedo = albedoOf(texels, radiance, hits, irradiance);
+        for (size_t s = 0; s < sides.albedo.size(); ++s) {
+            const glm::vec3 front = irradiance[static_cast<size_t>(hits.listOfSide[2 * s])];
+            sides.field.clipped[s] = glm::clamp(sides.albedo[s] * front / kPi, 1.0f, kMostRadiance);
+            if (const int32_t back = hits.listOfSide[2 * s + 1]; back != HitLists::kNoList)
+                sides.field.back[s] = sides.albedo[s] * irradiance[static_cast<size_t>(back)] / kPi;
+        }
+    }
+    return sides;
+}
+
+} // namespace relamp
