@@ -46,7 +46,8 @@ size_t addressSpace()
 
 void setLimit(int resource, rlim_t most)
 {
-    const rlimit limit{most, most};
+    const rlimit limit{
+        most, most + 1}; // at the upper one of RLIMIT_CPU there is no signal that tells why
     setrlimit(static_cast<__rlimit_resource>(resource), &limit);
 }
 
@@ -54,7 +55,8 @@ void setLimit(int resource, rlim_t most)
 void restrain(const ChildLimits& limits)
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    for (const int fatal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU}) std::signal(fatal, SIG_DFL);
+    for (const int fatal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU})
+        std::signal(fatal, SIG_DFL);
     if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) {
         dup2(nowhere, STDOUT_FILENO);
         dup2(nowhere, STDERR_FILENO);
@@ -114,7 +116,8 @@ public:
             close(pipe_);
             fail(ErrorCode::cannotRead, what, std::strerror(errno));
         }
-        fcntl(pipe_, F_SETPIPE_SZ, static_cast<int>(kPipeSize)); // fewer turns; refused, it still works
+        fcntl(pipe_, F_SETPIPE_SZ,
+              static_cast<int>(kPipeSize)); // fewer turns; refused, it still works
     }
     ~Child()
     {
@@ -142,7 +145,8 @@ public:
     int wait()
     {
         int status = 0;
-        while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {}
+        while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+        }
         pid_ = -1;
         return status;
     }
@@ -157,16 +161,22 @@ constexpr const char* kWayOut = "The file is damaged; export it again, best as G
 [[noreturn]] void failOnStatus(int status, const std::string& what)
 {
     if (WIFEXITED(status) && WEXITSTATUS(status) == kOutOfMemory)
-        malformed(what, fmt::format("asks for far more memory than a file of its size can need.\n{}", kWayOut));
+        malformed(
+            what,
+            fmt::format("asks for far more memory than a file of its size can need.\n{}", kWayOut));
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-        malformed(what, fmt::format("takes far longer to read than a file of its size can need.\n{}", kWayOut));
-    malformed(what, fmt::format("cannot be read: the library that knows this format fails on it.\n{}", kWayOut));
+        malformed(
+            what,
+            fmt::format("takes far longer to read than a file of its size can need.\n{}", kWayOut));
+    malformed(what,
+              fmt::format("cannot be read: the library that knows this format fails on it.\n{}",
+                          kWayOut));
 }
 
 } // namespace
 
-Bytes runInChild(const std::function<Bytes()>& work, const ChildLimits& limits, const std::string& what,
-                 const Progress& progress)
+Bytes runInChild(const std::function<Bytes()>& work, const ChildLimits& limits,
+                 const std::string& what, const Progress& progress)
 {
     const auto deadline = Clock::now() + std::chrono::duration<double>(2.0 * limits.seconds + 1.0);
     Child child(work, limits, what);
@@ -174,13 +184,16 @@ Bytes runInChild(const std::function<Bytes()>& work, const ChildLimits& limits, 
     while (child.listen(bytes)) {
         progress.check();
         if (Clock::now() > deadline)
-            malformed(what, fmt::format("takes far longer to read than a file of its size can need.\n{}", kWayOut));
+            malformed(what,
+                      fmt::format("takes far longer to read than a file of its size can need.\n{}",
+                                  kWayOut));
     }
     if (const int status = child.wait(); status != 0 || bytes.empty()) failOnStatus(status, what);
     const std::byte kind = bytes.front();
     bytes.erase(bytes.begin());
     if (kind == kResult) return bytes;
-    throw Error(static_cast<ErrorCode>(kind), {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    throw Error(static_cast<ErrorCode>(kind),
+                {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 } // namespace relamp

@@ -21,8 +21,8 @@ struct ChildLimits
 /// For code of others that crashes, hangs or hoards memory when its input is broken: only the copy
 /// suffers. Whatever else `work` changes is lost, and it must not wait for other threads: the copy
 /// has only its own. An Error of `work` is thrown here. Where the copy does not come back, or goes
-/// beyond its limits, that is an Error(malformed) that begins with `what`. Throws Error(cancelled) as
-/// Progress::check does.
+/// beyond its limits, that is an Error(malformed) that begins with `what`. Throws Error(cancelled)
+/// as Progress::check does.
 std::vector<std::byte> runInChild(const std::function<std::vector<std::byte>()>& work,
                                   const ChildLimits& limits, const std::string& what,
                                   const Progress& progress);

@@ -27,8 +27,8 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
 
 [[noreturn]] void cannotWrite(const std::filesystem::path& file)
 {
-    throw Error(ErrorCode::cannotWrite, fmt::format("{}: cannot be written: {}", file.string(),
-                                                    std::strerror(errno)));
+    throw Error(ErrorCode::cannotWrite,
+                fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
 }
 
 } // namespace

@@ -21,7 +21,8 @@ inline uint16_t halfFromFloat(float value)
     return static_cast<uint16_t>(clamped < kSmallestHalf ? 0u : half);
 }
 
-/// The float that halfFromFloat's result stands for. Subnormal halves, which it never makes, read as 0.
+/// The float that halfFromFloat's result stands for. Subnormal halves, which it never makes, read
+/// as 0.
 inline float floatFromHalf(uint16_t half)
 {
     const uint32_t bits = (static_cast<uint32_t>(half) << 13) + (112u << 23);

@@ -16,7 +16,8 @@ TEST(Half, EveryNormalHalfSurvivesTheWayThroughFloat)
 
 TEST(Half, RoundsToWithinHalfAStep)
 {
-    for (float v = 1e-4f; v < 6e4f; v *= 1.0007f) ASSERT_NEAR(floatFromHalf(halfFromFloat(v)), v, v / 2048.0f);
+    for (float v = 1e-4f; v < 6e4f; v *= 1.0007f)
+        ASSERT_NEAR(floatFromHalf(halfFromFloat(v)), v, v / 2048.0f);
 }
 
 TEST(Half, NeverMakesInfinityOrNan)

@@ -41,9 +41,12 @@ InstructionSet bestInstructionSet()
 std::string_view nameOf(InstructionSet set)
 {
     switch (set) {
-    case InstructionSet::avx512: return "avx512";
-    case InstructionSet::avx2: return "avx2";
-    case InstructionSet::baseline: break;
+    case InstructionSet::avx512:
+        return "avx512";
+    case InstructionSet::avx2:
+        return "avx2";
+    case InstructionSet::baseline:
+        break;
     }
     return "baseline";
 }

@@ -48,9 +48,12 @@ template<auto kernel, class... Args>
 void runKernel(InstructionSet set, Args&... args)
 {
     switch (set) {
-    case InstructionSet::avx512: return runAvx512<kernel>(args...);
-    case InstructionSet::avx2: return runAvx2<kernel>(args...);
-    case InstructionSet::baseline: return kernel(args...);
+    case InstructionSet::avx512:
+        return runAvx512<kernel>(args...);
+    case InstructionSet::avx2:
+        return runAvx2<kernel>(args...);
+    case InstructionSet::baseline:
+        return kernel(args...);
     }
 }
 

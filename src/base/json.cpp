@@ -32,6 +32,11 @@ nlohmann::json parseJson(std::string_view text, const std::string& name)
     return document;
 }
 
+std::string dumpJson(const nlohmann::json& document)
+{
+    return document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 double shortest(float value)
 {
     return std::strtod(fmt::format("{}", value).c_str(), nullptr);

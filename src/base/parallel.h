@@ -17,12 +17,13 @@ template<class Work>
 void forEachChunk(size_t count, size_t chunk, const Work& work)
 {
     const size_t chunks = (count + chunk - 1) / chunk;
-    tbb::parallel_for(tbb::blocked_range<size_t>(0, chunks, 1),
-                      [&](const tbb::blocked_range<size_t>& range) {
-                          for (size_t i = range.begin(); i != range.end(); ++i)
-                              work(i * chunk, std::min(count, (i + 1) * chunk));
-                      },
-                      tbb::simple_partitioner());
+    tbb::parallel_for(
+        tbb::blocked_range<size_t>(0, chunks, 1),
+        [&](const tbb::blocked_range<size_t>& range) {
+            for (size_t i = range.begin(); i != range.end(); ++i)
+                work(i * chunk, std::min(count, (i + 1) * chunk));
+        },
+        tbb::simple_partitioner());
 }
 
 /// Calls `work(i)` for every i in [0, count), on all threads.

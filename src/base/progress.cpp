@@ -25,7 +25,8 @@ void Progress::abandon()
     std::error_code ignored;
     for (const auto& path : unfinished_)
         for (int attempt = 0; attempt < 3 && std::filesystem::exists(path, ignored); ++attempt)
-            std::filesystem::remove_all(path, ignored); // again: someone may still be writing into it
+            std::filesystem::remove_all(path,
+                                        ignored); // again: someone may still be writing into it
 }
 
 std::vector<Progress::StageTime> Progress::times() const

@@ -15,7 +15,8 @@ struct ThreadLimit::Control
 
 ThreadLimit::ThreadLimit(int count)
 {
-    const size_t threads = count > 0 ? static_cast<size_t>(count) : std::thread::hardware_concurrency();
+    const size_t threads =
+        count > 0 ? static_cast<size_t>(count) : std::thread::hardware_concurrency();
     control_ = std::make_unique<Control>(
         Control{tbb::global_control(tbb::global_control::max_allowed_parallelism, threads)});
     OIIO::attribute("threads", static_cast<int>(threads));

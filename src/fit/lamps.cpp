@@ -20,15 +20,15 @@ constexpr size_t kMostCandidates = 64;
 constexpr size_t kPlaces = 12000;
 constexpr size_t kPairsFirst = 3; // a place, for the first look at all candidates
 constexpr size_t kPairs = 10;
-constexpr float kAboutWhite = 2.0f;     // luminance; a wall lights its surroundings as little as this
-constexpr float kLeastPower = 0.003f;   // share of the room's; below, a lamp does not matter
-constexpr float kBrightWall = 0.75f;    // albedo of what burns out first
-constexpr float kExplained = 0.8f;      // of white
+constexpr float kAboutWhite = 2.0f;   // luminance; a wall lights its surroundings as little as this
+constexpr float kLeastPower = 0.003f; // share of the room's; below, a lamp does not matter
+constexpr float kBrightWall = 0.75f;  // albedo of what burns out first
+constexpr float kExplained = 0.8f;    // of white
 constexpr size_t kPatchesLookedAt = 16; // of a candidate, to see what lights it
 constexpr size_t kSamplesAPatch = 16;
 constexpr int kMostRounds = 6;
-constexpr float kTouching = 0.12f;      // m between pieces of one lamp
-constexpr float kAboutEqual = 3.0f;     // ratio of their radiances
+constexpr float kTouching = 0.12f;  // m between pieces of one lamp
+constexpr float kAboutEqual = 3.0f; // ratio of their radiances
 
 /// One lamp to be, with what it does at all places at radiance 1.
 struct Suspect
@@ -44,8 +44,8 @@ struct Suspect
 class LampSearch
 {
 public:
-    LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits, const SurfelRadiance& radiance,
-               Progress& progress);
+    LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
+               const SurfelRadiance& radiance, Progress& progress);
 
     FoundLamps run();
 
@@ -72,8 +72,8 @@ private:
 
 LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
                        const SurfelRadiance& radiance, Progress& progress)
-    : texels_(texels), scene_(scene), hits_(hits), radiance_(radiance), stage_(progress, "lamps", kMostCandidates + 3),
-      field_(fieldOf(radiance))
+    : texels_(texels), scene_(scene), hits_(hits), radiance_(radiance),
+      stage_(progress, "lamps", kMostCandidates + 3), field_(fieldOf(radiance))
 {
     choosePlaces();
     for (Candidate& candidate : findCandidates(texels, radiance, kMostCandidates)) {
@@ -90,7 +90,9 @@ void LampSearch::choosePlaces()
 {
     std::vector<uint32_t> good;
     for (uint32_t s = 0; s < texels_.surfels.count(); ++s)
-        if (radiance_.plainArea[s] > 0.0f && radiance_.clippedArea[s] < 0.02f * radiance_.plainArea[s]) good.push_back(s);
+        if (radiance_.plainArea[s] > 0.0f &&
+            radiance_.clippedArea[s] < 0.02f * radiance_.plainArea[s])
+            good.push_back(s);
     const size_t count = std::min(kPlaces, good.size());
     for (size_t i = 0; i < count; ++i) places_.push_back(good[i * good.size() / count]);
 }
@@ -105,7 +107,8 @@ FitData LampSearch::dataFor() const
     data.direct.resize(places_.size() * data.lamps);
     for (size_t i = 0; i < places_.size(); ++i) {
         data.radiance.push_back(radiance_.plain[places_[i]]);
-        for (size_t f = 0; f < data.lamps; ++f) data.direct[i * data.lamps + f] = suspects_[f].direct[i];
+        for (size_t f = 0; f < data.lamps; ++f)
+            data.direct[i * data.lamps + f] = suspects_[f].direct[i];
     }
     return data;
 }
@@ -148,12 +151,15 @@ bool LampSearch::isExplained(size_t f) const
         for (size_t other = 0; other < suspects_.size(); ++other) {
             if (other == f) continue;
             const AreaLight light(suspects_[other].candidate);
-            irradiance += suspects_[other].radiance *
-                          sampleAreaLight(scene_, light, patch.position, patch.normal, kSamplesAPatch, 0.5f).visible;
+            irradiance +=
+                suspects_[other].radiance *
+                sampleAreaLight(scene_, light, patch.position, patch.normal, kSamplesAPatch, 0.5f)
+                    .visible;
         }
         expected.push_back(kBrightWall * luminance(irradiance) / kPi);
     }
-    std::nth_element(expected.begin(), expected.begin() + static_cast<ptrdiff_t>(looks / 2), expected.end());
+    std::nth_element(expected.begin(), expected.begin() + static_cast<ptrdiff_t>(looks / 2),
+                     expected.end());
     const float median = expected[looks / 2];
     const float above = std::log(luminance(suspects_[f].radiance) / std::max(median, 1.0f));
     return median > kExplained && above < 0.7f + 2.0f * suspects_[f].logError.g;
@@ -164,8 +170,9 @@ size_t LampSearch::dropExplained()
 {
     std::vector<size_t> order(suspects_.size());
     for (size_t f = 0; f < order.size(); ++f) order[f] = f;
-    std::stable_sort(order.begin(), order.end(),
-                     [&](size_t a, size_t b) { return suspects_[a].power() < suspects_[b].power(); });
+    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
+        return suspects_[a].power() < suspects_[b].power();
+    });
     std::vector<uint8_t> gone(suspects_.size(), 0);
     for (const size_t f : order) {
         if (!isExplained(f)) continue;
@@ -196,7 +203,8 @@ void LampSearch::joinPieces()
     for (uint32_t a = 0; a < suspects_.size(); ++a)
         for (uint32_t b = a + 1; b < suspects_.size(); ++b) {
             const float ratio = luminance(suspects_[a].radiance) / luminance(suspects_[b].radiance);
-            if (ratio < kAboutEqual && ratio > 1.0f / kAboutEqual && touch(suspects_[a].candidate, suspects_[b].candidate))
+            if (ratio < kAboutEqual && ratio > 1.0f / kAboutEqual &&
+                touch(suspects_[a].candidate, suspects_[b].candidate))
                 sets.join(a, b);
         }
     std::map<uint32_t, Suspect> joined;
@@ -205,9 +213,11 @@ void LampSearch::joinPieces()
         if (isNew) continue;
         Suspect& whole = found->second;
         const Candidate& piece = suspects_[f].candidate;
-        whole.candidate.patches.insert(whole.candidate.patches.end(), piece.patches.begin(), piece.patches.end());
-        whole.candidate.centre = (whole.candidate.area * whole.candidate.centre + piece.area * piece.centre) /
-                                 (whole.candidate.area + piece.area);
+        whole.candidate.patches.insert(whole.candidate.patches.end(), piece.patches.begin(),
+                                       piece.patches.end());
+        whole.candidate.centre =
+            (whole.candidate.area * whole.candidate.centre + piece.area * piece.centre) /
+            (whole.candidate.area + piece.area);
         whole.candidate.area += piece.area;
         for (size_t i = 0; i < whole.direct.size(); ++i) whole.direct[i] += suspects_[f].direct[i];
     }
@@ -219,8 +229,10 @@ void LampSearch::joinPieces()
 void LampSearch::updateField()
 {
     std::vector<LitLamp> lamps;
-    for (const Suspect& suspect : suspects_) lamps.push_back({AreaLight(suspect.candidate), suspect.radiance});
-    field_ = lightSides(texels_, scene_, hits_, radiance_, lamps, field_.shines, powers_.ambient).field;
+    for (const Suspect& suspect : suspects_)
+        lamps.push_back({AreaLight(suspect.candidate), suspect.radiance});
+    field_ =
+        lightSides(texels_, scene_, hits_, radiance_, lamps, field_.shines, powers_.ambient).field;
 }
 
 FoundLamps LampSearch::run()
@@ -243,7 +255,8 @@ FoundLamps LampSearch::run()
     std::stable_sort(suspects_.begin(), suspects_.end(),
                      [](const Suspect& a, const Suspect& b) { return a.power() > b.power(); });
     for (Suspect& suspect : suspects_)
-        found.lamps.push_back({std::move(suspect.candidate.patches), suspect.radiance, suspect.logError});
+        found.lamps.push_back(
+            {std::move(suspect.candidate.patches), suspect.radiance, suspect.logError});
     found.ambient = powers_.ambient;
     found.residual = powers_.residual;
     stage_.advance();
@@ -252,8 +265,8 @@ FoundLamps LampSearch::run()
 
 } // namespace
 
-FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists& hits, const SurfelRadiance& radiance,
-                     Progress& progress)
+FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists& hits,
+                     const SurfelRadiance& radiance, Progress& progress)
 {
     return LampSearch(texels, scene, hits, radiance, progress).run();
 }

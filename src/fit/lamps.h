@@ -28,10 +28,10 @@ struct FoundLamps
 
 /// Decides by evidence which burnt-out pieces are lamps, and how bright they are.
 ///
-/// All candidates are fitted as if they were lamps. One that comes out at about white lights nothing: it
-/// is a wall. One whose brightness the others explain, within the error of its own, is a wall too. What
-/// remains is fitted again, until nothing changes; pieces that touch and are about equally bright become
-/// one lamp.
+/// All candidates are fitted as if they were lamps. One that comes out at about white lights
+/// nothing: it is a wall. One whose brightness the others explain, within the error of its own, is
+/// a wall too. What remains is fitted again, until nothing changes; pieces that touch and are about
+/// equally bright become one lamp.
 FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists& hits,
                      const SurfelRadiance& radiance, Progress& progress);
 

@@ -12,8 +12,9 @@ namespace
 
 constexpr float kSamePlaneFacing = 0.97f; // cosine
 constexpr float kSamePlaneStep = 0.05f;   // m off the plane
-constexpr float kSameColor = 0.6f;        // length of the step in log r, g, b after brightness is taken out
-constexpr float kDarkest = 0.004f;        // luminance; below, a byte's steps are too coarse
+constexpr float kSameColor =
+    0.6f; // length of the step in log r, g, b after brightness is taken out
+constexpr float kDarkest = 0.004f; // luminance; below, a byte's steps are too coarse
 constexpr size_t kTriesPerPair = 32;
 
 /// Colour without brightness, in logs.
@@ -22,20 +23,23 @@ glm::vec3 chromaOf(glm::vec3 radiance)
     return glm::log(glm::max(radiance, glm::vec3(1e-4f)) / luminance(radiance));
 }
 
-bool couldBeOneMaterial(const FitData& data, std::span<const uint32_t> surfels, const Surfels& all, uint32_t p, uint32_t q)
+bool couldBeOneMaterial(const FitData& data, std::span<const uint32_t> surfels, const Surfels& all,
+                        uint32_t p, uint32_t q)
 {
     const uint32_t a = surfels[p];
     const uint32_t b = surfels[q];
     if (glm::dot(all.normal[a], all.normal[b]) < kSamePlaneFacing) return false;
-    if (std::abs(glm::dot(all.position[b] - all.position[a], all.normal[a])) > kSamePlaneStep) return false;
-    if (luminance(data.radiance[p]) < kDarkest || luminance(data.radiance[q]) < kDarkest) return false;
+    if (std::abs(glm::dot(all.position[b] - all.position[a], all.normal[a])) > kSamePlaneStep)
+        return false;
+    if (luminance(data.radiance[p]) < kDarkest || luminance(data.radiance[q]) < kDarkest)
+        return false;
     return glm::distance(chromaOf(data.radiance[p]), chromaOf(data.radiance[q])) < kSameColor;
 }
 
 } // namespace
 
-std::vector<MaterialPair> drawPairs(const FitData& data, std::span<const uint32_t> surfels, const Surfels& all,
-                                    size_t perPlace)
+std::vector<MaterialPair> drawPairs(const FitData& data, std::span<const uint32_t> surfels,
+                                    const Surfels& all, size_t perPlace)
 {
     std::vector<MaterialPair> pairs;
     const auto places = static_cast<uint32_t>(data.places());
@@ -43,7 +47,8 @@ std::vector<MaterialPair> drawPairs(const FitData& data, std::span<const uint32_
     std::mt19937 random(1); // its raw numbers are the same everywhere; distributions need not be
     for (uint32_t p = 0; p < places; ++p) {
         size_t found = 0;
-        for (size_t attempt = 0; attempt < kTriesPerPair * perPlace && found < perPlace; ++attempt) {
+        for (size_t attempt = 0; attempt < kTriesPerPair * perPlace && found < perPlace;
+             ++attempt) {
             const auto q = static_cast<uint32_t>(random() % places);
             if (q == p || !couldBeOneMaterial(data, surfels, all, p, q)) continue;
             pairs.push_back({p, q});

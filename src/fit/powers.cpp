@@ -27,13 +27,17 @@ double medianOf(std::vector<double> values)
     return *middle;
 }
 
-/// One channel of the data, and what every evaluation of the fit shares: the irradiance of all places.
+/// One channel of the data, and what every evaluation of the fit shares: the irradiance of all
+/// places.
 class Channel : public ceres::EvaluationCallback
 {
 public:
-    Channel(const FitData& data, int c) : data_(data), unknowns_(data.lamps + 1), log_(unknowns_, 0.0)
+    Channel(const FitData& data, int c)
+        : data_(data), unknowns_(data.lamps + 1), log_(unknowns_, 0.0)
     {
-        const auto pick = [&](glm::vec3 rgb) { return static_cast<double>(c < 0 ? luminance(rgb) : rgb[c]); };
+        const auto pick = [&](glm::vec3 rgb) {
+            return static_cast<double>(c < 0 ? luminance(rgb) : rgb[c]);
+        };
         for (size_t i = 0; i < data.places(); ++i) {
             logRadiance_.push_back(std::log(std::max(pick(data.radiance[i]), 1e-4)));
             gathered_.push_back(pick(data.gathered[i]));
@@ -54,8 +58,8 @@ public:
 
     [[nodiscard]] double* unknowns() { return log_.data(); }
     [[nodiscard]] size_t count() const { return unknowns_; }
-    /// Where the unknowns are without evidence: lamps at the texture's white, what lies behind holes as
-    /// bright as the room.
+    /// Where the unknowns are without evidence: lamps at the texture's white, what lies behind
+    /// holes as bright as the room.
     [[nodiscard]] std::vector<double> wanted() const
     {
         std::vector<double> logs(unknowns_, 0.0);
@@ -64,7 +68,8 @@ public:
     }
     [[nodiscard]] double residual(MaterialPair pair) const
     {
-        return logRadiance_[pair.p] - logRadiance_[pair.q] - std::log(irradiance_[pair.p] / irradiance_[pair.q]);
+        return logRadiance_[pair.p] - logRadiance_[pair.q] -
+               std::log(irradiance_[pair.p] / irradiance_[pair.q]);
     }
     /// d log E / d unknown at a place: the share of the irradiance that comes from it.
     [[nodiscard]] const double* shares(uint32_t place) const { return &share_[place * unknowns_]; }
@@ -127,9 +132,11 @@ public:
         mutable_parameter_block_sizes()->push_back(static_cast<int32_t>(count));
     }
 
-    bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override
+    bool Evaluate(double const* const* parameters, double* residuals,
+                  double** jacobians) const override
     {
-        for (size_t f = 0; f < count_; ++f) residuals[f] = weight_ * (parameters[0][f] - wanted_[f]);
+        for (size_t f = 0; f < count_; ++f)
+            residuals[f] = weight_ * (parameters[0][f] - wanted_[f]);
         if (jacobians == nullptr || jacobians[0] == nullptr) return true;
         std::fill_n(jacobians[0], count_ * count_, 0.0);
         for (size_t f = 0; f < count_; ++f) jacobians[0][f * count_ + f] = weight_;
@@ -150,7 +157,8 @@ struct ChannelFit
 };
 
 /// Standard errors from the inverse of the information that unbroken pairs give.
-std::vector<double> errorsOf(const Channel& channel, std::span<const MaterialPair> pairs, double scale, double prior)
+std::vector<double> errorsOf(const Channel& channel, std::span<const MaterialPair> pairs,
+                             double scale, double prior)
 {
     const auto n = static_cast<Eigen::Index>(channel.count());
     Eigen::MatrixXd information = Eigen::MatrixXd::Identity(n, n) * prior * prior;
@@ -162,13 +170,16 @@ std::vector<double> errorsOf(const Channel& channel, std::span<const MaterialPai
         const Eigen::VectorXd step = q - p;
         information.selfadjointView<Eigen::Lower>().rankUpdate(step, weight);
     }
-    const Eigen::MatrixXd covariance = information.selfadjointView<Eigen::Lower>().llt().solve(Eigen::MatrixXd::Identity(n, n));
+    const Eigen::MatrixXd covariance =
+        information.selfadjointView<Eigen::Lower>().llt().solve(Eigen::MatrixXd::Identity(n, n));
     std::vector<double> errors(channel.count());
-    for (Eigen::Index f = 0; f < n; ++f) errors[static_cast<size_t>(f)] = scale * std::sqrt(covariance(f, f));
+    for (Eigen::Index f = 0; f < n; ++f)
+        errors[static_cast<size_t>(f)] = scale * std::sqrt(covariance(f, f));
     return errors;
 }
 
-ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, int c, const PowersOptions& options)
+ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, int c,
+                      const PowersOptions& options)
 {
     Channel channel(data, c);
     const double prior = std::sqrt(options.priorWeight * static_cast<double>(pairs.size()) /
@@ -183,8 +194,10 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, 
             problem.SetParameterUpperBound(channel.unknowns(), f, kLargest);
         }
         for (const MaterialPair& pair : pairs)
-            problem.AddResidualBlock(new PairCost(channel, pair), new ceres::CauchyLoss(scale), channel.unknowns());
-        problem.AddResidualBlock(new PriorCost(channel.wanted(), prior), nullptr, channel.unknowns());
+            problem.AddResidualBlock(new PairCost(channel, pair), new ceres::CauchyLoss(scale),
+                                     channel.unknowns());
+        problem.AddResidualBlock(new PriorCost(channel.wanted(), prior), nullptr,
+                                 channel.unknowns());
         ceres::Solver::Options solver;
         solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
         solver.max_num_iterations = 25;
@@ -206,14 +219,16 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, 
 
 } // namespace
 
-Powers fitPowers(const FitData& data, std::span<const MaterialPair> pairs, const PowersOptions& options)
+Powers fitPowers(const FitData& data, std::span<const MaterialPair> pairs,
+                 const PowersOptions& options)
 {
     std::array<ChannelFit, 3> fits;
     if (options.oneChannel) {
         fits[0] = fitChannel(data, pairs, -1, options);
         fits[1] = fits[2] = fits[0];
     } else {
-        forEach(3, [&](size_t c) { fits[c] = fitChannel(data, pairs, static_cast<int>(c), options); });
+        forEach(3,
+                [&](size_t c) { fits[c] = fitChannel(data, pairs, static_cast<int>(c), options); });
     }
     Powers powers;
     powers.radiance.resize(data.lamps);

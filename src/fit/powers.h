@@ -10,25 +10,29 @@ namespace relamp
 
 struct PowersOptions
 {
-    double priorWeight = 0.05;   // of the pull of every lamp towards the texture's white, in pairs a place, >= 0
-    double firstScale = 0.5;     // of the Cauchy loss, in log radiance; halves until lastScale
+    double priorWeight =
+        0.05; // of the pull of every lamp towards the texture's white, in pairs a place, >= 0
+    double firstScale = 0.5; // of the Cauchy loss, in log radiance; halves until lastScale
     double lastScale = 0.08;
-    bool oneChannel = false;     // fit luminance alone: faster, for a first look
+    bool oneChannel = false; // fit luminance alone: faster, for a first look
 };
 
 /// Radiances of lamps that make the walls uniform.
 struct Powers
 {
     std::vector<glm::vec3> radiance; // of each lamp, RGB
-    std::vector<glm::vec3> logError; // standard error of its logarithm; large where the data do not tell
-    glm::vec3 ambient{0.0f};         // radiance from outside the scan
-    float residual = 0.0f;           // median absolute deviation of a pair, in log radiance
+    std::vector<glm::vec3>
+        logError;            // standard error of its logarithm; large where the data do not tell
+    glm::vec3 ambient{0.0f}; // radiance from outside the scan
+    float residual = 0.0f;   // median absolute deviation of a pair, in log radiance
 };
 
 /// Fits the radiance of every lamp, and of what lies outside, so that pairs of one material get one
-/// albedo (method.md 6): least squares over log (L_p / L_q) - log (E_p / E_q), Cauchy, from a wide scale
-/// to a narrow one, so that pairs of different material drop out. Each channel by itself; unknowns are
-/// logarithms, so nothing is negative. What the data leave open comes out at the texture's white.
-Powers fitPowers(const FitData& data, std::span<const MaterialPair> pairs, const PowersOptions& options = {});
+/// albedo (method.md 6): least squares over log (L_p / L_q) - log (E_p / E_q), Cauchy, from a wide
+/// scale to a narrow one, so that pairs of different material drop out. Each channel by itself;
+/// unknowns are logarithms, so nothing is negative. What the data leave open comes out at the
+/// texture's white.
+Powers fitPowers(const FitData& data, std::span<const MaterialPair> pairs,
+                 const PowersOptions& options = {});
 
 } // namespace relamp

@@ -63,8 +63,11 @@ OwnedLevel<Sample> push(const Level<Sample>& fine)
                 for (size_t k = 0; k < 4; ++k) {
                     const size_t fx = 2 * x + k % 2;
                     const size_t fy = 2 * y + k / 2;
-                    if (fx >= fine.width || fy >= fine.height || !fine.covered[fy * fine.width + fx]) continue;
-                    for (size_t c = 0; c < 3; ++c) sum[c] += valueOf(fine.rgb[3 * (fy * fine.width + fx) + c]);
+                    if (fx >= fine.width || fy >= fine.height ||
+                        !fine.covered[fy * fine.width + fx])
+                        continue;
+                    for (size_t c = 0; c < 3; ++c)
+                        sum[c] += valueOf(fine.rgb[3 * (fy * fine.width + fx) + c]);
                     count += 1.0f;
                 }
                 if (count == 0.0f) continue;
@@ -101,7 +104,8 @@ void pushPull(const Level<Sample>& finest)
         levels.push_back(push(top));
         top = levels.back().view();
     }
-    for (size_t i = levels.size(); i-- > 0;) pull(levels[i].view(), i == 0 ? finest : levels[i - 1].view());
+    for (size_t i = levels.size(); i-- > 0;)
+        pull(levels[i].view(), i == 0 ? finest : levels[i - 1].view());
 }
 
 } // namespace

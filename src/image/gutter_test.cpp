@@ -41,7 +41,9 @@ TEST(Gutter, CoveredPixelsStayAsTheyAre)
     const auto before = charts.rgb;
     fillGutters(std::span(charts.rgb), charts.covered, kSize, kSize);
     for (size_t i = 0; i < charts.covered.size(); ++i)
-        if (charts.covered[i]) { EXPECT_EQ(charts.rgb[3 * i], before[3 * i]); }
+        if (charts.covered[i]) {
+            EXPECT_EQ(charts.rgb[3 * i], before[3 * i]);
+        }
 }
 
 TEST(Gutter, PixelsNextToAChartContinueIt)
@@ -49,7 +51,7 @@ TEST(Gutter, PixelsNextToAChartContinueIt)
     TwoCharts charts(16);
     fillGutters(std::span(charts.rgb), charts.covered, kSize, kSize);
     const size_t row = 30 * kSize;
-    EXPECT_EQ(floatFromHalf(charts.rgb[3 * (row + 24)]), 1.0f);     // first uncovered pixel: all red
+    EXPECT_EQ(floatFromHalf(charts.rgb[3 * (row + 24)]), 1.0f); // first uncovered pixel: all red
     EXPECT_EQ(floatFromHalf(charts.rgb[3 * (row + 24) + 1]), 0.0f);
     EXPECT_EQ(floatFromHalf(charts.rgb[3 * (row + 39) + 1]), 1.0f); // last: all green
 }
@@ -66,8 +68,10 @@ TEST(Gutter, NoMipLevelIsDarkerThanTheCharts)
         std::vector<float> next(size * size / 4);
         for (size_t y = 0; y < size / 2; ++y)
             for (size_t x = 0; x < size / 2; ++x)
-                next[y * size / 2 + x] = 0.25f * (level[2 * y * size + 2 * x] + level[2 * y * size + 2 * x + 1] +
-                                                  level[(2 * y + 1) * size + 2 * x] + level[(2 * y + 1) * size + 2 * x + 1]);
+                next[y * size / 2 + x] =
+                    0.25f *
+                    (level[2 * y * size + 2 * x] + level[2 * y * size + 2 * x + 1] +
+                     level[(2 * y + 1) * size + 2 * x] + level[(2 * y + 1) * size + 2 * x + 1]);
         level = next;
         for (const float v : level) EXPECT_NEAR(v, 1.0f, 0.01f);
     }

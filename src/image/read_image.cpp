@@ -3,6 +3,7 @@
 #include "base/fail.h"
 #include "base/file.h"
 #include "base/half.h"
+#include "image/damage.h"
 #include "image/transfer.h"
 
 #include <algorithm>
@@ -22,9 +23,18 @@ namespace
 
 constexpr int64_t kLargestSide = 65536;
 constexpr int64_t kMostPixels = int64_t{1} << 29;
-// No format that scans come in packs a pixel tighter than deflate's 1032:1 of three bytes; a header
-// that promises more is lying, and must not make us allocate what it promises.
-constexpr int64_t kMostPixelsPerByte = 1100;
+// A page of one colour packs into next to nothing, and one of 4096 x 4096 pixels is no burden.
+// Beyond, no format that scans come in does better than deflate's 1032:1; a header that promises
+// more is lying, and must not make us allocate what it promises.
+constexpr int64_t kAnyFileMayUnpackTo = int64_t{1} << 26;
+constexpr int64_t kMostExpansion = 1100;
+
+/// Only the channels that mean colour and opacity: 1, 2, 3 or 4 of them.
+int64_t channelsToRead(const OIIO::ImageSpec& spec)
+{
+    const int colors = spec.nchannels >= 3 ? 3 : 1;
+    return spec.alpha_channel == colors ? colors + 1 : colors;
+}
 
 void checkSize(const OIIO::ImageSpec& spec, size_t bytes, const std::string& name)
 {
@@ -36,7 +46,9 @@ void checkSize(const OIIO::ImageSpec& spec, size_t bytes, const std::string& nam
         malformed(name, fmt::format("its header claims {} x {} pixels, more than relamp works on; "
                                     "scale it down",
                                     width, height));
-    if (width * height > kMostPixelsPerByte * static_cast<int64_t>(bytes) + (1 << 20))
+    const int64_t sampleSize = spec.format.basesize() == 1 ? 1 : sizeof(float);
+    const int64_t unpacked = width * height * channelsToRead(spec) * sampleSize;
+    if (unpacked > kAnyFileMayUnpackTo + kMostExpansion * static_cast<int64_t>(bytes))
         malformed(name, fmt::format("its header claims {} x {} pixels, but the file has only {} "
                                     "bytes; it is damaged",
                                     width, height, bytes));
@@ -59,22 +71,11 @@ std::string formatOf(std::span<const std::byte> bytes, const std::string& name)
     if (startsWith(bytes, "#?"sv)) return "hdr";
     if (startsWith(bytes, "II*\0"sv) || startsWith(bytes, "MM\0*"sv)) return "tiff";
     if (startsWith(bytes, "BM"sv)) return "bmp";
+    if (startsWith(bytes, "KTX 20"sv, 1))
+        fail(ErrorCode::unsupported, name,
+             "is in KTX2 / Basis Universal, which relamp does not read; export it as JPEG or PNG");
     if (name.ends_with(".tga") || name.ends_with(".TGA")) return "targa";
     malformed(name, "is no picture that relamp reads (JPEG, PNG, WebP, TIFF, EXR, HDR, BMP, TGA)");
-}
-
-/// libjpeg fills what is missing of a cut-off file with grey and calls it a warning. Entropy-coded
-/// data cannot contain a marker, so a whole file has an end marker behind its last scan.
-bool isCutOffJpeg(std::span<const std::byte> bytes)
-{
-    const auto marker = [&](std::byte code, size_t i) {
-        return bytes[i] == std::byte{0xff} && bytes[i + 1] == code;
-    };
-    for (size_t i = bytes.size() - 1; i-- > 0;) {
-        if (marker(std::byte{0xd9}, i)) return false;
-        if (marker(std::byte{0xda}, i)) return true;
-    }
-    return true;
 }
 
 std::unique_ptr<OIIO::ImageInput> openImage(OIIO::Filesystem::IOProxy& reader,
@@ -82,7 +83,10 @@ std::unique_ptr<OIIO::ImageInput> openImage(OIIO::Filesystem::IOProxy& reader,
                                             const std::string& name)
 {
     const std::string format = formatOf(bytes, name);
-    if (format == "jpeg" && isCutOffJpeg(bytes)) malformed(name, "the JPEG is cut off; copy it again");
+    if (format == "jpeg" && !isWholeJpeg(bytes))
+        malformed(name, "the JPEG is cut off; copy it again");
+    if (format == "png" && !isWholePng(bytes))
+        malformed(name, "the PNG is cut off or damaged; copy it again");
     OIIO::ImageSpec hints;
     hints["oiio:UnassociatedAlpha"] = 1;
     OIIO::ImageSpec spec;
@@ -119,12 +123,6 @@ void takeAlpha(const std::vector<From>& from, size_t channels, size_t at,
     if (std::all_of(alpha.begin(), alpha.end(), [](uint8_t a) { return a == 255; })) alpha.clear();
 }
 
-/// Only the channels that mean colour and opacity: 1, 2, 3 or 4 of them.
-size_t channelsToRead(const OIIO::ImageSpec& spec)
-{
-    return static_cast<size_t>(std::min(spec.nchannels, 4));
-}
-
 template<class Sample>
 std::vector<Sample> readSamples(OIIO::ImageInput& input, size_t channels, const std::string& name)
 {
@@ -144,7 +142,7 @@ float finiteOrZero(float value)
 
 void readBytes(OIIO::ImageInput& input, Transfer transfer, const std::string& name, Image& image)
 {
-    const size_t channels = channelsToRead(input.spec());
+    const auto channels = static_cast<size_t>(channelsToRead(input.spec()));
     auto samples = readSamples<uint8_t>(input, channels, name);
     image.transfer = transfer == Transfer::linear ? Transfer::linear : Transfer::srgb;
     const auto same = [](uint8_t v) { return v; };
@@ -157,7 +155,7 @@ void readBytes(OIIO::ImageInput& input, Transfer transfer, const std::string& na
 
 void readFloats(OIIO::ImageInput& input, Transfer transfer, const std::string& name, Image& image)
 {
-    const size_t channels = channelsToRead(input.spec());
+    const auto channels = static_cast<size_t>(channelsToRead(input.spec()));
     const auto samples = readSamples<float>(input, channels, name);
     image.transfer = Transfer::linear;
     const bool encoded = transfer == Transfer::srgb;

@@ -18,7 +18,8 @@ namespace
 constexpr int kFastDeflate = 1;
 constexpr int kFilterSub = 0x10; // PNG_FILTER_SUB: best of the single filters at that level
 
-std::vector<uint8_t> encode(const char* format, OIIO::ImageSpec spec, std::span<const uint8_t> samples)
+std::vector<uint8_t> encode(const char* format, const OIIO::ImageSpec& spec,
+                            std::span<const uint8_t> samples)
 {
     std::vector<unsigned char> file;
     OIIO::Filesystem::IOVecOutput target(file);
@@ -53,14 +54,17 @@ void writeExr(const std::filesystem::path& file, std::span<const uint16_t> rgb, 
 {
     assert(rgb.size() == 3 * static_cast<size_t>(size.width) * static_cast<size_t>(size.height));
     OIIO::ImageSpec spec(size.width, size.height, 3, OIIO::TypeHalf);
-    spec["compression"] = "piz"; // lossless; the fastest and the smallest of OpenEXR's for such pictures
+    spec["compression"] =
+        "piz"; // lossless; the fastest and the smallest of OpenEXR's for such pictures
     spec["oiio:ColorSpace"] = "Linear";
     spec["DateTime"] = ""; // the same input gives the same bytes, today and tomorrow
     const auto output = OIIO::ImageOutput::create("openexr");
     errno = 0;
     if (!output || !output->open(file.string(), spec) ||
         !output->write_image(OIIO::TypeHalf, rgb.data()) || !output->close()) {
-        const std::string reason = errno != 0 ? std::strerror(errno) : output ? output->geterror() : OIIO::geterror();
+        const std::string reason = errno != 0 ? std::strerror(errno)
+                                   : output   ? output->geterror()
+                                              : OIIO::geterror();
         fail(ErrorCode::cannotWrite, file.string(), "cannot be written: " + reason);
     }
 }

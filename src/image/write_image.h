@@ -15,14 +15,15 @@ struct Size
     int height = 0;
 };
 
-/// A PNG file of 8-bit samples: 1 channel grey, 3 RGB, 4 RGB and opacity. Throws Error(cannotWrite).
+/// A PNG file of 8-bit samples: 1 channel grey, 3 RGB, 4 RGB and opacity. Throws
+/// Error(cannotWrite).
 std::vector<uint8_t> encodePng(std::span<const uint8_t> samples, Size size, int channels);
 
 /// A JPEG file of 8-bit RGB in a quality that no eye tells from the picture.
 std::vector<uint8_t> encodeJpeg(std::span<const uint8_t> rgb, Size size);
 
-/// Writes an EXR of half floats, RGB, linear Rec. 709, losslessly. Throws Error(cannotWrite) with the
-/// system's reason.
+/// Writes an EXR of half floats, RGB, linear Rec. 709, losslessly. Throws Error(cannotWrite) with
+/// the system's reason.
 void writeExr(const std::filesystem::path& file, std::span<const uint16_t> rgb, Size size);
 
 } // namespace relamp

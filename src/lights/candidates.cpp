@@ -12,13 +12,13 @@ namespace relamp
 namespace
 {
 
-constexpr float kSameFacing = 0.8f;     // cosine; an edge sharper than this cuts
-constexpr float kPlaneFacing = 0.85f;   // cosine to a plane's normal, with a scan's noise
+constexpr float kSameFacing = 0.8f;      // cosine; an edge sharper than this cuts
+constexpr float kPlaneFacing = 0.85f;    // cosine to a plane's normal, with a scan's noise
 constexpr float kPlaneThickness = 0.03f; // m; 1.5 times the error of a scan's worst 5 %
-constexpr float kLargePlane = 0.5f;     // m^2; smaller ones are parts of lamps
-constexpr float kBrightRim = 0.55f;     // luminance around a speck that only just burnt out
-constexpr float kSpeck = 0.02f;         // m^2
-constexpr size_t kMostPlanes = 4;       // of one blob
+constexpr float kLargePlane = 0.5f;      // m^2; smaller ones are parts of lamps
+constexpr float kBrightRim = 0.55f;      // luminance around a speck that only just burnt out
+constexpr float kSpeck = 0.02f;          // m^2
+constexpr size_t kMostPlanes = 4;        // of one blob
 
 using Members = std::vector<uint32_t>; // indices into SurfelRadiance::clipped
 
@@ -26,7 +26,8 @@ using Members = std::vector<uint32_t>; // indices into SurfelRadiance::clipped
 std::vector<int32_t> clippedOfSurfel(const SurfelRadiance& radiance, size_t surfels)
 {
     std::vector<int32_t> index(surfels, -1);
-    for (size_t i = 0; i < radiance.clipped.size(); ++i) index[radiance.clipped[i].surfel] = static_cast<int32_t>(i);
+    for (size_t i = 0; i < radiance.clipped.size(); ++i)
+        index[radiance.clipped[i].surfel] = static_cast<int32_t>(i);
     return index;
 }
 
@@ -57,7 +58,8 @@ Plane largestPlane(const SurfelRadiance& radiance, const Members& members)
     Plane best{};
     float most = -1.0f;
     for (size_t t = 0; t < std::min(kTried, members.size()); ++t) {
-        const ClippedPatch& seed = radiance.clipped[members[t * members.size() / std::min(kTried, members.size())]];
+        const ClippedPatch& seed =
+            radiance.clipped[members[t * members.size() / std::min(kTried, members.size())]];
         Plane plane{seed.normal, glm::dot(seed.position, seed.normal)};
         float area = 0.0f;
         for (int round = 0; round < 3; ++round) {
@@ -101,7 +103,8 @@ std::vector<Members> cutPlanes(const SurfelRadiance& radiance, Members members)
 }
 
 /// Connected pieces of `members`, or of all that is clipped where `part` is the same for all.
-std::vector<Members> connected(const Texels& texels, const SurfelRadiance& radiance, const std::vector<int32_t>& part)
+std::vector<Members> connected(const Texels& texels, const SurfelRadiance& radiance,
+                               const std::vector<int32_t>& part)
 {
     const std::vector<int32_t> index = clippedOfSurfel(radiance, texels.surfels.count());
     DisjointSets sets(radiance.clipped.size());
@@ -110,7 +113,8 @@ std::vector<Members> connected(const Texels& texels, const SurfelRadiance& radia
         for (const uint32_t other : texels.surfels.neighborsOf(patch.surfel)) {
             const int32_t j = index[other];
             if (j < 0 || part[static_cast<size_t>(j)] != part[i]) continue;
-            if (glm::dot(patch.normal, radiance.clipped[static_cast<size_t>(j)].normal) > kSameFacing)
+            if (glm::dot(patch.normal, radiance.clipped[static_cast<size_t>(j)].normal) >
+                kSameFacing)
                 sets.join(i, static_cast<uint32_t>(j));
         }
     }
@@ -152,7 +156,8 @@ bool isSpeck(const Texels& texels, const SurfelRadiance& radiance, const Candida
 
 } // namespace
 
-std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance& radiance, size_t most)
+std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance& radiance,
+                                      size_t most)
 {
     std::vector<int32_t> part(radiance.clipped.size(), 0);
     int32_t parts = 1;
@@ -176,7 +181,8 @@ std::vector<int32_t> candidateOfSurfel(const std::vector<Candidate>& candidates,
 {
     std::vector<int32_t> index(surfels, -1);
     for (size_t c = 0; c < candidates.size(); ++c)
-        for (const ClippedPatch& patch : candidates[c].patches) index[patch.surfel] = static_cast<int32_t>(c);
+        for (const ClippedPatch& patch : candidates[c].patches)
+            index[patch.surfel] = static_cast<int32_t>(c);
     return index;
 }
 

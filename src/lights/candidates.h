@@ -15,16 +15,18 @@ struct Candidate
 {
     std::vector<ClippedPatch> patches;
     glm::vec3 centre{0.0f}; // world, mean by area
-    glm::vec3 normal{0.0f}; // mean by area, not unit: its length is 1 for a plane, near 0 for a globe
-    float area = 0.0f;      // m^2
+    glm::vec3 normal{
+        0.0f};         // mean by area, not unit: its length is 1 for a plane, near 0 for a globe
+    float area = 0.0f; // m^2
 };
 
 /// Cuts what is burnt out into pieces along edges and level changes of the surface, largest first.
 ///
-/// A lamp on a wall that it burns out is one blob in the texture; in space it stands off the wall, so
-/// large planes are cut from what rises over them. Specks in a surface that is nearly as bright around
-/// them are no lamps and are left out, and so is what exceeds the `most` largest.
-std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance& radiance, size_t most);
+/// A lamp on a wall that it burns out is one blob in the texture; in space it stands off the wall,
+/// so large planes are cut from what rises over them. Specks in a surface that is nearly as bright
+/// around them are no lamps and are left out, and so is what exceeds the `most` largest.
+std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance& radiance,
+                                      size_t most);
 
 /// Which candidate the clipped texels of each surfel belong to; -1 for none.
 std::vector<int32_t> candidateOfSurfel(const std::vector<Candidate>& candidates, size_t surfels);

@@ -20,9 +20,10 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr const char* kFormat = "relamp lights 1";
-constexpr size_t kLargestFile = size_t{16} << 20; // bytes; a thousand lights take a quarter of one MiB
-constexpr double kLargestNumber = 1e9;            // of any unit; its square is still a float
-constexpr float kDark = 1e-9f;                    // intensity; what is less is switched off
+constexpr size_t kLargestFile = size_t{16}
+                                << 20; // bytes; a thousand lights take a quarter of one MiB
+constexpr double kLargestNumber = 1e9; // of any unit; its square is still a float
+constexpr float kDark = 1e-9f;         // intensity; what is less is switched off
 
 // ---- writing
 
@@ -83,7 +84,8 @@ float numberFrom(const json& value, const std::string& what)
 {
     if (!value.is_number()) malformed(what, "must be a number");
     const auto number = value.get<double>();
-    if (!(std::abs(number) <= kLargestNumber)) malformed(what, "must be a number between -1e9 and 1e9");
+    if (!(std::abs(number) <= kLargestNumber))
+        malformed(what, "must be a number between -1e9 and 1e9");
     return static_cast<float>(number);
 }
 
@@ -126,12 +128,14 @@ float sizeAt(const Item& item, const char* key)
     return size;
 }
 
-void warnOfUnknown(const Item& item, std::initializer_list<const char*> known, std::vector<std::string>& warnings)
+void warnOfUnknown(const Item& item, std::initializer_list<const char*> known,
+                   std::vector<std::string>& warnings)
 {
     for (const auto& [key, value] : item.object.items()) {
         const auto isKey = [&, name = key](const char* k) { return name == k; };
         if (std::none_of(known.begin(), known.end(), isKey))
-            warnings.push_back(fmt::format("{}: \"{}\" is not known and was passed over", item.what, key));
+            warnings.push_back(
+                fmt::format("{}: \"{}\" is not known and was passed over", item.what, key));
     }
 }
 
@@ -153,14 +157,16 @@ PointLight lightFrom(const Item& item, size_t fixtures, std::vector<std::string>
 {
     warnOfUnknown(item, {"type", "position", "normal", "intensity", "radius", "fixture"}, warnings);
     if (const json* type = item.find("type"); type != nullptr && *type != "point")
-        malformed(item.what, fmt::format("\"type\" is {}; this version knows \"point\"", printable(*type)));
+        malformed(item.what,
+                  fmt::format("\"type\" is {}; this version knows \"point\"", printable(*type)));
     PointLight light;
     light.position = vectorAt(item, "position");
     light.normal = facingAt(item);
     light.intensity = lightAt(item, "intensity");
     light.radius = sizeAt(item, "radius");
     if (const json* fixture = item.find("fixture"); fixture != nullptr)
-        if (fixture->is_number_unsigned() && fixture->get<uint64_t>() < fixtures) light.fixture = fixture->get<int>();
+        if (fixture->is_number_unsigned() && fixture->get<uint64_t>() < fixtures)
+            light.fixture = fixture->get<int>();
     return light;
 }
 
@@ -168,7 +174,9 @@ PointLight lightFrom(const Item& item, size_t fixtures, std::vector<std::string>
 void dropDark(Lights& lights)
 {
     const auto isDark = [&](const PointLight& light) {
-        const bool isOff = light.fixture >= 0 && lights.fixtures[static_cast<size_t>(light.fixture)].radiance == glm::vec3(0.0f);
+        const bool isOff =
+            light.fixture >= 0 &&
+            lights.fixtures[static_cast<size_t>(light.fixture)].radiance == glm::vec3(0.0f);
         return isOff || std::max({light.intensity.r, light.intensity.g, light.intensity.b}) < kDark;
     };
     std::erase_if(lights.points, isDark);
@@ -205,8 +213,9 @@ PointLight lightOf(const Fixture& fixture, int index)
 std::string lightsAsJson(const Lights& lights)
 {
     ordered_json document{{"format", kFormat},
-                          {"units", "metres, Y up; radiance 1 = the texture's white; intensity in radiance "
-                                    "m^2, power in radiance m^2 sr; linear Rec. 709"}};
+                          {"units",
+                           "metres, Y up; radiance 1 = the texture's white; intensity in radiance "
+                           "m^2, power in radiance m^2 sr; linear Rec. 709"}};
     document["fixtures"] = ordered_json::array();
     for (size_t i = 0; i < lights.fixtures.size(); ++i)
         document["fixtures"].push_back(toJson(lights.fixtures[i], i));
@@ -220,11 +229,13 @@ Lights readLights(const std::filesystem::path& file, std::vector<std::string>& w
 {
     const std::string name = file.string();
     const std::vector<std::byte> bytes = readFile(file, kLargestFile);
-    const json document = parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name);
+    const json document =
+        parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name);
     const Item top{document, name};
     warnOfUnknown(top, {"format", "units", "fixtures", "lights", "ambient"}, warnings);
     if (const json* format = top.find("format"); format != nullptr && *format != kFormat)
-        malformed(name, fmt::format("its format is {}, this version reads \"{}\"", printable(*format), kFormat));
+        malformed(name, fmt::format("its format is {}, this version reads \"{}\"",
+                                    printable(*format), kFormat));
 
     Lights lights;
     forEachItem(top, "fixtures", name + ": fixture",
@@ -238,7 +249,8 @@ Lights readLights(const std::filesystem::path& file, std::vector<std::string>& w
     dropDark(lights);
     if (top.find("ambient") != nullptr) lights.ambient = lightAt(top, "ambient");
     if (lights.points.empty() && lights.ambient == glm::vec3(0.0f))
-        malformed(name, "holds no light: it needs \"lights\", \"fixtures\" or \"ambient\" that shine");
+        malformed(name,
+                  "holds no light: it needs \"lights\", \"fixtures\" or \"ambient\" that shine");
     return lights;
 }
 

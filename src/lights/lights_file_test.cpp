@@ -79,21 +79,28 @@ TEST(LightsFile, AFixtureThatIsOffTakesItsLightsAlong)
 {
     const std::string off = R"({"fixtures": [)" + kLamp + R"(, "on": false}, )" + kLamp + "}]";
     EXPECT_THAT(read(off + "}").points, SizeIs(1));
-    const Lights lights = read(off + R"(, "lights": [)" + kPoint + R"(, "fixture": 0}, )" + kPoint + R"(, "fixture": 1}]})");
+    const Lights lights = read(off + R"(, "lights": [)" + kPoint + R"(, "fixture": 0}, )" + kPoint +
+                               R"(, "fixture": 1}]})");
     ASSERT_THAT(lights.points, SizeIs(1));
     EXPECT_EQ(lights.points[0].fixture, 1);
 }
 
 TEST(LightsFile, DarkLightsAreNone)
 {
-    EXPECT_THAT(read(R"({"lights": [{"position": [0, 0, 0], "intensity": [0, 0, 0]}], "ambient": [1, 1, 1]})").points, IsEmpty());
-    EXPECT_THAT(refusal(R"({"lights": [{"position": [0, 0, 0], "intensity": [0, 0, 1e-30]}]})"), HasSubstr("holds no light"));
+    EXPECT_THAT(
+        read(
+            R"({"lights": [{"position": [0, 0, 0], "intensity": [0, 0, 0]}], "ambient": [1, 1, 1]})")
+            .points,
+        IsEmpty());
+    EXPECT_THAT(refusal(R"({"lights": [{"position": [0, 0, 0], "intensity": [0, 0, 1e-30]}]})"),
+                HasSubstr("holds no light"));
     EXPECT_THAT(refusal("{}"), HasSubstr("holds no light"));
 }
 
 TEST(LightsFile, NormalsAreMadeUnitAndOmniIsNone)
 {
-    const Lights lights = read(R"({"lights": [)" + kPoint + R"(, "normal": [0, 0, -5]}, )" + kPoint + R"(, "normal": "omni"}]})");
+    const Lights lights = read(R"({"lights": [)" + kPoint + R"(, "normal": [0, 0, -5]}, )" +
+                               kPoint + R"(, "normal": "omni"}]})");
     EXPECT_EQ(lights.points[0].normal, glm::vec3(0, 0, -1));
     EXPECT_EQ(lights.points[1].normal, glm::vec3(0.0f));
 }
@@ -101,35 +108,51 @@ TEST(LightsFile, NormalsAreMadeUnitAndOmniIsNone)
 TEST(LightsFile, AFixtureThatIsNotThereIsNotReferredTo)
 {
     for (const char* index : {"0", "7", "-3", "1.5", "99999999999999999999", "\"a\""})
-        EXPECT_EQ(read(R"({"lights": [)" + kPoint + R"(, "fixture": )" + index + "}]}").points[0].fixture, -1) << index;
+        EXPECT_EQ(
+            read(R"({"lights": [)" + kPoint + R"(, "fixture": )" + index + "}]}").points[0].fixture,
+            -1)
+            << index;
 }
 
 TEST(LightsFile, UnknownKeysAreSaid)
 {
     read(R"({"lights": [)" + kPoint + R"(, "colour": 3}], "author": "me"})");
-    EXPECT_THAT(lastWarnings, ElementsAre(HasSubstr("\"author\" is not known"), HasSubstr("light 0: \"colour\"")));
+    EXPECT_THAT(lastWarnings, ElementsAre(HasSubstr("\"author\" is not known"),
+                                          HasSubstr("light 0: \"colour\"")));
 }
 
 TEST(LightsFile, MistakesAreNamedWithTheirPlace)
 {
-    const auto light = [](const std::string& members) { return R"({"lights": [)" + kPoint + "}, {" + members + "}]}"; };
-    EXPECT_THAT(refusal(light(R"("intensity": [1, 1, 1])")), HasSubstr("lights.json: light 1: \"position\" is missing"));
-    EXPECT_THAT(refusal(light(R"("position": [1, 1], "intensity": [1, 1, 1])")), HasSubstr("must be a list of three numbers"));
-    EXPECT_THAT(refusal(light(R"("position": [1, 1, "up"], "intensity": [1, 1, 1])")), HasSubstr("must be a number"));
-    EXPECT_THAT(refusal(light(R"("position": [1, 1, 1e300], "intensity": [1, 1, 1])")), HasSubstr("between -1e9 and 1e9"));
-    EXPECT_THAT(refusal(light(R"("position": [1, 1, 1], "intensity": [1, -1, 1])")), HasSubstr("must not be negative"));
-    EXPECT_THAT(refusal(light(R"("position": [1, 1, 1], "intensity": [1, 1, 1], "type": "spot")")), HasSubstr("\"type\" is \"spot\""));
-    EXPECT_THAT(refusal(light(R"("position": [1, 1, 1], "intensity": [1, 1, 1], "radius": -1)")), HasSubstr("must not be negative"));
+    const auto light = [](const std::string& members) {
+        return R"({"lights": [)" + kPoint + "}, {" + members + "}]}";
+    };
+    EXPECT_THAT(refusal(light(R"("intensity": [1, 1, 1])")),
+                HasSubstr("lights.json: light 1: \"position\" is missing"));
+    EXPECT_THAT(refusal(light(R"("position": [1, 1], "intensity": [1, 1, 1])")),
+                HasSubstr("must be a list of three numbers"));
+    EXPECT_THAT(refusal(light(R"("position": [1, 1, "up"], "intensity": [1, 1, 1])")),
+                HasSubstr("must be a number"));
+    EXPECT_THAT(refusal(light(R"("position": [1, 1, 1e300], "intensity": [1, 1, 1])")),
+                HasSubstr("between -1e9 and 1e9"));
+    EXPECT_THAT(refusal(light(R"("position": [1, 1, 1], "intensity": [1, -1, 1])")),
+                HasSubstr("must not be negative"));
+    EXPECT_THAT(refusal(light(R"("position": [1, 1, 1], "intensity": [1, 1, 1], "type": "spot")")),
+                HasSubstr("\"type\" is \"spot\""));
+    EXPECT_THAT(refusal(light(R"("position": [1, 1, 1], "intensity": [1, 1, 1], "radius": -1)")),
+                HasSubstr("must not be negative"));
     EXPECT_THAT(refusal(R"({"lights": [7]})"), HasSubstr("light 0: must be an object"));
     EXPECT_THAT(refusal(R"({"lights": 7})"), HasSubstr("\"lights\" must be a list"));
     EXPECT_THAT(refusal(R"({"fixtures": {}})"), HasSubstr("\"fixtures\" must be a list"));
-    EXPECT_THAT(refusal(R"({"fixtures": [)" + kLamp + R"(, "on": "no"}]})"), HasSubstr("\"on\" must be true or false"));
-    EXPECT_THAT(refusal(R"({"format": "relamp lights 9"})"), HasSubstr("its format is \"relamp lights 9\""));
+    EXPECT_THAT(refusal(R"({"fixtures": [)" + kLamp + R"(, "on": "no"}]})"),
+                HasSubstr("\"on\" must be true or false"));
+    EXPECT_THAT(refusal(R"({"format": "relamp lights 9"})"),
+                HasSubstr("its format is \"relamp lights 9\""));
 }
 
 TEST(LightsFile, WhatIsNoJsonIsNamedWithItsLine)
 {
-    EXPECT_THAT(refusal("{\n\"lights\": [,]}"), HasSubstr("lights.json: its JSON cannot be read: parse error at line 2"));
+    EXPECT_THAT(refusal("{\n\"lights\": [,]}"),
+                HasSubstr("lights.json: its JSON cannot be read: parse error at line 2"));
     EXPECT_THAT(refusal("[]"), HasSubstr("is not an object"));
     EXPECT_THAT(refusal(std::string(300, '[')), HasSubstr("nested deeper"));
     EXPECT_THAT(refusal("\xff\xfe"), HasSubstr("its JSON cannot be read"));

@@ -44,7 +44,8 @@ std::vector<RunSum> sumRuns(const Texels& texels, size_t p, std::vector<uint8_t>
             loader.load(begin, count, block);
             loader.loadArea(begin, count, block);
             for (size_t i = 0; i < count; ++i) {
-                const bool clipped = brightestChannel({block.r[i], block.g[i], block.b[i]}) >= burntOut;
+                const bool clipped =
+                    brightestChannel({block.r[i], block.g[i], block.b[i]}) >= burntOut;
                 if (clipped) isClipped[page.pixel[begin + i]] = 1;
                 add(block, i, clipped, sums[run]);
             }

@@ -30,8 +30,8 @@ struct SurfelRadiance
     std::vector<std::vector<uint8_t>> isClipped; // [page][pixel]: not 0 where a texel is burnt out
 };
 
-/// Walks all texels once. A texture that can hold more than white (float formats) counts as burnt out
-/// where it is brighter than white.
+/// Walks all texels once. A texture that can hold more than white (float formats) counts as burnt
+/// out where it is brighter than white.
 SurfelRadiance collectRadiance(const Texels& texels, Progress& progress);
 
 } // namespace relamp

@@ -34,7 +34,10 @@ glm::vec3 from(const aiVector3D& v)
 
 glm::mat4 from(const aiMatrix4x4& m) // Assimp is row-major
 {
-    return {{m.a1, m.b1, m.c1, m.d1}, {m.a2, m.b2, m.c2, m.d2}, {m.a3, m.b3, m.c3, m.d3}, {m.a4, m.b4, m.c4, m.d4}};
+    return {{m.a1, m.b1, m.c1, m.d1},
+            {m.a2, m.b2, m.c2, m.d2},
+            {m.a3, m.b3, m.c3, m.d3},
+            {m.a4, m.b4, m.c4, m.d4}};
 }
 
 Wrap from(aiTextureMapMode mode)
@@ -47,6 +50,15 @@ Wrap from(aiTextureMapMode mode)
 std::string nameOf(const aiTexture& embedded, int index)
 {
     return embedded.mFilename.length > 0 ? embedded.mFilename.C_Str() : fmt::format("*{}", index);
+}
+
+/// A name as some programs write it into an MTL: in quotes, or with spaces behind it.
+std::string bare(std::string name)
+{
+    const size_t last = name.find_last_not_of(" \t\"");
+    name.erase(last == std::string::npos ? 0 : last + 1);
+    name.erase(0, name.find_first_not_of(" \t\""));
+    return name;
 }
 
 class SceneReader
@@ -66,7 +78,8 @@ public:
 private:
     void takeMaterial(const aiMaterial& source);
     void takeTexture(const aiTexture& source, int index);
-    void takeMesh(const aiMesh& source, const std::string& nodeName, const glm::mat4& fileFromLocal);
+    void takeMesh(const aiMesh& source, const std::string& nodeName,
+                  const glm::mat4& fileFromLocal);
     void visitNode(const aiNode& node, const glm::mat4& fileFromParent, int depth);
 
     const aiScene& scene_;
@@ -83,9 +96,9 @@ void SceneReader::takeMaterial(const aiMaterial& source)
     unsigned uvSet = 0;
     bool found = false;
     for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE})
-        found = found || source.GetTexture(type, 0, &texture, nullptr, &uvSet, nullptr, nullptr, mode) ==
-                             aiReturn_SUCCESS;
-    if (found) material.texture = texture.C_Str();
+        found = found || source.GetTexture(type, 0, &texture, nullptr, &uvSet, nullptr, nullptr,
+                                           mode) == aiReturn_SUCCESS;
+    if (found) material.texture = bare(texture.C_Str());
     const auto [embedded, index] = scene_.GetEmbeddedTextureAndIndex(texture.C_Str());
     if (found && embedded != nullptr) material.texture = nameOf(*embedded, index);
     material.wrapU = from(mode[0]);
@@ -108,7 +121,8 @@ void SceneReader::takeTexture(const aiTexture& source, int index)
     import_.textures.push_back(std::move(texture));
 }
 
-void SceneReader::takeMesh(const aiMesh& source, const std::string& nodeName, const glm::mat4& fileFromLocal)
+void SceneReader::takeMesh(const aiMesh& source, const std::string& nodeName,
+                           const glm::mat4& fileFromLocal)
 {
     Import::Mesh mesh;
     mesh.name = source.mName.length > 0 ? source.mName.C_Str() : nodeName;
@@ -129,7 +143,8 @@ void SceneReader::takeMesh(const aiMesh& source, const std::string& nodeName, co
         const aiFace& face = source.mFaces[i];
         if (face.mNumIndices != 3) continue;
         const unsigned* v = face.mIndices;
-        mesh.triangles.push_back(mirrored ? glm::uvec3(v[0], v[2], v[1]) : glm::uvec3(v[0], v[1], v[2]));
+        mesh.triangles.push_back(mirrored ? glm::uvec3(v[0], v[2], v[1])
+                                          : glm::uvec3(v[0], v[1], v[2]));
     }
     import_.meshes.push_back(std::move(mesh));
 }
@@ -140,7 +155,8 @@ void SceneReader::visitNode(const aiNode& node, const glm::mat4& fileFromParent,
     const glm::mat4 fileFromNode = fileFromParent * from(node.mTransformation);
     for (unsigned i = 0; i < node.mNumMeshes; ++i)
         takeMesh(*scene_.mMeshes[node.mMeshes[i]], node.mName.C_Str(), fileFromNode);
-    for (unsigned i = 0; i < node.mNumChildren; ++i) visitNode(*node.mChildren[i], fileFromNode, depth + 1);
+    for (unsigned i = 0; i < node.mNumChildren; ++i)
+        visitNode(*node.mChildren[i], fileFromNode, depth + 1);
 }
 
 // ---- through the pipe
@@ -231,6 +247,7 @@ private:
     void take(void* target, size_t count, size_t size) const
     {
         if (count * size > bytes.size()) throw std::length_error("broken answer");
+        if (count == 0) return; // and `target` may be null
         std::memcpy(target, bytes.data(), count * size);
         bytes = bytes.subspan(count * size);
     }
@@ -239,10 +256,12 @@ private:
 std::vector<std::byte> importAndPack(const std::filesystem::path& file)
 {
     Assimp::Importer importer;
-    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_SortByPType |
-                                                                aiProcess_JoinIdenticalVertices | aiProcess_FlipUVs |
-                                                                aiProcess_ValidateDataStructure);
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    const aiScene* scene =
+        importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_SortByPType |
+                                             aiProcess_JoinIdenticalVertices | aiProcess_FlipUVs |
+                                             aiProcess_ValidateDataStructure);
     if (scene == nullptr || scene->mRootNode == nullptr)
         malformed(file.string(), fmt::format("cannot be read: {}", importer.GetErrorString()));
     const Import import = SceneReader(*scene).read();

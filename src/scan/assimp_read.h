@@ -6,6 +6,7 @@ namespace relamp
 {
 
 /// Reads OBJ, PLY and the other formats that Assimp knows.
-Scan readWithAssimp(const std::filesystem::path& file, const ScanOptions& options, Progress& progress);
+Scan readWithAssimp(const std::filesystem::path& file, const ScanOptions& options,
+                    Progress& progress);
 
 } // namespace relamp

@@ -13,7 +13,8 @@ namespace
 
 constexpr uint32_t kNobody = ~0u;
 constexpr int kRowsOfBand = 32;
-constexpr double kInside = 0.01; // pixels from every edge; nearer, two neighbours may both touch a centre
+constexpr double kInside =
+    0.01; // pixels from every edge; nearer, two neighbours may both touch a centre
 
 struct Row
 {
@@ -167,14 +168,16 @@ void PageRaster::drawFacet(const Candidate& candidate, RowRange rows, std::vecto
         const Row row = edges.row(y, 0.0);
         const RowRange columns = columnsOf(row, size_.width);
         const Row inner = edges.row(y, kInside);
-        uint32_t* pixels = owner.data() + static_cast<size_t>(y - firstRow) * static_cast<size_t>(size_.width);
+        uint32_t* pixels =
+            owner.data() + static_cast<size_t>(y - firstRow) * static_cast<size_t>(size_.width);
         for (int x = columns.begin; x < columns.end; ++x) {
             if (pixels[x] == kNobody)
                 pixels[x] = candidate.facet;
             else if (x >= inner.begin && x <= inner.end)
                 ++coverage.contested;
         }
-        const double beyond = std::max(0.0, -0.5 - row.begin) + std::max(0.0, row.end - (size_.width - 0.5));
+        const double beyond =
+            std::max(0.0, -0.5 - row.begin) + std::max(0.0, row.end - (size_.width - 0.5));
         if (row.end >= row.begin) coverage.outside += static_cast<uint64_t>(std::min(beyond, 1e6));
     }
 }
@@ -185,12 +188,15 @@ void PageRaster::drawBand(int band, PageCoverage& coverage) const
     const int endRow = std::min(firstRow + kRowsOfBand, size_.height);
     const auto width = static_cast<size_t>(size_.width);
     std::vector<uint32_t> owner(width * static_cast<size_t>(endRow - firstRow), kNobody);
-    for (uint32_t i = beginOfBand_[static_cast<size_t>(band)]; i < beginOfBand_[static_cast<size_t>(band) + 1]; ++i) {
+    for (uint32_t i = beginOfBand_[static_cast<size_t>(band)];
+         i < beginOfBand_[static_cast<size_t>(band) + 1]; ++i) {
         const Candidate& candidate = candidates_[candidatesOfBand_[i]];
-        const RowRange rows{std::max(candidate.rows.begin, firstRow), std::min(candidate.rows.end, endRow)};
+        const RowRange rows{std::max(candidate.rows.begin, firstRow),
+                            std::min(candidate.rows.end, endRow)};
         drawFacet(candidate, rows, owner, coverage);
     }
-    const size_t covered = owner.size() - static_cast<size_t>(std::count(owner.begin(), owner.end(), kNobody));
+    const size_t covered =
+        owner.size() - static_cast<size_t>(std::count(owner.begin(), owner.end(), kNobody));
     coverage.pixel.reserve(covered);
     coverage.facet.reserve(covered);
     for (size_t i = 0; i < owner.size(); ++i) {

@@ -13,14 +13,15 @@ struct PageCoverage
 {
     std::vector<uint32_t> pixel; // row * width + column, ascending
     std::vector<uint32_t> facet; // of the same texel
-    uint64_t contested = 0;      // how often a second facet wanted the inside of a texel: overlapping UVs
-    uint64_t outside = 0;        // texels of triangles that reach over the page's edge: tiled textures
+    uint64_t contested =
+        0;                // how often a second facet wanted the inside of a texel: overlapping UVs
+    uint64_t outside = 0; // texels of triangles that reach over the page's edge: tiled textures
 };
 
 /// Rasterises all facets of a page.
 ///
-/// A texel is covered where its centre lies in a triangle; where several do, the first facet has it,
-/// whatever the number of threads.
+/// A texel is covered where its centre lies in a triangle; where several do, the first facet has
+/// it, whatever the number of threads.
 PageCoverage rasterizePage(const Scan& scan, const Facets& facets, uint32_t page);
 
 } // namespace relamp

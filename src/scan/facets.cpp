@@ -47,9 +47,10 @@ Facet facetOfTriangle(const Scan& scan, uint32_t meshIndex, size_t triangle)
 {
     const Mesh& mesh = scan.meshes[meshIndex];
     const glm::uvec3& v = mesh.triangles[triangle];
-    const std::array<glm::dvec3, 3> positions{mesh.positions[v.x], mesh.positions[v.y], mesh.positions[v.z]};
-    const std::array<glm::dvec3, 3> normals{mesh.normals[3 * triangle], mesh.normals[3 * triangle + 1],
-                                            mesh.normals[3 * triangle + 2]};
+    const std::array<glm::dvec3, 3> positions{mesh.positions[v.x], mesh.positions[v.y],
+                                              mesh.positions[v.z]};
+    const std::array<glm::dvec3, 3> normals{
+        mesh.normals[3 * triangle], mesh.normals[3 * triangle + 1], mesh.normals[3 * triangle + 2]};
     Facet facet;
     facet.mesh = meshIndex;
     facet.position = positions[0];
@@ -79,7 +80,8 @@ void addVertexFacets(const Scan& scan, uint32_t meshIndex, std::vector<Facet>& f
     for (size_t i = 0; i < mesh.triangles.size(); ++i) {
         const glm::uvec3& v = mesh.triangles[i];
         const glm::vec3 a = mesh.positions[v.x];
-        const float area = 0.5f * glm::length(glm::cross(mesh.positions[v.y] - a, mesh.positions[v.z] - a));
+        const float area =
+            0.5f * glm::length(glm::cross(mesh.positions[v.y] - a, mesh.positions[v.z] - a));
         for (int c = 0; c < 3; ++c) {
             vertices[v[c]].texelArea += area / 3.0f;
             vertices[v[c]].normal += area * mesh.normals[3 * i + static_cast<size_t>(c)];
@@ -145,7 +147,8 @@ Tint tintOf(const Scan& scan, const Facets& facets, uint32_t facet)
     if (facet >= facets.triangles || mesh.colors.empty()) return tint;
     const glm::uvec3& v = mesh.triangles[facet - facets.firstOfMesh[meshIndex]];
     const PixelGradients gradients(pixelTriangle(scan, mesh, v));
-    const std::array<glm::dvec3, 3> colors{mesh.factor * mesh.colors[v.x], mesh.factor * mesh.colors[v.y],
+    const std::array<glm::dvec3, 3> colors{mesh.factor * mesh.colors[v.x],
+                                           mesh.factor * mesh.colors[v.y],
                                            mesh.factor * mesh.colors[v.z]};
     return {colors[0], gradients.alongX(colors), gradients.alongY(colors)};
 }

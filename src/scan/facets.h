@@ -34,7 +34,7 @@ struct Facets
 {
     std::vector<Facet> facets;
     std::vector<uint32_t> firstOfMesh; // of the triangles; one more entry than meshes
-    size_t triangles = 0;              // facets from here on are vertices, in the order of their pixels
+    size_t triangles = 0; // facets from here on are vertices, in the order of their pixels
 };
 
 Facets buildFacets(const Scan& scan);

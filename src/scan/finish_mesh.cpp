@@ -42,12 +42,17 @@ size_t keepTriangles(Mesh& mesh, const Keep& keep)
 void checkCounts(const Mesh& mesh, const std::string& what)
 {
     const size_t count = mesh.positions.size();
-    if (!mesh.uvs.empty() && mesh.uvs.size() != count) malformed(what, "has not one texture coordinate a vertex");
-    if (!mesh.colors.empty() && mesh.colors.size() != count) malformed(what, "has not one colour a vertex");
+    if (!mesh.uvs.empty() && mesh.uvs.size() != count)
+        malformed(what, "has not one texture coordinate a vertex");
+    if (!mesh.colors.empty() && mesh.colors.size() != count)
+        malformed(what, "has not one colour a vertex");
     for (const glm::uvec3& t : mesh.triangles)
         if (const uint32_t last = std::max({t.x, t.y, t.z}); last >= count)
-            malformed(what, fmt::format("refers to vertex {}, and it has {}; the file is damaged, export it again",
-                                        last, count));
+            malformed(
+                what,
+                fmt::format(
+                    "refers to vertex {}, and it has {}; the file is damaged, export it again",
+                    last, count));
 }
 
 void dropUnusable(Mesh& mesh, std::vector<std::string>& warnings)
@@ -55,11 +60,11 @@ void dropUnusable(Mesh& mesh, std::vector<std::string>& warnings)
     const size_t count = mesh.positions.size();
     std::vector<uint8_t> usable(count);
     for (size_t i = 0; i < count; ++i)
-        usable[i] = isUsable(mesh.positions[i]) &&
-                    (mesh.uvs.empty() || (std::isfinite(mesh.uvs[i].x) && std::isfinite(mesh.uvs[i].y)));
-    const size_t broken = keepTriangles(mesh, [&](const glm::uvec3& t) {
-        return usable[t.x] && usable[t.y] && usable[t.z];
-    });
+        usable[i] =
+            isUsable(mesh.positions[i]) &&
+            (mesh.uvs.empty() || (std::isfinite(mesh.uvs[i].x) && std::isfinite(mesh.uvs[i].y)));
+    const size_t broken = keepTriangles(
+        mesh, [&](const glm::uvec3& t) { return usable[t.x] && usable[t.y] && usable[t.z]; });
     const size_t flat = keepTriangles(mesh, [&](const glm::uvec3& t) {
         const glm::vec3 area = areaVector(mesh, t);
         return glm::dot(area, area) > 1e-24f; // (1e-6 mm^2)^2: nothing to see, no normal to trust
@@ -71,12 +76,35 @@ void dropUnusable(Mesh& mesh, std::vector<std::string>& warnings)
         if (!mesh.uvs.empty()) mesh.uvs[i] = glm::vec2(0.0f);
     }
     if (broken > 0)
-        warnings.push_back(fmt::format("mesh \"{}\": {} triangles have a vertex that is not a finite "
-                                       "number and were left out",
-                                       mesh.name, broken));
+        warnings.push_back(
+            fmt::format("mesh \"{}\": {} triangles have a vertex that is not a finite "
+                        "number and were left out",
+                        mesh.name, broken));
     if (flat > 0)
         warnings.push_back(
             fmt::format("mesh \"{}\": {} triangles without area were left out", mesh.name, flat));
+}
+
+void dropUnusedVertices(Mesh& mesh, std::vector<glm::vec3>& normals)
+{
+    constexpr uint32_t kUnused = ~0u;
+    std::vector<uint32_t> newIndex(mesh.positions.size(), kUnused);
+    for (const glm::uvec3& t : mesh.triangles)
+        for (int c = 0; c < 3; ++c) newIndex[t[c]] = 0;
+    uint32_t used = 0;
+    for (uint32_t& index : newIndex)
+        if (index != kUnused) index = used++;
+    if (used == newIndex.size()) return;
+    const auto keepUsed = [&](auto& values) {
+        for (size_t i = 0; i < values.size(); ++i)
+            if (newIndex[i] != kUnused) values[newIndex[i]] = values[i];
+        if (!values.empty()) values.resize(used);
+    };
+    keepUsed(mesh.positions);
+    keepUsed(mesh.uvs);
+    keepUsed(mesh.colors);
+    keepUsed(normals);
+    for (glm::uvec3& t : mesh.triangles) t = {newIndex[t.x], newIndex[t.y], newIndex[t.z]};
 }
 
 /// For every vertex, the lowest index of those at the same place.
@@ -88,8 +116,9 @@ std::vector<uint32_t> weld(const std::vector<glm::vec3>& positions)
         const glm::vec3& p = positions[i];
         return std::tuple(p.x, p.y, p.z);
     };
-    std::sort(order.begin(), order.end(),
-              [&](uint32_t a, uint32_t b) { return std::tuple(key(a), a) < std::tuple(key(b), b); });
+    std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+        return std::tuple(key(a), a) < std::tuple(key(b), b);
+    });
     std::vector<uint32_t> first(positions.size());
     for (size_t i = 0; i < order.size(); ++i) {
         const bool same = i > 0 && key(order[i]) == key(order[i - 1]);
@@ -148,15 +177,14 @@ void takeNormals(Mesh& mesh, const std::vector<glm::vec3>& vertexNormals)
 
 } // namespace
 
-void finishMesh(Mesh& mesh, const std::vector<glm::vec3>& vertexNormals, const std::string& file,
+void finishMesh(Mesh& mesh, std::vector<glm::vec3> vertexNormals, const std::string& file,
                 std::vector<std::string>& warnings)
 {
     checkCounts(mesh, fmt::format("{}: mesh \"{}\"", file, mesh.name));
     dropUnusable(mesh, warnings);
-    if (vertexNormals.size() == mesh.positions.size())
-        takeNormals(mesh, vertexNormals);
-    else
-        smoothNormals(mesh);
+    if (vertexNormals.size() != mesh.positions.size()) vertexNormals.clear();
+    if (mesh.page >= 0) dropUnusedVertices(mesh, vertexNormals);
+    vertexNormals.empty() ? smoothNormals(mesh) : takeNormals(mesh, vertexNormals);
 }
 
 } // namespace relamp

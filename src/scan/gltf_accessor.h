@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,21 @@ AccessorFloats readFloats(const tinygltf::Model& model, int accessor, size_t lea
                           const std::string& what);
 
 /// Reads vertex indices of 8, 16 or 32 bits.
-std::vector<uint32_t> readIndices(const tinygltf::Model& model, int accessor, const std::string& what);
+std::vector<uint32_t> readIndices(const tinygltf::Model& model, int accessor,
+                                  const std::string& what);
+
+/// Shows `edit` every stored element of an accessor of floats, to be changed where it lies; leaves
+/// accessors of whole numbers alone. Throws Error(malformed) as readFloats does.
+void editFloats(tinygltf::Model& model, int accessor, const std::string& what,
+                const std::function<void(std::span<float>)>& edit);
+
+/// Least and largest number of each component, as they are stored.
+struct AccessorBounds
+{
+    std::vector<double> low;
+    std::vector<double> high;
+};
+/// Throws as readFloats does.
+AccessorBounds boundsOf(const tinygltf::Model& model, int accessor, const std::string& what);
 
 } // namespace relamp

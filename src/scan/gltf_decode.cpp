@@ -39,7 +39,8 @@ std::vector<uint8_t> valuesAs(const draco::Mesh& mesh, const draco::PointAttribu
 void applyFilter(std::vector<uint8_t>& bytes, const MeshoptStream& stream, const std::string& what)
 {
     if (stream.filter == "NONE") return;
-    const bool octahedral = stream.filter == "OCTAHEDRAL" && (stream.stride == 4 || stream.stride == 8);
+    const bool octahedral =
+        stream.filter == "OCTAHEDRAL" && (stream.stride == 4 || stream.stride == 8);
     const bool quaternion = stream.filter == "QUATERNION" && stream.stride == 8;
     const bool exponential = stream.filter == "EXPONENTIAL" && stream.stride % 4 == 0;
     if (octahedral)
@@ -70,9 +71,11 @@ std::vector<uint8_t> decodeMeshopt(const MeshoptStream& stream, const std::strin
     const auto* source = stream.bytes.data();
     const size_t size = stream.bytes.size();
     const int failure =
-        attributes  ? meshopt_decodeVertexBuffer(bytes.data(), stream.count, stream.stride, source, size)
-        : triangles ? meshopt_decodeIndexBuffer(bytes.data(), stream.count, stream.stride, source, size)
-                    : meshopt_decodeIndexSequence(bytes.data(), stream.count, stream.stride, source, size);
+        attributes
+            ? meshopt_decodeVertexBuffer(bytes.data(), stream.count, stream.stride, source, size)
+        : triangles
+            ? meshopt_decodeIndexBuffer(bytes.data(), stream.count, stream.stride, source, size)
+            : meshopt_decodeIndexSequence(bytes.data(), stream.count, stream.stride, source, size);
     if (failure != 0) malformed(what, "its meshopt data is damaged; export it again");
     if (attributes) applyFilter(bytes, stream, what);
     return bytes;
@@ -87,10 +90,12 @@ DracoMesh::DracoMesh(std::span<const uint8_t> bytes, const std::string& what)
         malformed(what, fmt::format("its Draco data is damaged ({}); export it again",
                                     decoded.status().error_msg()));
     mesh_ = std::move(decoded).value();
-    if (mesh_->num_points() > kMostDracoPoints) malformed(what, "its Draco data claims too many points");
+    if (mesh_->num_points() > kMostDracoPoints)
+        malformed(what, "its Draco data claims too many points");
     for (draco::FaceIndex face(0); face < mesh_->num_faces(); ++face)
         for (const draco::PointIndex& corner : mesh_->face(face))
-            if (corner >= mesh_->num_points()) malformed(what, "its Draco data has an index out of range");
+            if (corner >= mesh_->num_points())
+                malformed(what, "its Draco data has an index out of range");
 }
 
 DracoMesh::~DracoMesh() = default;
@@ -120,13 +125,20 @@ std::vector<uint8_t> DracoMesh::attribute(uint32_t id, int componentType, size_t
     if (attribute == nullptr || components == 0)
         malformed(what, fmt::format("its Draco data lacks attribute {}", id));
     switch (componentType) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: return valuesAs<int8_t>(*mesh_, *attribute, components);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return valuesAs<uint8_t>(*mesh_, *attribute, components);
-    case TINYGLTF_COMPONENT_TYPE_SHORT: return valuesAs<int16_t>(*mesh_, *attribute, components);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return valuesAs<uint16_t>(*mesh_, *attribute, components);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return valuesAs<uint32_t>(*mesh_, *attribute, components);
-    case TINYGLTF_COMPONENT_TYPE_FLOAT: return valuesAs<float>(*mesh_, *attribute, components);
-    default: malformed(what, fmt::format("componentType {} is none of glTF's", componentType));
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return valuesAs<int8_t>(*mesh_, *attribute, components);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return valuesAs<uint8_t>(*mesh_, *attribute, components);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return valuesAs<int16_t>(*mesh_, *attribute, components);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return valuesAs<uint16_t>(*mesh_, *attribute, components);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        return valuesAs<uint32_t>(*mesh_, *attribute, components);
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+        return valuesAs<float>(*mesh_, *attribute, components);
+    default:
+        malformed(what, fmt::format("componentType {} is none of glTF's", componentType));
     }
 }
 

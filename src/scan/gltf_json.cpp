@@ -2,16 +2,16 @@
 
 #include "base/fail.h"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
-
-#include <fmt/format.h>
 
 namespace relamp
 {
 namespace
 {
 
-constexpr uint32_t kMagic = 0x46546c67;  // "glTF"
+constexpr uint32_t kMagic = 0x46546c67; // "glTF"
 constexpr uint32_t kJsonChunk = 0x4e4f534a;
 constexpr uint32_t kBinaryChunk = 0x004e4942;
 constexpr size_t kHeader = 12;
@@ -40,7 +40,46 @@ void appendChunk(std::string& glb, uint32_t type, std::string_view content, char
     glb.append(padded - content.size(), padding);
 }
 
+[[noreturn]] void refuseVersion(const std::string& name, const std::string& version)
+{
+    fail(ErrorCode::unsupported, name,
+         fmt::format(
+             "is glTF version {}; relamp reads version 2. Convert it, for example with Blender",
+             version));
+}
+
+/// Extensions of materials and lights never change where a surface is or which picture it shows.
+bool isKnownExtension(const std::string& name)
+{
+    constexpr std::array kKnown{"KHR_draco_mesh_compression", "EXT_meshopt_compression",
+                                "KHR_mesh_quantization",      "KHR_texture_transform",
+                                "KHR_texture_basisu",         "EXT_texture_webp"};
+    return name.starts_with("KHR_materials_") || name.starts_with("KHR_lights_") ||
+           std::find(kKnown.begin(), kKnown.end(), name) != kKnown.end();
+}
+
 } // namespace
+
+void checkIsKnownGltf(const nlohmann::json& document, const std::string& name)
+{
+    using nlohmann::json;
+    const json asset = document.value("asset", json::object());
+    const json version = asset.is_object() ? asset.value("version", json()) : json();
+    if (!version.is_string())
+        malformed(name, "does not say its glTF version (asset.version); is it glTF?");
+    if (!version.get<std::string>().starts_with("2."))
+        refuseVersion(name, version.get<std::string>());
+    for (const json& required : document.value("extensionsRequired", json::array())) {
+        const std::string extension =
+            required.is_string() ? required.get<std::string>() : required.dump();
+        if (!isKnownExtension(extension))
+            fail(
+                ErrorCode::unsupported, name,
+                fmt::format(
+                    "requires the glTF extension {}, which relamp does not know; export it without",
+                    extension));
+    }
+}
 
 GltfChunks splitGltf(std::span<const std::byte> bytes, const std::string& name)
 {
@@ -49,10 +88,7 @@ GltfChunks splitGltf(std::span<const std::byte> bytes, const std::string& name)
     };
     if (bytes.size() < kHeader || wordAt(bytes, 0) != kMagic) return {text(bytes), {}};
     if (const uint32_t version = wordAt(bytes, 4); version != 2)
-        throw Error(ErrorCode::unsupported,
-                    fmt::format("{}: is glTF version {}; relamp reads version 2. Convert it, for "
-                                "example with Blender",
-                                name, version));
+        refuseVersion(name, std::to_string(version));
 
     GltfChunks chunks;
     for (size_t at = kHeader; at + kChunkHeader <= bytes.size();) {
@@ -60,9 +96,10 @@ GltfChunks splitGltf(std::span<const std::byte> bytes, const std::string& name)
         const uint32_t type = wordAt(bytes, at + 4);
         at += kChunkHeader;
         if (length > bytes.size() - at)
-            malformed(name, fmt::format("is cut off: a chunk of {} bytes is announced, {} are there; "
-                                        "copy or export it again",
-                                        length, bytes.size() - at));
+            malformed(name,
+                      fmt::format("is cut off: a chunk of {} bytes is announced, {} are there; "
+                                  "copy or export it again",
+                                  length, bytes.size() - at));
         const auto content = bytes.subspan(at, length);
         if (type == kJsonChunk && chunks.json.empty()) chunks.json = text(content);
         if (type == kBinaryChunk && chunks.binary.empty()) chunks.binary = content;

@@ -25,6 +25,10 @@ GltfChunks splitGltf(std::span<const std::byte> bytes, const std::string& name);
 /// Puts a GLB together.
 std::string joinGlb(const std::string& json, std::span<const uint8_t> binary);
 
+/// Throws Error(unsupported) on another version than glTF 2, or where the file says that it cannot
+/// be understood without an extension that relamp does not know.
+void checkIsKnownGltf(const nlohmann::json& document, const std::string& name);
+
 /// A non-negative integer member; `fallback` where it is absent, Error(malformed) where it is
 /// something else or beyond 2^53.
 uint64_t unsignedMember(const nlohmann::json& object, const char* key, const std::string& name,

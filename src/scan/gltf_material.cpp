@@ -50,8 +50,9 @@ Wrap wrapFrom(int gltfWrap)
     return Wrap::repeat;
 }
 
-void takeTexture(const tinygltf::Model& model, int texture, const tinygltf::ExtensionMap& extensions,
-                 const std::string& what, BaseColor& color)
+void takeTexture(const tinygltf::Model& model, int texture,
+                 const tinygltf::ExtensionMap& extensions, const std::string& what,
+                 BaseColor& color)
 {
     color.image = imageOfTexture(model, texture, what);
     const int sampler = model.textures[static_cast<size_t>(texture)].sampler;
@@ -61,7 +62,8 @@ void takeTexture(const tinygltf::Model& model, int texture, const tinygltf::Exte
     }
     if (const Value* transform = extensionOf(extensions, "KHR_texture_transform")) {
         color.uvFromTexCoord = uvTransformOf(*transform);
-        if (transform->Get("texCoord").IsInt()) color.texCoord = transform->Get("texCoord").Get<int>();
+        if (transform->Get("texCoord").IsInt())
+            color.texCoord = transform->Get("texCoord").Get<int>();
     }
 }
 
@@ -81,22 +83,29 @@ void takeSpecularGlossiness(const tinygltf::Model& model, const Value& extension
 
 } // namespace
 
-int imageOfTexture(const tinygltf::Model& model, int texture, const std::string& what)
+int findImage(const tinygltf::Model& model, int texture)
 {
-    if (texture < 0 || static_cast<size_t>(texture) >= model.textures.size())
-        malformed(what, fmt::format("refers to texture {}, which is not there", texture));
+    if (texture < 0 || static_cast<size_t>(texture) >= model.textures.size()) return -1;
     const tinygltf::Texture& found = model.textures[static_cast<size_t>(texture)];
     int image = found.source;
     if (const Value* webp = extensionOf(found.extensions, "EXT_texture_webp"))
         if (webp->Get("source").IsInt()) image = webp->Get("source").Get<int>();
-    if (image < 0 && extensionOf(found.extensions, "KHR_texture_basisu") != nullptr)
-        throw Error(ErrorCode::unsupported,
-                    fmt::format("{}: its texture is in KTX2 / Basis Universal, which relamp does not "
-                                "read; export it with JPEG or PNG textures",
-                                what));
-    if (image < 0 || static_cast<size_t>(image) >= model.images.size())
-        malformed(what, fmt::format("its texture {} refers to image {}, which is not there", texture, image));
-    return image;
+    return image >= 0 && static_cast<size_t>(image) < model.images.size() ? image : -1;
+}
+
+int imageOfTexture(const tinygltf::Model& model, int texture, const std::string& what)
+{
+    if (const int image = findImage(model, texture); image >= 0) return image;
+    if (texture < 0 || static_cast<size_t>(texture) >= model.textures.size())
+        malformed(what, fmt::format("refers to texture {}, which is not there", texture));
+    const tinygltf::Texture& found = model.textures[static_cast<size_t>(texture)];
+    if (extensionOf(found.extensions, "KHR_texture_basisu") != nullptr)
+        fail(ErrorCode::unsupported, what,
+             "its texture is in KTX2 / Basis Universal, which relamp does not read; export it with "
+             "JPEG or PNG "
+             "textures");
+    malformed(what, fmt::format("its texture {} refers to image {}, which is not there", texture,
+                                found.source));
 }
 
 BaseColor baseColorOf(const tinygltf::Model& model, int material, const std::string& what)
@@ -113,7 +122,8 @@ BaseColor baseColorOf(const tinygltf::Model& model, int material, const std::str
     }
     if (pbr.baseColorTexture.index >= 0) {
         color.texCoord = pbr.baseColorTexture.texCoord;
-        takeTexture(model, pbr.baseColorTexture.index, pbr.baseColorTexture.extensions, what, color);
+        takeTexture(model, pbr.baseColorTexture.index, pbr.baseColorTexture.extensions, what,
+                    color);
     } else if (const Value* glossiness =
                    extensionOf(found.extensions, "KHR_materials_pbrSpecularGlossiness")) {
         takeSpecularGlossiness(model, *glossiness, what, color);

@@ -1,10 +1,13 @@
 #include "scan/gltf_read.h"
 
 #include "base/fail.h"
+#include "base/json.h"
 #include "base/parallel.h"
 #include "scan/finish_mesh.h"
 #include "scan/gltf_accessor.h"
+#include "scan/gltf_json.h"
 #include "scan/gltf_material.h"
+#include "scan/gltf_mend.h"
 #include "scan/gltf_unpack.h"
 #include "scan/page_builder.h"
 #include "scan/scan_frame.h"
@@ -17,16 +20,18 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
+#include <tiny_gltf.h>
 
 namespace relamp
 {
 namespace
 {
 
-constexpr size_t kMostTriangles = size_t{1} << 28;
+constexpr size_t kMostTriangles = size_t{1} << 26;
+constexpr size_t kMostVertices = size_t{1} << 28; // read; primitives may share them
 constexpr size_t kMostMeshes = size_t{1} << 16;
 
-tinygltf::Model parseModel(const PlainGltf& plain, const std::string& name)
+tinygltf::Model parseModel(const std::string& glb, const std::string& name)
 {
     tinygltf::TinyGLTF loader;
     // Pictures stay as they are in the buffer until they are needed; files were fetched before.
@@ -36,9 +41,8 @@ tinygltf::Model parseModel(const PlainGltf& plain, const std::string& name)
     tinygltf::FsCallbacks noFiles{};
     noFiles.FileExists = [](const std::string&, void*) { return false; };
     noFiles.ExpandFilePath = [](const std::string& path, void*) { return path; };
-    noFiles.ReadWholeFile = [](std::vector<unsigned char>*, std::string*, const std::string&, void*) {
-        return false;
-    };
+    noFiles.ReadWholeFile = [](std::vector<unsigned char>*, std::string*, const std::string&,
+                               void*) { return false; };
     noFiles.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
                                 void*) { return false; };
     loader.SetFsCallbacks(noFiles);
@@ -49,8 +53,8 @@ tinygltf::Model parseModel(const PlainGltf& plain, const std::string& name)
     bool read = false;
     try {
         read = loader.LoadBinaryFromMemory(&model, &failure, &warning,
-                                           reinterpret_cast<const unsigned char*>(plain.glb.data()),
-                                           static_cast<unsigned>(plain.glb.size()));
+                                           reinterpret_cast<const unsigned char*>(glb.data()),
+                                           static_cast<unsigned>(glb.size()));
     } catch (const std::exception& thrown) {
         failure = thrown.what();
     }
@@ -63,7 +67,8 @@ glm::mat4 localTransform(const tinygltf::Node& node)
 {
     if (node.matrix.size() == 16) return glm::make_mat4(node.matrix.data());
     glm::dmat4 local(1.0);
-    if (node.translation.size() == 3) local[3] = glm::dvec4(glm::make_vec3(node.translation.data()), 1.0);
+    if (node.translation.size() == 3)
+        local[3] = glm::dvec4(glm::make_vec3(node.translation.data()), 1.0);
     if (node.rotation.size() == 4) {
         const double* q = node.rotation.data(); // x, y, z, w
         local *= glm::mat4_cast(glm::normalize(glm::dquat(q[3], q[0], q[1], q[2])));
@@ -79,7 +84,8 @@ std::vector<glm::uvec3> trianglesFrom(const std::vector<uint32_t>& v, int mode)
     std::vector<glm::uvec3> triangles;
     const auto count = static_cast<uint32_t>(v.size());
     if (mode == TINYGLTF_MODE_TRIANGLES)
-        for (uint32_t i = 0; i + 2 < count; i += 3) triangles.emplace_back(v[i], v[i + 1], v[i + 2]);
+        for (uint32_t i = 0; i + 2 < count; i += 3)
+            triangles.emplace_back(v[i], v[i + 1], v[i + 2]);
     if (mode == TINYGLTF_MODE_TRIANGLE_STRIP)
         for (uint32_t i = 0; i + 2 < count; ++i)
             triangles.emplace_back(v[i], v[i + 1 + i % 2], v[i + 2 - i % 2]);
@@ -94,7 +100,8 @@ public:
     GltfReader(const std::filesystem::path& file, const ScanOptions& options, PlainGltf&& plain)
         : name_(file.string()), options_(options), source_(std::make_shared<GltfSource>())
     {
-        source_->model = parseModel(plain, name_);
+        model_ = parseModel(joinGlb(dumpJson(plain.document), plain.binary), name_);
+        source_->document = std::move(plain.document);
         scan_.name = file.stem().string();
         scan_.warnings = std::move(plain.warnings);
     }
@@ -104,28 +111,31 @@ public:
 private:
     void visitScene();
     void visitNode(int index, const glm::mat4& worldFromParent);
-    void takePrimitive(int meshIndex, int primitiveIndex, const std::string& nodeName,
-                       const glm::mat4& worldFromLocal);
+    void takePrimitive(GltfSource::MeshOrigin origin, const glm::mat4& worldFromLocal);
+    void count(const Mesh& mesh);
     void takeVertices(const tinygltf::Primitive& primitive, const glm::mat4& worldFromLocal,
                       const std::string& what, Mesh& mesh, std::vector<glm::vec3>& normals) const;
     void takeColor(const tinygltf::Primitive& primitive, const std::string& what, Mesh& mesh);
     int pageOfImage(int image);
     void readPages(Progress& progress);
 
-    [[nodiscard]] const tinygltf::Model& model() const { return source_->model; }
+    void keepSource();
 
     std::string name_;
     const ScanOptions& options_;
+    tinygltf::Model model_;
     std::shared_ptr<GltfSource> source_;
     Scan scan_;
     std::vector<uint8_t> visited_; // of nodes
     std::map<int, int> pageOfImage_;
     size_t triangles_ = 0;
+    size_t vertices_ = 0;
 };
 
 int GltfReader::pageOfImage(int image)
 {
-    const auto [found, isNew] = pageOfImage_.try_emplace(image, static_cast<int>(pageOfImage_.size()));
+    const auto [found, isNew] =
+        pageOfImage_.try_emplace(image, static_cast<int>(pageOfImage_.size()));
     return found->second;
 }
 
@@ -138,20 +148,22 @@ void GltfReader::takeVertices(const tinygltf::Primitive& primitive, const glm::m
         return found == primitive.attributes.end() ? -1 : found->second;
     };
     if (attribute("POSITION") < 0) malformed(what, "has no positions");
-    const AccessorFloats positions = readFloats(model(), attribute("POSITION"), 3, what);
+    const AccessorFloats positions = readFloats(model_, attribute("POSITION"), 3, what);
     mesh.positions.resize(positions.count());
     for (size_t i = 0; i < mesh.positions.size(); ++i)
-        mesh.positions[i] = worldFromLocal * glm::vec4(glm::make_vec3(&positions.values[i * positions.components]), 1.0f);
+        mesh.positions[i] =
+            worldFromLocal *
+            glm::vec4(glm::make_vec3(&positions.values[i * positions.components]), 1.0f);
 
     if (attribute("NORMAL") >= 0) {
-        const AccessorFloats read = readFloats(model(), attribute("NORMAL"), 3, what);
+        const AccessorFloats read = readFloats(model_, attribute("NORMAL"), 3, what);
         const glm::mat3 normalFromLocal = glm::transpose(glm::inverse(glm::mat3(worldFromLocal)));
         normals.resize(read.count());
         for (size_t i = 0; i < normals.size(); ++i)
             normals[i] = normalFromLocal * glm::make_vec3(&read.values[i * read.components]);
     }
     if (attribute("COLOR_0") >= 0) {
-        const AccessorFloats read = readFloats(model(), attribute("COLOR_0"), 3, what);
+        const AccessorFloats read = readFloats(model_, attribute("COLOR_0"), 3, what);
         mesh.colors.resize(read.count());
         for (size_t i = 0; i < mesh.colors.size(); ++i)
             for (int c = 0; c < 3; ++c) {
@@ -161,63 +173,76 @@ void GltfReader::takeVertices(const tinygltf::Primitive& primitive, const glm::m
     }
     std::vector<uint32_t> indices;
     if (primitive.indices >= 0) {
-        indices = readIndices(model(), primitive.indices, what);
+        indices = readIndices(model_, primitive.indices, what);
     } else {
         indices.resize(mesh.positions.size());
         for (uint32_t i = 0; i < indices.size(); ++i) indices[i] = i;
     }
     mesh.triangles = trianglesFrom(indices, primitive.mode);
-    if (glm::determinant(glm::mat3(worldFromLocal)) < 0.0f) // a mirrored mesh is wound the other way
+    if (glm::determinant(glm::mat3(worldFromLocal)) <
+        0.0f) // a mirrored mesh is wound the other way
         for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
 }
 
-void GltfReader::takeColor(const tinygltf::Primitive& primitive, const std::string& what, Mesh& mesh)
+void GltfReader::takeColor(const tinygltf::Primitive& primitive, const std::string& what,
+                           Mesh& mesh)
 {
-    const BaseColor color = baseColorOf(model(), primitive.material, what);
+    const BaseColor color = baseColorOf(model_, primitive.material, what);
     mesh.factor = color.factor;
     if (color.image < 0) return; // addVertexPage gives it a page
     const std::string set = fmt::format("TEXCOORD_{}", color.texCoord);
     const auto attribute = primitive.attributes.find(set);
     if (attribute == primitive.attributes.end())
-        throw Error(ErrorCode::unsupported,
-                    fmt::format("{}: mesh \"{}\" has no texture coordinates ({}).\nUnwrap it first, or "
-                                "leave it out with --skip-mesh \"{}\".",
-                                name_, mesh.name, set, mesh.name));
-    const AccessorFloats uvs = readFloats(model(), attribute->second, 2, what);
+        throw Error(
+            ErrorCode::unsupported,
+            fmt::format("{}: mesh \"{}\" has no texture coordinates ({}).\nUnwrap it first, or "
+                        "leave it out with --skip-mesh \"{}\".",
+                        name_, mesh.name, set, mesh.name));
+    const AccessorFloats uvs = readFloats(model_, attribute->second, 2, what);
     mesh.uvs.resize(uvs.count());
     for (size_t i = 0; i < mesh.uvs.size(); ++i)
-        mesh.uvs[i] = color.uvFromTexCoord * glm::vec3(glm::make_vec2(&uvs.values[i * uvs.components]), 1.0f);
+        mesh.uvs[i] =
+            color.uvFromTexCoord * glm::vec3(glm::make_vec2(&uvs.values[i * uvs.components]), 1.0f);
     mesh.wrapU = color.wrapU;
     mesh.wrapV = color.wrapV;
     mesh.page = pageOfImage(color.image);
 }
 
-void GltfReader::takePrimitive(int meshIndex, int primitiveIndex, const std::string& nodeName,
-                               const glm::mat4& worldFromLocal)
+/// One mesh may stand at many nodes: a small file can hold a scan too large for any machine.
+void GltfReader::count(const Mesh& mesh)
 {
-    const tinygltf::Mesh& source = model().meshes[static_cast<size_t>(meshIndex)];
-    const tinygltf::Primitive& primitive = source.primitives[static_cast<size_t>(primitiveIndex)];
+    triangles_ += mesh.triangles.size();
+    vertices_ += mesh.positions.size();
+    if (triangles_ > kMostTriangles || vertices_ > kMostVertices ||
+        scan_.meshes.size() >= kMostMeshes)
+        malformed(name_,
+                  "has more triangles, vertices or meshes than relamp works on; simplify it");
+}
+
+void GltfReader::takePrimitive(GltfSource::MeshOrigin origin, const glm::mat4& worldFromLocal)
+{
+    const tinygltf::Mesh& source = model_.meshes[static_cast<size_t>(origin.mesh)];
+    const tinygltf::Primitive& primitive = source.primitives[static_cast<size_t>(origin.primitive)];
+    const std::string& nodeName = model_.nodes[static_cast<size_t>(origin.node)].name;
     Mesh mesh;
     mesh.name = !source.name.empty() ? source.name
                 : !nodeName.empty()  ? nodeName
-                                     : fmt::format("mesh {}", meshIndex);
+                                     : fmt::format("mesh {}", origin.mesh);
     const std::string what = fmt::format("{}: mesh \"{}\"", name_, mesh.name);
     if (isSkipped(options_, mesh.name)) return;
     if (primitive.mode < TINYGLTF_MODE_TRIANGLES || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
-        scan_.warnings.push_back(
-            fmt::format("mesh \"{}\": points and lines have no surface and were left out", mesh.name));
+        scan_.warnings.push_back(fmt::format(
+            "mesh \"{}\": points and lines have no surface and were left out", mesh.name));
         return;
     }
     std::vector<glm::vec3> normals;
     takeVertices(primitive, worldFromLocal, what, mesh, normals);
+    count(mesh);
     takeColor(primitive, what, mesh);
-    finishMesh(mesh, normals, name_, scan_.warnings);
+    finishMesh(mesh, std::move(normals), name_, scan_.warnings);
     if (mesh.triangles.empty()) return;
-    triangles_ += mesh.triangles.size();
-    if (triangles_ > kMostTriangles || scan_.meshes.size() >= kMostMeshes)
-        malformed(name_, "has more triangles or meshes than relamp works on; simplify it");
     scan_.meshes.push_back(std::move(mesh));
-    source_->originOfMesh.push_back({meshIndex, primitiveIndex});
+    source_->originOfMesh.push_back(origin);
 }
 
 void GltfReader::visitNode(int root, const glm::mat4& worldFromParent)
@@ -226,44 +251,41 @@ void GltfReader::visitNode(int root, const glm::mat4& worldFromParent)
     while (!open.empty()) {
         const auto [index, worldFromAbove] = open.back();
         open.pop_back();
-        if (index < 0 || static_cast<size_t>(index) >= model().nodes.size())
+        if (index < 0 || static_cast<size_t>(index) >= model_.nodes.size())
             malformed(name_, fmt::format("refers to node {}, which is not there", index));
         if (visited_[static_cast<size_t>(index)]++ != 0)
-            malformed(name_, fmt::format("node {} is below itself or has two parents; glTF nodes form a "
-                                         "tree. Export it again",
-                                         index));
-        const tinygltf::Node& node = model().nodes[static_cast<size_t>(index)];
+            malformed(name_,
+                      fmt::format("node {} is below itself or has two parents; glTF nodes form a "
+                                  "tree. Export it again",
+                                  index));
+        const tinygltf::Node& node = model_.nodes[static_cast<size_t>(index)];
         const glm::mat4 worldFromNode = worldFromAbove * localTransform(node);
         for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
             open.emplace_back(*child, worldFromNode);
         if (node.mesh < 0) continue;
-        if (static_cast<size_t>(node.mesh) >= model().meshes.size())
-            malformed(name_, fmt::format("node {} refers to mesh {}, which is not there", index, node.mesh));
+        if (static_cast<size_t>(node.mesh) >= model_.meshes.size())
+            malformed(name_, fmt::format("node {} refers to mesh {}, which is not there", index,
+                                         node.mesh));
         if (node.skin >= 0)
-            scan_.warnings.push_back(fmt::format("node {} is skinned; it is taken in its rest pose", index));
-        const size_t primitives = model().meshes[static_cast<size_t>(node.mesh)].primitives.size();
+            scan_.warnings.push_back(
+                fmt::format("node {} is skinned; it is taken in its rest pose", index));
+        const size_t primitives = model_.meshes[static_cast<size_t>(node.mesh)].primitives.size();
         for (size_t i = 0; i < primitives; ++i)
-            takePrimitive(node.mesh, static_cast<int>(i), node.name, worldFromNode);
+            takePrimitive({index, node.mesh, static_cast<int>(i)}, worldFromNode);
     }
 }
 
 void GltfReader::visitScene()
 {
-    visited_.assign(model().nodes.size(), 0);
-    if (model().scenes.empty()) { // a library of nodes: all that nobody holds
-        std::vector<uint8_t> isChild(model().nodes.size(), 0);
-        for (const tinygltf::Node& node : model().nodes)
-            for (const int child : node.children)
-                if (child >= 0 && static_cast<size_t>(child) < isChild.size())
-                    isChild[static_cast<size_t>(child)] = 1;
-        for (size_t i = 0; i < isChild.size(); ++i)
-            if (isChild[i] == 0) visitNode(static_cast<int>(i), scan_.worldFromFile);
+    visited_.assign(model_.nodes.size(), 0);
+    if (model_.scenes.empty()) {
+        for (const int node : rootNodes(source_->document)) visitNode(node, scan_.worldFromFile);
         return;
     }
-    const int scene = std::max(model().defaultScene, 0);
-    if (static_cast<size_t>(scene) >= model().scenes.size())
+    const int scene = std::max(model_.defaultScene, 0);
+    if (static_cast<size_t>(scene) >= model_.scenes.size())
         malformed(name_, fmt::format("refers to scene {}, which is not there", scene));
-    for (const int node : model().scenes[static_cast<size_t>(scene)].nodes)
+    for (const int node : model_.scenes[static_cast<size_t>(scene)].nodes)
         visitNode(node, scan_.worldFromFile);
 }
 
@@ -275,13 +297,15 @@ void GltfReader::readPages(Progress& progress)
     Progress::Stage stage(progress, "read", imageAndPage.size());
     forEach(imageAndPage.size(), [&](size_t i) {
         const auto [image, index] = imageAndPage[i];
-        const tinygltf::Image& source = model().images[static_cast<size_t>(image)];
+        const tinygltf::Image& source = model_.images[static_cast<size_t>(image)];
         const std::string what = fmt::format("{}: image {} \"{}\"", name_, image, source.name);
-        if (source.bufferView < 0) malformed(what, "the picture file that it names is missing or unreadable");
-        const auto& views = model().bufferViews;
-        if (static_cast<size_t>(source.bufferView) >= views.size()) malformed(what, "has no content");
+        if (source.bufferView < 0)
+            malformed(what, "the picture file that it names is missing or unreadable");
+        const auto& views = model_.bufferViews;
+        if (static_cast<size_t>(source.bufferView) >= views.size())
+            malformed(what, "has no content");
         const tinygltf::BufferView& view = views[static_cast<size_t>(source.bufferView)];
-        const std::span bytes(model().buffers.at(0).data);
+        const std::span bytes(model_.buffers.at(0).data);
         Page& page = scan_.pages[static_cast<size_t>(index)];
         page.name = !source.name.empty() ? source.name : fmt::format("image {}", image);
         page.image = readImage(std::as_bytes(bytes.subspan(view.byteOffset, view.byteLength)), what,
@@ -291,18 +315,41 @@ void GltfReader::readPages(Progress& progress)
     });
 }
 
+void GltfReader::keepSource()
+{
+    source_->imageOfPage.resize(scan_.pages.size(), -1);
+    for (int t = 0; t < static_cast<int>(model_.textures.size()); ++t)
+        source_->imageOfTexture.push_back(findImage(model_, t));
+    mendAccessors(model_, source_->document);
+    if (!model_.buffers.empty()) source_->binary = std::move(model_.buffers[0].data);
+    scan_.gltf = std::move(source_);
+}
+
 Scan GltfReader::read(Progress& progress)
 {
     scan_.worldFromFile = worldFromFile(options_);
     visitScene();
     readPages(progress);
     addVertexPage(scan_, options_.transfer, name_);
-    source_->imageOfPage.resize(scan_.pages.size(), -1);
-    scan_.gltf = source_;
+    keepSource();
     return std::move(scan_);
 }
 
 } // namespace
+
+std::vector<int> rootNodes(const nlohmann::json& document)
+{
+    const auto nodes = document.find("nodes");
+    std::vector<uint8_t> isChild(nodes == document.end() ? 0 : nodes->size(), 0);
+    for (size_t i = 0; i < isChild.size(); ++i)
+        for (const nlohmann::json& child : (*nodes)[i].value("children", nlohmann::json::array()))
+            if (child.is_number_unsigned() && child.get<size_t>() < isChild.size())
+                isChild[child.get<size_t>()] = 1;
+    std::vector<int> roots;
+    for (size_t i = 0; i < isChild.size(); ++i)
+        if (isChild[i] == 0) roots.push_back(static_cast<int>(i));
+    return roots;
+}
 
 Scan readGltf(std::span<const std::byte> bytes, const std::filesystem::path& file,
               const ScanOptions& options, Progress& progress)

@@ -5,9 +5,10 @@
 #include "base/json.h"
 #include "scan/gltf_decode.h"
 #include "scan/gltf_json.h"
+#include "scan/gltf_uri.h"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
 
 #include <fmt/format.h>
 #include <tiny_gltf.h>
@@ -19,53 +20,23 @@ namespace
 
 using nlohmann::json;
 
-constexpr uint64_t kLargestBinary = (uint64_t{1} << 32) - (uint64_t{1} << 24); // a GLB ends at 4 GiB
-
-std::string decodePercent(const std::string& uri)
-{
-    const auto digit = [](char c) { return c >= 'a' ? c - 'a' + 10 : c >= 'A' ? c - 'A' + 10 : c - '0'; };
-    std::string text;
-    for (size_t i = 0; i < uri.size(); ++i) {
-        const bool escape = uri[i] == '%' && i + 2 < uri.size() &&
-                            std::isxdigit(static_cast<unsigned char>(uri[i + 1])) &&
-                            std::isxdigit(static_cast<unsigned char>(uri[i + 2]));
-        text += escape ? static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2])) : uri[i];
-        if (escape) i += 2;
-    }
-    return text;
-}
-
-bool isDataUri(const std::string& uri)
-{
-    return uri.starts_with("data:");
-}
-
-std::vector<uint8_t> decodeDataUri(const std::string& uri, const std::string& what)
-{
-    const size_t comma = uri.find(";base64,");
-    if (comma == std::string::npos) malformed(what, "has a data URI that is not base64");
-    // tinygltf knows a handful of media types; the bytes are the same under any.
-    std::vector<uint8_t> bytes;
-    std::string mimeType;
-    if (!tinygltf::DecodeDataURI(&bytes, mimeType,
-                                 "data:application/octet-stream;base64," + uri.substr(comma + 8), 0, false))
-        malformed(what, "has a data URI that is empty or broken");
-    return bytes;
-}
-
-std::string mimeTypeOf(std::span<const uint8_t> bytes)
-{
-    if (bytes.size() > 3 && bytes[0] == 0xff && bytes[1] == 0xd8) return "image/jpeg";
-    if (bytes.size() > 12 && std::memcmp(bytes.data() + 8, "WEBP", 4) == 0) return "image/webp";
-    return "image/png";
-}
+constexpr uint64_t kLargestBinary =
+    (uint64_t{1} << 32) - (uint64_t{1} << 24); // a GLB ends at 4 GiB
+// Draco packs the dullest of meshes some hundred times; a file that unpacks much further names one
+// stream over and over.
+constexpr uint64_t kMostExpansion = 256;
+constexpr uint64_t kAnyFileMayUnpackTo = uint64_t{1} << 26;
+constexpr std::array kSections{"buffers", "bufferViews", "accessors", "images", "meshes"};
 
 /// Rewrites a document step by step; the binary chunk grows as things are pulled into it.
 class Unpacker
 {
 public:
-    Unpacker(json& document, std::span<const std::byte> chunk, const std::filesystem::path& file)
-        : document_(document), chunk_(chunk), folder_(file.parent_path()), name_(file.string())
+    /// `size` is that of the file, in bytes.
+    Unpacker(json& document, std::span<const std::byte> chunk, size_t size,
+             const std::filesystem::path& file)
+        : document_(document), chunk_(chunk), bytesRead_(size), folder_(file.parent_path()),
+          name_(file.string())
     {}
 
     void run();
@@ -74,12 +45,14 @@ public:
     std::vector<std::string> warnings;
 
 private:
-    json& section(const char* key);
-    std::vector<uint8_t> fetch(const std::string& uri, const std::string& what) const;
+    void checkSections();
+    json& section(const char* key) { return document_[key]; }
+    std::vector<uint8_t> fetch(const std::string& uri, const std::string& what);
     void takeBuffers();
     void rebaseView(size_t index);
     void decodeMeshoptView(size_t index);
     void takeImage(size_t index);
+    void decodeMesh(size_t index);
     void decodeDracoPrimitive(json& primitive, const std::string& what);
     uint64_t append(std::span<const uint8_t> bytes);
     size_t appendView(std::span<const uint8_t> bytes, size_t byteStride = 0);
@@ -90,39 +63,46 @@ private:
 
     json& document_;
     std::span<const std::byte> chunk_;
+    uint64_t bytesRead_;
     std::filesystem::path folder_;
     std::string name_;
     std::vector<std::pair<uint64_t, uint64_t>> bufferRange_; // offset and size in `binary`
 };
 
-json& Unpacker::section(const char* key)
+void Unpacker::checkSections()
 {
-    json& found = document_[key];
-    if (found.is_null()) found = json::array();
-    if (!found.is_array()) malformed(name_, fmt::format("\"{}\" is not a list", key));
-    for (const json& item : found)
-        if (!item.is_object()) malformed(name_, fmt::format("\"{}\" holds something that is no object", key));
-    return found;
+    for (const char* key : kSections) {
+        json& found = document_[key];
+        if (found.is_null()) found = json::array();
+        if (!found.is_array()) malformed(name_, fmt::format("\"{}\" is not a list", key));
+        for (const json& item : found)
+            if (!item.is_object())
+                malformed(name_, fmt::format("\"{}\" holds something that is no object", key));
+    }
 }
 
-std::vector<uint8_t> Unpacker::fetch(const std::string& uri, const std::string& what) const
+std::vector<uint8_t> Unpacker::fetch(const std::string& uri, const std::string& what)
 {
     if (isDataUri(uri)) return decodeDataUri(uri, what);
     const std::filesystem::path file = folder_ / std::filesystem::path(decodePercent(uri));
     try {
         const auto bytes = readFile(file);
+        bytesRead_ += bytes.size();
         const auto* begin = reinterpret_cast<const uint8_t*>(bytes.data());
         return {begin, begin + bytes.size()};
     } catch (const Error& error) {
-        throw Error(error.code(), fmt::format("{} needs another file, which should lie beside it: {}",
-                                              what, error.what()));
+        throw Error(error.code(),
+                    fmt::format("{} needs another file, which should lie beside it: {}", what,
+                                error.what()));
     }
 }
 
 uint64_t Unpacker::append(std::span<const uint8_t> bytes)
 {
     const uint64_t offset = (binary.size() + 15) / 16 * 16;
-    if (offset + bytes.size() > kLargestBinary) malformed(name_, "unpacks to more than 4 GiB");
+    if (offset + bytes.size() >
+        std::min(kLargestBinary, kAnyFileMayUnpackTo + kMostExpansion * bytesRead_))
+        malformed(name_, "unpacks to far more than a file of its size can hold");
     binary.resize(offset);
     binary.insert(binary.end(), bytes.begin(), bytes.end());
     return offset;
@@ -164,12 +144,14 @@ void Unpacker::rebaseView(size_t index)
     const uint64_t offset = unsignedMember(view, "byteOffset", what, 0);
     const uint64_t length = unsignedMember(view, "byteLength", what);
     if (buffer >= bufferRange_.size())
-        malformed(what, fmt::format("refers to buffer {}, and there are {}", buffer, bufferRange_.size()));
+        malformed(what, fmt::format("refers to buffer {}, and there are {}", buffer,
+                                    bufferRange_.size()));
     const auto [begin, size] = bufferRange_[buffer];
     if (length == 0 || offset > size || length > size - offset)
-        malformed(what, fmt::format("wants bytes {} to {} of a buffer of {}; the file is cut off or "
-                                    "damaged",
-                                    offset, offset + length, size));
+        malformed(what,
+                  fmt::format("wants bytes {} to {} of a buffer of {}; the file is cut off or "
+                              "damaged",
+                              offset, offset + length, size));
     view["buffer"] = 0;
     view["byteOffset"] = begin + offset;
 }
@@ -227,7 +209,8 @@ void Unpacker::takeImage(size_t index)
 std::span<const uint8_t> Unpacker::bytesOfView(size_t view, const std::string& what)
 {
     const json& views = section("bufferViews");
-    if (view >= views.size()) malformed(what, fmt::format("refers to bufferView {}, which is not there", view));
+    if (view >= views.size())
+        malformed(what, fmt::format("refers to bufferView {}, which is not there", view));
     return std::span(binary).subspan(unsignedMember(views[view], "byteOffset", what),
                                      unsignedMember(views[view], "byteLength", what));
 }
@@ -280,6 +263,24 @@ void Unpacker::decodeDracoPrimitive(json& primitive, const std::string& what)
     if (primitive["extensions"].empty()) primitive.erase("extensions");
 }
 
+void Unpacker::decodeMesh(size_t index)
+{
+    json& mesh = section("meshes")[index];
+    const json name = mesh.value("name", json());
+    const std::string what = fmt::format("{}: mesh {} \"{}\"", name_, index,
+                                         name.is_string() ? name.get<std::string>() : "");
+    json& primitives = mesh["primitives"];
+    if (!primitives.is_array()) malformed(what, "has no list of primitives");
+    for (json& primitive : primitives) {
+        if (!primitive.is_object() || !primitive.value("attributes", json()).is_object())
+            malformed(what, "has a primitive without attributes");
+        const auto extensions = primitive.find("extensions");
+        if (extensions != primitive.end() && extensions->is_object() &&
+            extensions->contains("KHR_draco_mesh_compression"))
+            decodeDracoPrimitive(primitive, what);
+    }
+}
+
 void Unpacker::dropExtension(const char* name)
 {
     for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
@@ -292,6 +293,7 @@ void Unpacker::dropExtension(const char* name)
 
 void Unpacker::run()
 {
+    checkSections();
     takeBuffers();
     for (size_t i = 0, count = section("bufferViews").size(); i < count; ++i) {
         const json& view = section("bufferViews")[i];
@@ -302,27 +304,13 @@ void Unpacker::run()
     }
     for (size_t i = 0, count = section("images").size(); i < count; ++i) takeImage(i);
 
-    size_t meshIndex = 0;
-    for (json& mesh : section("meshes")) {
-        const std::string what = fmt::format("{}: mesh {} \"{}\"", name_, meshIndex++,
-                                             mesh.value("name", json("")).is_string() ? mesh.value("name", json("")).get<std::string>() : "");
-        json& primitives = mesh["primitives"];
-        if (!primitives.is_array()) malformed(what, "has no list of primitives");
-        for (json& primitive : primitives) {
-            if (!primitive.is_object() || !primitive.value("attributes", json()).is_object())
-                malformed(what, "has a primitive without attributes");
-            const auto extensions = primitive.find("extensions");
-            if (extensions != primitive.end() && extensions->is_object() &&
-                extensions->contains("KHR_draco_mesh_compression"))
-                decodeDracoPrimitive(primitive, what);
-        }
-    }
+    for (size_t i = 0, count = section("meshes").size(); i < count; ++i) decodeMesh(i);
     dropExtension("EXT_meshopt_compression");
     dropExtension("KHR_draco_mesh_compression");
     document_["buffers"] = json::array();
     if (!binary.empty()) document_["buffers"].push_back({{"byteLength", binary.size()}});
-    for (const char* key : {"bufferViews", "images", "meshes", "buffers", "accessors"})
-        if (document_.contains(key) && document_[key].empty()) document_.erase(key);
+    for (const char* key : kSections)
+        if (section(key).empty()) document_.erase(key);
 }
 
 } // namespace
@@ -331,12 +319,11 @@ PlainGltf unpackGltf(std::span<const std::byte> bytes, const std::filesystem::pa
 {
     const GltfChunks chunks = splitGltf(bytes, file.string());
     json document = parseJson(chunks.json, file.string());
-    Unpacker unpacker(document, chunks.binary, file);
+    Unpacker unpacker(document, chunks.binary, bytes.size(), file);
     try {
+        checkIsKnownGltf(document, file.string());
         unpacker.run();
-        using handler = json::error_handler_t;
-        return {joinGlb(document.dump(-1, ' ', false, handler::replace), unpacker.binary),
-                std::move(unpacker.warnings)};
+        return {std::move(document), std::move(unpacker.binary), std::move(unpacker.warnings)};
     } catch (const json::exception& failure) {
         malformed(file.string(), fmt::format("is not as glTF wants it ({})", failure.what()));
     }

@@ -1,276 +1,338 @@
 #include "scan/gltf_write.h"
 
 #include "base/fail.h"
+#include "base/json.h"
 #include "scan/gltf_from_scan.h"
-#include "scan/gltf_material.h"
+#include "scan/gltf_json.h"
+#include "scan/gltf_lights.h"
 #include "scan/gltf_read.h"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
 #include <map>
-#include <sstream>
-
-#include <fmt/format.h>
-#include <glm/gtc/type_ptr.hpp>
-#include <glm/matrix.hpp>
+#include <memory>
+#include <span>
 
 namespace relamp
 {
 namespace
 {
 
-using tinygltf::Model;
-using tinygltf::Value;
+using nlohmann::json;
+using Content = std::span<const uint8_t>;
 
 constexpr size_t kLargestGlb = (size_t{1} << 32) - (size_t{1} << 20);
+constexpr int kFloat = 5126;
+constexpr int kArrayBuffer = 34962;
 
-/// Edits a copy of the model a scan came from.
+void eraseExtension(json& object, const char* name)
+{
+    const auto extensions = object.find("extensions");
+    if (extensions == object.end()) return;
+    extensions->erase(name);
+    if (extensions->empty()) object.erase("extensions");
+}
+
+/// Edits a copy of the document that a scan came from.
 class GlbWriter
 {
 public:
     GlbWriter(const Scan& scan, const std::vector<RelitPage>& pages)
-        : scan_(scan), pages_(pages), source_(scan.gltf ? *scan.gltf : gltfFromScan(scan)),
-          model_(source_.model), worldFromModel_(scan.gltf ? scan.worldFromFile : glm::mat4(1.0f))
-    {}
+        : scan_(scan), pages_(pages),
+          source_(scan.gltf ? scan.gltf : std::make_shared<const GltfSource>(gltfFromScan(scan))),
+          document_(source_->document), origins_(source_->originOfMesh)
+    {
+        for (const json& view : section("bufferViews"))
+            contentOfView_.push_back(Content(source_->binary)
+                                         .subspan(view.value("byteOffset", size_t{0}),
+                                                  view["byteLength"].get<size_t>()));
+    }
 
     std::string write(const std::vector<PointLight>& lights);
 
 private:
-    int addView(const void* bytes, size_t size, int target);
+    json& section(const char* key);
+    size_t append(const char* sectionKey, json item);
+    size_t addView(Content content);
+    json& primitiveOf(size_t mesh);
+    [[nodiscard]] const Page& pageOf(size_t mesh) const;
+    [[nodiscard]] bool isPage(int image) const;
+    [[nodiscard]] bool showsPage(const json& textureInfo) const;
+
+    void separateInstances();
     void replaceImages();
     void replaceTextureSources();
-    void relitMaterials();
-    void relitMaterial(tinygltf::Material& material, const BaseColor& color);
-    void setEmission(tinygltf::Material& material, size_t page);
+    void relightMaterials();
+    void relightMaterial(json& material) const;
+    void setEmission(json& material, size_t page);
     void replaceVertexColors();
-    void dropColorsThatAreBakedIn();
-    void addLight(const PointLight& light, size_t number);
     void dropUnusedExtensions();
-    void compactBuffer();
+    std::string assemble();
 
     const Scan& scan_;
     const std::vector<RelitPage>& pages_;
-    GltfSource source_;
-    Model& model_;
-    glm::mat4 worldFromModel_;
-    std::map<int, int> emissionTextureOfPage_;
+    std::shared_ptr<const GltfSource> source_;
+    json document_;
+    std::vector<GltfSource::MeshOrigin> origins_;
+    std::vector<Content> contentOfView_;
+    std::map<size_t, size_t> emissionTextureOfPage_;
 };
 
-int GlbWriter::addView(const void* bytes, size_t size, int target)
+json& GlbWriter::section(const char* key)
 {
-    if (model_.buffers.empty()) model_.buffers.resize(1);
-    auto& data = model_.buffers[0].data;
-    data.resize((data.size() + 3) / 4 * 4);
-    tinygltf::BufferView view;
-    view.buffer = 0;
-    view.byteOffset = data.size();
-    view.byteLength = size;
-    view.target = target;
-    data.resize(data.size() + size);
-    std::memcpy(data.data() + view.byteOffset, bytes, size);
-    model_.bufferViews.push_back(view);
-    return static_cast<int>(model_.bufferViews.size()) - 1;
+    json& list = document_[key];
+    if (list.is_null()) list = json::array();
+    return list;
+}
+
+size_t GlbWriter::append(const char* sectionKey, json item)
+{
+    json& list = section(sectionKey);
+    list.push_back(std::move(item));
+    return list.size() - 1;
+}
+
+size_t GlbWriter::addView(Content content)
+{
+    contentOfView_.push_back(content);
+    return append("bufferViews", {{"buffer", 0}});
+}
+
+json& GlbWriter::primitiveOf(size_t mesh)
+{
+    const GltfSource::MeshOrigin& origin = origins_[mesh];
+    return document_["meshes"][static_cast<size_t>(origin.mesh)]["primitives"]
+                    [static_cast<size_t>(origin.primitive)];
+}
+
+const Page& GlbWriter::pageOf(size_t mesh) const
+{
+    return scan_.pages[static_cast<size_t>(scan_.meshes[mesh].page)];
+}
+
+bool GlbWriter::isPage(int image) const
+{
+    const auto& images = source_->imageOfPage;
+    return image >= 0 && std::find(images.begin(), images.end(), image) != images.end();
+}
+
+bool GlbWriter::showsPage(const json& textureInfo) const
+{
+    const size_t texture = textureInfo.value("index", source_->imageOfTexture.size());
+    return texture < source_->imageOfTexture.size() && isPage(source_->imageOfTexture[texture]);
+}
+
+/// A mesh that stands at several nodes has another light, and so other vertex colours, at each.
+void GlbWriter::separateInstances()
+{
+    std::map<int, int> ownerOf;                 // mesh -> node that keeps it
+    std::map<std::pair<int, int>, int> copyFor; // mesh and another node -> its copy
+    for (size_t m = 0; m < scan_.meshes.size(); ++m) {
+        GltfSource::MeshOrigin& origin = origins_[m];
+        if (!pageOf(m).ofVertices ||
+            ownerOf.try_emplace(origin.mesh, origin.node).first->second == origin.node)
+            continue;
+        const auto [copy, isNew] = copyFor.try_emplace({origin.mesh, origin.node}, -1);
+        if (isNew)
+            copy->second = static_cast<int>(
+                append("meshes", section("meshes")[static_cast<size_t>(origin.mesh)]));
+        document_["nodes"][static_cast<size_t>(origin.node)]["mesh"] = copy->second;
+        origin.mesh = copy->second;
+    }
 }
 
 void GlbWriter::replaceImages()
 {
+    json& images = section("images");
     for (size_t p = 0; p < pages_.size(); ++p) {
-        const int index = source_.imageOfPage[p];
+        const int index = source_->imageOfPage[p];
         if (index < 0) continue;
-        tinygltf::Image& image = model_.images[static_cast<size_t>(index)];
+        json& image = images[static_cast<size_t>(index)];
         const EncodedImage& albedo = pages_[p].albedo;
-        const int view = addView(albedo.bytes.data(), albedo.bytes.size(), 0);
-        if (image.bufferView >= 0) { // in the old one's place, so that nothing else is renumbered
-            auto& old = model_.bufferViews[static_cast<size_t>(image.bufferView)];
-            old = model_.bufferViews[static_cast<size_t>(view)];
-            model_.bufferViews.pop_back();
-        } else {
-            image.bufferView = view;
-        }
-        image.uri.clear();
-        image.mimeType = albedo.mimeType;
+        image["mimeType"] = albedo.mimeType;
+        const json view = image.value("bufferView", json());
+        const auto showsSame = [&](const json& other) {
+            return other.value("bufferView", json()) == view;
+        };
+        if (!view.is_null() && std::count_if(images.begin(), images.end(), showsSame) == 1)
+            contentOfView_[view.get<size_t>()] = albedo.bytes; // so that nothing else is renumbered
+        else
+            image["bufferView"] = addView(albedo.bytes);
     }
 }
 
-/// A page's texture may have named a WebP besides; there is one picture now.
+/// A page's texture may have named the photo in other formats besides; there is one picture now.
 void GlbWriter::replaceTextureSources()
 {
-    for (size_t t = 0; t < model_.textures.size(); ++t) {
-        tinygltf::Texture& texture = model_.textures[t];
-        if (!texture.extensions.contains("EXT_texture_webp")) continue;
-        const int image = imageOfTexture(model_, static_cast<int>(t), scan_.name);
-        const auto& images = source_.imageOfPage;
-        if (std::find(images.begin(), images.end(), image) == images.end()) continue;
-        texture.source = image;
-        texture.extensions.erase("EXT_texture_webp");
+    json& textures = section("textures");
+    for (size_t t = 0; t < textures.size(); ++t) {
+        json& texture = textures[t];
+        if (!isPage(source_->imageOfTexture[t])) continue;
+        texture["source"] = source_->imageOfTexture[t];
+        const json extensions = texture.value("extensions", json::object());
+        for (const auto& [name, extension] : extensions.items())
+            if (extension.contains("source")) eraseExtension(texture, name.c_str());
     }
 }
 
-void GlbWriter::setEmission(tinygltf::Material& material, size_t page)
+void GlbWriter::setEmission(json& material, size_t page)
 {
     const EncodedImage& emission = pages_[page].emission;
     if (emission.bytes.empty()) return;
-    const auto [found, isNew] = emissionTextureOfPage_.try_emplace(static_cast<int>(page), 0);
-    const tinygltf::TextureInfo& base = material.pbrMetallicRoughness.baseColorTexture;
+    const json& base = material["pbrMetallicRoughness"]["baseColorTexture"];
+    const auto [found, isNew] = emissionTextureOfPage_.try_emplace(page, 0);
     if (isNew) {
-        tinygltf::Image image;
-        image.name = scan_.pages[page].name + " emission";
-        image.mimeType = emission.mimeType;
-        image.bufferView = addView(emission.bytes.data(), emission.bytes.size(), 0);
-        model_.images.push_back(image);
-        tinygltf::Texture texture;
-        texture.sampler = model_.textures[static_cast<size_t>(base.index)].sampler;
-        texture.source = static_cast<int>(model_.images.size()) - 1;
-        model_.textures.push_back(texture);
-        found->second = static_cast<int>(model_.textures.size()) - 1;
+        json texture{{"source", append("images", {{"name", scan_.pages[page].name + " emission"},
+                                                  {"mimeType", emission.mimeType},
+                                                  {"bufferView", addView(emission.bytes)}})}};
+        const json& old = section("textures")[base["index"].get<size_t>()];
+        if (old.contains("sampler")) texture["sampler"] = old["sampler"];
+        found->second = append("textures", std::move(texture));
     }
-    material.emissiveTexture = base; // the same coordinates, under the same transform
-    material.emissiveTexture.index = found->second;
-    material.emissiveFactor = {1.0, 1.0, 1.0};
+    material["emissiveTexture"] = base; // the same coordinates, under the same transform
+    material["emissiveTexture"]["index"] = found->second;
+    material["emissiveFactor"] = {1.0, 1.0, 1.0};
+    eraseExtension(material, "KHR_materials_emissive_strength");
 }
 
-void GlbWriter::relitMaterial(tinygltf::Material& material, const BaseColor& color)
+void GlbWriter::relightMaterial(json& material) const
 {
-    tinygltf::PbrMetallicRoughness& pbr = material.pbrMetallicRoughness;
-    if (const auto old = material.extensions.find("KHR_materials_pbrSpecularGlossiness");
-        old != material.extensions.end() && pbr.baseColorTexture.index < 0 && color.image >= 0) {
-        const Value& diffuse = old->second.Get("diffuseTexture");
-        pbr.baseColorTexture.index = diffuse.Get("index").Get<int>();
-        pbr.baseColorTexture.texCoord = color.texCoord;
-        if (diffuse.Get("extensions").IsObject())
-            pbr.baseColorTexture.extensions = diffuse.Get("extensions").Get<Value::Object>();
+    json& pbr = material["pbrMetallicRoughness"];
+    if (pbr.is_null()) pbr = json::object();
+    const json glossiness = material.value(
+        "/extensions/KHR_materials_pbrSpecularGlossiness"_json_pointer, json::object());
+    if (!pbr.contains("baseColorTexture") && glossiness.contains("diffuseTexture"))
+        pbr["baseColorTexture"] = glossiness["diffuseTexture"];
+    eraseExtension(material, "KHR_materials_pbrSpecularGlossiness");
+    eraseExtension(material, "KHR_materials_unlit"); // an unlit surface could not be relit
+    if (showsPage(material.value("emissiveTexture",
+                                 json::object()))) { // the photo as a glow: unlit, the old way
+        material.erase("emissiveTexture");
+        material.erase("emissiveFactor");
     }
-    material.extensions.erase("KHR_materials_pbrSpecularGlossiness");
-    material.extensions.erase("KHR_materials_unlit"); // an unlit surface could not be relit
-    const double alpha = pbr.baseColorFactor.size() == 4 ? pbr.baseColorFactor[3] : 1.0;
-    pbr.baseColorFactor = {1.0, 1.0, 1.0, alpha}; // the factor is in the albedo now
-    if (pbr.metallicRoughnessTexture.index < 0) {
-        pbr.metallicFactor = 0.0;
-        pbr.roughnessFactor = 1.0;
-    }
+    const json factor = pbr.value("baseColorFactor", json::array());
+    pbr.erase("baseColorFactor"); // it is in the albedo now, but for the opacity
+    if (factor.size() == 4 && factor[3] != 1.0) pbr["baseColorFactor"] = {1.0, 1.0, 1.0, factor[3]};
+    if (pbr.contains("metallicRoughnessTexture")) return;
+    pbr["metallicFactor"] = 0.0;
+    pbr["roughnessFactor"] = 1.0;
 }
 
-void GlbWriter::relitMaterials()
+/// Relights what the scan shows; what was left out of it, say with --skip-mesh, stays as it came.
+void GlbWriter::relightMaterials()
 {
-    for (size_t m = 0; m < model_.materials.size(); ++m) {
-        const BaseColor color = baseColorOf(model_, static_cast<int>(m), scan_.name);
-        relitMaterial(model_.materials[m], color);
-        const auto& images = source_.imageOfPage;
-        const auto page = std::find(images.begin(), images.end(), color.image);
-        if (color.image >= 0 && page != images.end())
-            setEmission(model_.materials[m], static_cast<size_t>(page - images.begin()));
+    std::map<size_t, size_t> pageOfMaterial;
+    json plain; // glTF's default material is a metal
+    for (size_t m = 0; m < scan_.meshes.size(); ++m) {
+        json& primitive = primitiveOf(m);
+        if (!primitive.contains("material")) {
+            if (plain.is_null()) plain = append("materials", json::object());
+            primitive["material"] = plain;
+        }
+        pageOfMaterial.try_emplace(primitive["material"].get<size_t>(),
+                                   static_cast<size_t>(scan_.meshes[m].page));
+    }
+    for (const auto& [index, page] : pageOfMaterial) {
+        json& material = section("materials")[index];
+        relightMaterial(material);
+        setEmission(material, page);
     }
 }
 
+/// Vertices that are a page show their albedo; on other meshes the albedo has the vertex colours in
+/// it.
 void GlbWriter::replaceVertexColors()
 {
     for (size_t m = 0; m < scan_.meshes.size(); ++m) {
         const Mesh& mesh = scan_.meshes[m];
-        const auto page = static_cast<size_t>(mesh.page);
-        if (!scan_.pages[page].ofVertices) continue;
-        const auto [meshIndex, primitiveIndex] = source_.originOfMesh[m];
-        tinygltf::Accessor accessor;
-        const float* first = pages_[page].vertexAlbedo.data() + 3 * mesh.firstPixel;
-        accessor.bufferView = addView(first, 3 * sizeof(float) * mesh.positions.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
-        accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
-        accessor.type = TINYGLTF_TYPE_VEC3;
-        accessor.count = mesh.positions.size();
-        model_.accessors.push_back(accessor);
-        model_.meshes[static_cast<size_t>(meshIndex)]
-            .primitives[static_cast<size_t>(primitiveIndex)]
-            .attributes["COLOR_0"] = static_cast<int>(model_.accessors.size()) - 1;
+        json& attributes = primitiveOf(m)["attributes"];
+        attributes.erase("COLOR_0");
+        if (!pageOf(m).ofVertices) continue;
+        const std::span all(pages_[static_cast<size_t>(mesh.page)].vertexAlbedo);
+        const auto albedo =
+            std::as_bytes(all.subspan(3 * mesh.firstPixel, 3 * mesh.positions.size()));
+        const size_t view =
+            addView({reinterpret_cast<const uint8_t*>(albedo.data()), albedo.size()});
+        section("bufferViews")[view]["target"] = kArrayBuffer;
+        attributes["COLOR_0"] = append("accessors", {{"bufferView", view},
+                                                     {"componentType", kFloat},
+                                                     {"type", "VEC3"},
+                                                     {"count", mesh.positions.size()}});
     }
-}
-
-void GlbWriter::dropColorsThatAreBakedIn()
-{
-    for (size_t m = 0; m < scan_.meshes.size(); ++m) {
-        const auto [mesh, primitive] = source_.originOfMesh[m];
-        if (!scan_.pages[static_cast<size_t>(scan_.meshes[m].page)].ofVertices)
-            model_.meshes[static_cast<size_t>(mesh)].primitives[static_cast<size_t>(primitive)].attributes.erase("COLOR_0");
-    }
-}
-
-void GlbWriter::addLight(const PointLight& light, size_t number)
-{
-    const float strongest = std::max({light.intensity.r, light.intensity.g, light.intensity.b});
-    if (strongest <= 0.0f) return;
-    const float unit = glm::length(glm::vec3(worldFromModel_[0])); // metres a unit of the model
-    tinygltf::Light punctual;
-    punctual.name = fmt::format("relamp {}", number);
-    punctual.type = "point";
-    punctual.intensity = static_cast<double>(strongest / (unit * unit));
-    for (int c = 0; c < 3; ++c) punctual.color.push_back(static_cast<double>(light.intensity[c] / strongest));
-    model_.lights.push_back(punctual);
-
-    tinygltf::Node node;
-    node.name = punctual.name;
-    const glm::vec3 place = glm::inverse(worldFromModel_) * glm::vec4(light.position, 1.0f);
-    node.translation = {static_cast<double>(place.x), static_cast<double>(place.y), static_cast<double>(place.z)};
-    node.extensions["KHR_lights_punctual"] =
-        Value(Value::Object{{"light", Value(static_cast<int>(model_.lights.size()) - 1)}});
-    model_.nodes.push_back(node);
-    const auto scene = static_cast<size_t>(std::max(model_.defaultScene, 0));
-    if (model_.scenes.empty()) model_.scenes.resize(1);
-    model_.scenes[scene].nodes.push_back(static_cast<int>(model_.nodes.size()) - 1);
 }
 
 void GlbWriter::dropUnusedExtensions()
 {
-    const auto usedBy = [](const auto& things, const std::string& name) {
-        return std::any_of(things.begin(), things.end(), [&](const auto& t) { return t.extensions.contains(name); });
+    constexpr std::array kOurs{"KHR_materials_unlit", "KHR_materials_pbrSpecularGlossiness",
+                               "EXT_texture_webp",    "KHR_materials_emissive_strength",
+                               "KHR_texture_basisu",  "EXT_texture_avif",
+                               "MSFT_texture_dds"};
+    const auto isUsed = [&](const char* key, const std::string& extension) {
+        const json& things = section(key);
+        return std::any_of(things.begin(), things.end(), [&](const json& thing) {
+            return thing.value("extensions", json::object()).contains(extension);
+        });
     };
-    const auto isUnused = [&](const std::string& name) {
-        const bool ofMaterials = name == "KHR_materials_unlit" || name == "KHR_materials_pbrSpecularGlossiness";
-        return (ofMaterials && !usedBy(model_.materials, name)) ||
-               (name == "EXT_texture_webp" && !usedBy(model_.textures, name));
+    const auto isUnused = [&](const json& extension) {
+        return std::find(kOurs.begin(), kOurs.end(), extension) != kOurs.end() &&
+               !isUsed("materials", extension) && !isUsed("textures", extension);
     };
-    std::erase_if(model_.extensionsUsed, isUnused);
-    std::erase_if(model_.extensionsRequired, isUnused);
+    for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
+        json& names = section(key);
+        names.erase(std::remove_if(names.begin(), names.end(), isUnused), names.end());
+    }
 }
 
-/// Copies only what buffer views still show: the old pictures stay behind.
-void GlbWriter::compactBuffer()
+/// Lays out what buffer views still show: the old pictures stay behind.
+std::string GlbWriter::assemble()
 {
-    if (model_.buffers.empty()) return;
-    const std::vector<unsigned char> old = std::move(model_.buffers[0].data);
-    std::vector<unsigned char>& data = model_.buffers[0].data;
-    data.clear();
-    std::map<std::pair<size_t, size_t>, size_t> moved;
-    for (tinygltf::BufferView& view : model_.bufferViews) {
-        const auto [found, isNew] = moved.try_emplace({view.byteOffset, view.byteLength}, 0);
+    std::vector<uint8_t> binary;
+    std::map<std::pair<const uint8_t*, size_t>, size_t> placed;
+    json& views = section("bufferViews");
+    for (size_t i = 0; i < views.size(); ++i) {
+        const Content content = contentOfView_[i];
+        const auto [found, isNew] = placed.try_emplace({content.data(), content.size()}, 0);
         if (isNew) {
-            data.resize((data.size() + 15) / 16 * 16);
-            found->second = data.size();
-            if (data.size() + view.byteLength > kLargestGlb)
-                fail(ErrorCode::unsupported, scan_.name, "its GLB would exceed 4 GiB; scale the textures down");
-            const auto* first = old.data() + view.byteOffset;
-            data.insert(data.end(), first, first + view.byteLength);
+            binary.resize((binary.size() + 15) / 16 * 16);
+            found->second = binary.size();
+            if (binary.size() + content.size() > kLargestGlb)
+                fail(ErrorCode::unsupported, scan_.name,
+                     "its GLB would exceed 4 GiB; scale the textures down");
+            binary.insert(binary.end(), content.begin(), content.end());
         }
-        view.byteOffset = found->second;
+        views[i]["byteOffset"] = found->second;
+        views[i]["byteLength"] = content.size();
     }
+    document_["buffers"] = {{{"byteLength", binary.size()}}};
+    for (const char* key : {"images", "textures", "extensionsUsed", "extensionsRequired"})
+        if (section(key).empty()) document_.erase(key);
+    return joinGlb(dumpJson(document_), binary);
 }
 
 std::string GlbWriter::write(const std::vector<PointLight>& lights)
 {
+    separateInstances();
     replaceImages();
     replaceTextureSources();
-    relitMaterials();
+    relightMaterials();
     replaceVertexColors();
-    dropColorsThatAreBakedIn();
-    for (size_t i = 0; i < lights.size(); ++i) addLight(lights[i], i);
+    addLights(document_, lights, scan_.gltf ? scan_.worldFromFile : glm::mat4(1.0f));
     dropUnusedExtensions();
-    compactBuffer();
-    std::ostringstream glb;
-    tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, glb, false, true);
-    return std::move(glb).str();
+    return assemble();
 }
 
 } // namespace
 
-std::string writeGlb(const Scan& scan, const std::vector<RelitPage>& pages, const std::vector<PointLight>& lights)
+std::string writeGlb(const Scan& scan, const std::vector<RelitPage>& pages,
+                     const std::vector<PointLight>& lights)
 {
-    return GlbWriter(scan, pages).write(lights);
+    try {
+        return GlbWriter(scan, pages).write(lights);
+    } catch (const json::exception& failure) {
+        malformed(scan.name,
+                  fmt::format("is not as glTF wants it ({}); its parts cannot be written again",
+                              failure.what()));
+    }
 }
 
 } // namespace relamp

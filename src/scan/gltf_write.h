@@ -25,11 +25,11 @@ struct RelitPage
     std::vector<float> vertexAlbedo; // of a page of vertices: linear RGB a vertex
 };
 
-/// The scan as a GLB that can be relit: as it came, but with albedo for base colour, emissive textures
-/// for what shines, lit materials, and `lights` as KHR_lights_punctual.
+/// The scan as a GLB that can be relit: as it came, but with albedo for base colour, emissive
+/// textures for what shines, lit materials, and `lights` as KHR_lights_punctual.
 ///
-/// `pages` belong to scan.pages; the result is the file's bytes. Scans of other formats than glTF get
-/// a plain node a mesh. Throws Error(unsupported) beyond the 4 GiB of a GLB.
+/// `pages` belong to scan.pages; the result is the file's bytes. Scans of other formats than glTF
+/// get a plain node a mesh. Throws Error(unsupported) beyond the 4 GiB of a GLB.
 std::string writeGlb(const Scan& scan, const std::vector<RelitPage>& pages,
                      const std::vector<PointLight>& lights);
 

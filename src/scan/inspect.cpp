@@ -31,7 +31,8 @@ double clippedShare(const Texels& texels, size_t page)
         loader.loadRadiance(begin, blockCount, block);
         size_t& sum = clipped[begin / TexelBlock::kCapacity];
         for (size_t i = 0; i < blockCount; ++i)
-            sum += std::max({block.r[i], block.g[i], block.b[i]}) >= kClipped ? size_t{1} : size_t{0};
+            sum +=
+                std::max({block.r[i], block.g[i], block.b[i]}) >= kClipped ? size_t{1} : size_t{0};
     });
     size_t sum = 0;
     for (const size_t c : clipped) sum += c;
@@ -47,8 +48,12 @@ size_t countCharts(const Scan& scan, size_t page)
         if (static_cast<size_t>(mesh.page) != page) continue;
         std::vector<uint32_t> id(mesh.uvs.size());
         for (size_t i = 0; i < id.size(); ++i)
-            id[i] = idOfUv.try_emplace({mesh.uvs[i].x, mesh.uvs[i].y}, static_cast<uint32_t>(idOfUv.size())).first->second;
-        for (const glm::uvec3& t : mesh.triangles) triangles.emplace_back(id[t.x], id[t.y], id[t.z]);
+            id[i] = idOfUv
+                        .try_emplace({mesh.uvs[i].x, mesh.uvs[i].y},
+                                     static_cast<uint32_t>(idOfUv.size()))
+                        .first->second;
+        for (const glm::uvec3& t : mesh.triangles)
+            triangles.emplace_back(id[t.x], id[t.y], id[t.z]);
     }
     DisjointSets charts(idOfUv.size());
     for (const glm::uvec3& t : triangles) {
@@ -67,7 +72,8 @@ PageInspection inspectPage(const Scan& scan, const Texels& texels, size_t index)
                           .width = page.image.width,
                           .height = page.image.height,
                           .ofVertices = page.ofVertices};
-    result.coverage = static_cast<double>(texels.pages[index].count()) / static_cast<double>(page.image.pixels());
+    result.coverage =
+        static_cast<double>(texels.pages[index].count()) / static_cast<double>(page.image.pixels());
     result.clipped = clippedShare(texels, index);
     if (!page.ofVertices) result.charts = countCharts(scan, index);
     return result;
@@ -79,30 +85,35 @@ void findProblems(Inspection& result)
     const glm::vec3 extent = result.bounds.extent();
     const float largest = std::max({extent.x, extent.y, extent.z});
     if (result.overlapShare > 0.02)
-        problems.push_back(fmt::format("{:.0f} % of its texels stand for several places. delight will refuse it: "
-                                       "unwrap it without overlap and bake the texture",
-                                       100.0 * result.overlapShare));
+        problems.push_back(
+            fmt::format("{:.0f} % of its texels stand for several places. delight will refuse it: "
+                        "unwrap it without overlap and bake the texture",
+                        100.0 * result.overlapShare));
     if (largest < kSmallestRoom || largest > kLargestRoom)
-        problems.push_back(fmt::format("it is {:.2f} m long, hardly a room. If its unit is not the metre, say so "
-                                       "with --scale (0.01 for centimetres)",
-                                       largest));
+        problems.push_back(
+            fmt::format("it is {:.2f} m long, hardly a room. If its unit is not the metre, say so "
+                        "with --scale (0.01 for centimetres)",
+                        largest));
     if (extent.y > 1.2f * std::max(extent.x, extent.z))
         problems.emplace_back("it is taller than wide. If z points up in it, say --up z");
     double clipped = 0.0;
     for (const PageInspection& page : result.pages) {
         clipped = std::max(clipped, page.clipped);
         if (!page.ofVertices && page.coverage < kFewTexels)
-            problems.push_back(fmt::format("only {:.0f} % of page \"{}\" shows a surface; the rest of the "
-                                           "texture is wasted",
-                                           100.0 * page.coverage, page.name));
+            problems.push_back(
+                fmt::format("only {:.0f} % of page \"{}\" shows a surface; the rest of the "
+                            "texture is wasted",
+                            100.0 * page.coverage, page.name));
     }
     if (clipped > kMuchClipped)
-        problems.push_back(fmt::format("{:.0f} % of a page is burnt out. Albedo cannot be recovered there; scan with "
-                                       "a shorter exposure",
-                                       100.0 * clipped));
+        problems.push_back(fmt::format(
+            "{:.0f} % of a page is burnt out. Albedo cannot be recovered there; scan with "
+            "a shorter exposure",
+            100.0 * clipped));
     if (clipped == 0.0)
-        problems.emplace_back("nothing is burnt out, so no lamp or window shows itself. Name the lights with "
-                              "--lights");
+        problems.emplace_back(
+            "nothing is burnt out, so no lamp or window shows itself. Name the lights with "
+            "--lights");
 }
 
 } // namespace

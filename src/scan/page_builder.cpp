@@ -12,6 +12,7 @@ namespace
 {
 
 constexpr size_t kWidthOfVertexPage = 4096;
+constexpr size_t kMostVertices = size_t{1} << 26;
 
 } // namespace
 
@@ -19,7 +20,9 @@ void addVertexPage(Scan& scan, Transfer transfer, const std::string& file)
 {
     const auto showsLight = [](const Mesh& mesh) { return mesh.page >= 0 || !mesh.colors.empty(); };
     if (scan.meshes.empty())
-        fail(ErrorCode::unsupported, file, "has no triangles; relamp needs the surface of a room");
+        fail(ErrorCode::unsupported, file,
+             "has no triangles; relamp needs the surface of a room" +
+                 (scan.warnings.empty() ? "" : ".\nIts " + scan.warnings.front()));
     if (std::none_of(scan.meshes.begin(), scan.meshes.end(), showsLight))
         fail(ErrorCode::unsupported, file,
              "has neither textures nor vertex colours, so there is no light in it to take out.\n"
@@ -32,6 +35,9 @@ void addVertexPage(Scan& scan, Transfer transfer, const std::string& file)
         count += mesh.positions.size();
     }
     if (count == 0) return;
+    if (count > kMostVertices)
+        fail(ErrorCode::unsupported, file,
+             "has more coloured vertices than relamp works on; simplify it");
 
     Page page;
     page.name = "vertices";

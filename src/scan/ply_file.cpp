@@ -55,14 +55,22 @@ double load(const char* bytes, bool swap)
 double load(const char* bytes, PlyType type, bool swap)
 {
     switch (type) {
-    case PlyType::int8: return load<int8_t>(bytes, swap);
-    case PlyType::uint8: return load<uint8_t>(bytes, swap);
-    case PlyType::int16: return load<int16_t>(bytes, swap);
-    case PlyType::uint16: return load<uint16_t>(bytes, swap);
-    case PlyType::int32: return load<int32_t>(bytes, swap);
-    case PlyType::uint32: return load<uint32_t>(bytes, swap);
-    case PlyType::float32: return load<float>(bytes, swap);
-    case PlyType::float64: return load<double>(bytes, swap);
+    case PlyType::int8:
+        return load<int8_t>(bytes, swap);
+    case PlyType::uint8:
+        return load<uint8_t>(bytes, swap);
+    case PlyType::int16:
+        return load<int16_t>(bytes, swap);
+    case PlyType::uint16:
+        return load<uint16_t>(bytes, swap);
+    case PlyType::int32:
+        return load<int32_t>(bytes, swap);
+    case PlyType::uint32:
+        return load<uint32_t>(bytes, swap);
+    case PlyType::float32:
+        return load<float>(bytes, swap);
+    case PlyType::float64:
+        return load<double>(bytes, swap);
     }
     return 0.0;
 }
@@ -98,7 +106,8 @@ private:
 std::string_view HeaderParser::nextLine()
 {
     const size_t end = rest_.find_first_of("\r\n");
-    if (end == std::string_view::npos) malformed(name_, "its PLY header has no end; the file is cut off or damaged");
+    if (end == std::string_view::npos)
+        malformed(name_, "its PLY header has no end; the file is cut off or damaged");
     const std::string_view line = rest_.substr(0, end);
     const bool both = rest_.substr(end).starts_with("\r\n");
     rest_.remove_prefix(end + (both ? 2 : 1));
@@ -139,7 +148,8 @@ void HeaderParser::takeElement(std::string_view line)
     PlyElement element;
     element.name = takeWord(line);
     const std::string_view count = takeWord(line);
-    const auto [end, failure] = std::from_chars(count.data(), count.data() + count.size(), element.count);
+    const auto [end, failure] =
+        std::from_chars(count.data(), count.data() + count.size(), element.count);
     if (failure != std::errc() || end != count.data() + count.size())
         failOnLine(fmt::format("says \"{}\" where a number of elements belongs", count));
     header_.elements.push_back(std::move(element));
@@ -190,13 +200,20 @@ PlyHeader parsePlyHeader(std::span<const std::byte> bytes, const std::string& na
 double largestOf(PlyType type)
 {
     switch (type) {
-    case PlyType::int8: return std::numeric_limits<int8_t>::max();
-    case PlyType::uint8: return std::numeric_limits<uint8_t>::max();
-    case PlyType::int16: return std::numeric_limits<int16_t>::max();
-    case PlyType::uint16: return std::numeric_limits<uint16_t>::max();
-    case PlyType::int32: return std::numeric_limits<int32_t>::max();
-    case PlyType::uint32: return std::numeric_limits<uint32_t>::max();
-    default: return 1.0;
+    case PlyType::int8:
+        return std::numeric_limits<int8_t>::max();
+    case PlyType::uint8:
+        return std::numeric_limits<uint8_t>::max();
+    case PlyType::int16:
+        return std::numeric_limits<int16_t>::max();
+    case PlyType::uint16:
+        return std::numeric_limits<uint16_t>::max();
+    case PlyType::int32:
+        return std::numeric_limits<int32_t>::max();
+    case PlyType::uint32:
+        return std::numeric_limits<uint32_t>::max();
+    default:
+        return 1.0;
     }
 }
 
@@ -216,7 +233,9 @@ double PlyBody::nextWord()
     double value = 0.0; // std::from_chars knows "nan" and "inf" too, and no locale
     const auto [end, failure] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
     if (failure == std::errc::invalid_argument)
-        malformed(name_, fmt::format("has \"{}\" where a number belongs", rest_.substr(0, rest_.find_first_of(" \t\r\n")).substr(0, 20)));
+        malformed(name_,
+                  fmt::format("has \"{}\" where a number belongs",
+                              rest_.substr(0, rest_.find_first_of(" \t\r\n")).substr(0, 20)));
     rest_.remove_prefix(static_cast<size_t>(end - rest_.data()));
     return value;
 }
@@ -227,7 +246,8 @@ double PlyBody::next(PlyType type)
     const size_t size = sizeOf(type);
     if (rest_.size() < size) endsTooEarly();
     constexpr bool kLittle = std::endian::native == std::endian::little;
-    const double value = load(rest_.data(), type, (encoding_ == PlyEncoding::littleEndian) != kLittle);
+    const double value =
+        load(rest_.data(), type, (encoding_ == PlyEncoding::littleEndian) != kLittle);
     rest_.remove_prefix(size);
     return value;
 }
@@ -244,11 +264,16 @@ void PlyBody::expect(const PlyElement& element) const
 {
     size_t least = 0; // bytes a row
     for (const PlyProperty& property : element.properties)
-        least += encoding_ == PlyEncoding::ascii ? 2 : sizeOf(property.countType.value_or(property.type));
-    if (element.count > (rest_.size() + 1) / std::max<size_t>(least, 1)) // the last word needs no space behind it
-        malformed(name_, fmt::format("announces {} of element \"{}\", but only {} bytes are left; the file is cut "
-                                     "off or damaged",
-                                     element.count, element.name, rest_.size()));
+        least += encoding_ == PlyEncoding::ascii
+                     ? 2
+                     : sizeOf(property.countType.value_or(property.type));
+    if (element.count >
+        (rest_.size() + 1) / std::max<size_t>(least, 1)) // the last word needs no space behind it
+        malformed(name_,
+                  fmt::format(
+                      "announces {} of element \"{}\", but only {} bytes are left; the file is cut "
+                      "off or damaged",
+                      element.count, element.name, rest_.size()));
 }
 
 } // namespace relamp

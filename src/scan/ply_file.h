@@ -33,8 +33,9 @@ struct PlyHeader
 {
     PlyEncoding encoding = PlyEncoding::ascii;
     std::vector<PlyElement> elements;
-    std::vector<std::string> textureFiles; // of "comment TextureFile", as MeshLab and others write it
-    size_t size = 0;                       // bytes up to the body
+    std::vector<std::string>
+        textureFiles; // of "comment TextureFile", as MeshLab and others write it
+    size_t size = 0;  // bytes up to the body
 };
 
 /// Throws Error(malformed), naming `name` and the line.
@@ -54,8 +55,8 @@ public:
     /// Reads a property into `values`: one number, or as many as the list says.
     void next(const PlyProperty& property, std::vector<double>& values);
 
-    /// Throws Error(malformed) where the rest of the file cannot hold that many, before anyone makes
-    /// room for them.
+    /// Throws Error(malformed) where the rest of the file cannot hold that many, before anyone
+    /// makes room for them.
     void expect(const PlyElement& element) const;
 
 private:

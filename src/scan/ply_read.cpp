@@ -23,17 +23,18 @@ namespace
 /// What relamp takes of a vertex, and where it goes.
 enum Slot : size_t { x, y, z, nx, ny, nz, red, green, blue, u, v, kSlots };
 
-constexpr std::array<std::array<std::string_view, 3>, kSlots> kNames{{{"x"},
-                                                                      {"y"},
-                                                                      {"z"},
-                                                                      {"nx"},
-                                                                      {"ny"},
-                                                                      {"nz"},
-                                                                      {"red", "r", "diffuse_red"},
-                                                                      {"green", "g", "diffuse_green"},
-                                                                      {"blue", "b", "diffuse_blue"},
-                                                                      {"u", "s", "texture_u"},
-                                                                      {"v", "t", "texture_v"}}};
+constexpr std::array<std::array<std::string_view, 3>, kSlots> kNames{
+    {{"x"},
+     {"y"},
+     {"z"},
+     {"nx"},
+     {"ny"},
+     {"nz"},
+     {"red", "r", "diffuse_red"},
+     {"green", "g", "diffuse_green"},
+     {"blue", "b", "diffuse_blue"},
+     {"u", "s", "texture_u"},
+     {"v", "t", "texture_v"}}};
 
 size_t slotOf(const PlyProperty& property)
 {
@@ -65,12 +66,27 @@ uint32_t indexFrom(double value)
     return isIndex ? static_cast<uint32_t>(value) : std::numeric_limits<uint32_t>::max();
 }
 
+/// Of any of its lists of faces; then the corners of all are kept.
+bool facesHaveCoordinates(const PlyHeader& header)
+{
+    const auto isCoordinates = [](const PlyProperty& property) {
+        return property.name == "texcoord";
+    };
+    return std::any_of(
+        header.elements.begin(), header.elements.end(), [&](const PlyElement& element) {
+            return element.name == "face" &&
+                   std::any_of(element.properties.begin(), element.properties.end(), isCoordinates);
+        });
+}
+
 class PlyReader
 {
 public:
-    PlyReader(std::span<const std::byte> bytes, const std::filesystem::path& file, const ScanOptions& options)
+    PlyReader(std::span<const std::byte> bytes, const std::filesystem::path& file,
+              const ScanOptions& options)
         : name_(file.string()), options_(options), header_(parsePlyHeader(bytes, name_)),
-          body_(bytes.subspan(header_.size), header_.encoding, name_), textures_(file)
+          body_(bytes.subspan(header_.size), header_.encoding, name_), textures_(file),
+          hasCornerUvs_(facesHaveCoordinates(header_))
     {
         scan_.name = file.stem().string();
         scan_.worldFromFile = worldFromFile(options);
@@ -82,7 +98,8 @@ private:
     void takeVertices(const PlyElement& element);
     void takeVertex(const std::array<double, kSlots>& row, const std::array<bool, kSlots>& has);
     void takeFaces(const PlyElement& element);
-    void takePolygon(const std::vector<double>& vertices, const std::vector<double>& uvs, uint32_t texture);
+    void takePolygon(const std::vector<double>& vertices, const std::vector<double>& uvs,
+                     uint32_t texture);
     void skip(const PlyElement& element);
     Part& partOf(uint32_t texture);
     void finish(Part& part);
@@ -100,16 +117,18 @@ private:
     Mesh vertices_; // positions, uvs and colours, no triangles
     std::vector<glm::vec3> normals_;
     std::vector<Part> parts_;
-    bool hasCornerUvs_ = false;
+    bool hasCornerUvs_;
 };
 
-void PlyReader::takeVertex(const std::array<double, kSlots>& row, const std::array<bool, kSlots>& has)
+void PlyReader::takeVertex(const std::array<double, kSlots>& row,
+                           const std::array<bool, kSlots>& has)
 {
     const auto vector = [&](size_t first) {
         return glm::vec3(glm::dvec3(row[first], row[first + 1], row[first + 2]));
     };
     vertices_.positions.emplace_back(scan_.worldFromFile * glm::vec4(vector(x), 1.0f));
-    if (has[nx] && has[ny] && has[nz]) normals_.push_back(glm::mat3(scan_.worldFromFile) * vector(nx));
+    if (has[nx] && has[ny] && has[nz])
+        normals_.push_back(glm::mat3(scan_.worldFromFile) * vector(nx));
     if (has[u] && has[v]) vertices_.uvs.emplace_back(row[u], 1.0 - row[v]); // PLY's v points up
     if (!has[red] || !has[green] || !has[blue]) return;
     const glm::vec3 color = vector(red);
@@ -147,12 +166,14 @@ Part& PlyReader::partOf(uint32_t texture)
     return found != parts_.end() ? *found : parts_.emplace_back(Part{texture, {}, {}});
 }
 
-void PlyReader::takePolygon(const std::vector<double>& vertices, const std::vector<double>& uvs, uint32_t texture)
+void PlyReader::takePolygon(const std::vector<double>& vertices, const std::vector<double>& uvs,
+                            uint32_t texture)
 {
     Part& part = partOf(texture);
     const auto corner = [&](size_t i) {
         const bool known = uvs.size() >= 2 * vertices.size();
-        return Corner{indexFrom(vertices[i]), known ? glm::vec2(uvs[2 * i], 1.0 - uvs[2 * i + 1]) : glm::vec2(0.0f)};
+        return Corner{indexFrom(vertices[i]),
+                      known ? glm::vec2(uvs[2 * i], 1.0 - uvs[2 * i + 1]) : glm::vec2(0.0f)};
     };
     for (size_t i = 1; i + 1 < vertices.size(); ++i) {
         const std::array<Corner, 3> corners{corner(0), corner(i), corner(i + 1)};
@@ -167,12 +188,14 @@ void PlyReader::takeFaces(const PlyElement& element)
     std::vector<double> vertices;
     std::vector<double> uvs;
     std::vector<double> other;
-    for (const PlyProperty& property : element.properties) hasCornerUvs_ |= property.name == "texcoord";
     for (uint64_t i = 0; i < element.count; ++i) {
         uint32_t texture = 0;
         for (const PlyProperty& property : element.properties) {
-            const bool isVertices = property.name == "vertex_indices" || property.name == "vertex_index";
-            std::vector<double>& values = isVertices ? vertices : property.name == "texcoord" ? uvs : other;
+            const bool isVertices =
+                property.name == "vertex_indices" || property.name == "vertex_index";
+            std::vector<double>& values = isVertices                    ? vertices
+                                          : property.name == "texcoord" ? uvs
+                                                                        : other;
             body_.next(property, values);
             if (property.name == "texnumber" && !values.empty()) texture = indexFrom(values[0]);
         }
@@ -193,8 +216,9 @@ void PlyReader::skip(const PlyElement& element)
 void PlyReader::splitAtSeams(const Part& part, Mesh& mesh, std::vector<glm::vec3>& normals) const
 {
     std::vector<uint32_t> vertexOf(part.corners.size());
-    const size_t count = meshopt_generateVertexRemap(vertexOf.data(), nullptr, part.corners.size(),
-                                                     part.corners.data(), part.corners.size(), sizeof(Corner));
+    const size_t count =
+        meshopt_generateVertexRemap(vertexOf.data(), nullptr, part.corners.size(),
+                                    part.corners.data(), part.corners.size(), sizeof(Corner));
     mesh.positions.resize(count);
     mesh.uvs.resize(count);
     normals.resize(normals_.empty() ? 0 : count);
@@ -212,8 +236,8 @@ void PlyReader::splitAtSeams(const Part& part, Mesh& mesh, std::vector<glm::vec3
 int PlyReader::pageOf(const Part& part)
 {
     if (part.texture >= header_.textureFiles.size())
-        malformed(name_, fmt::format("its faces show texture {}, and its header names {}", part.texture,
-                                     header_.textureFiles.size()));
+        malformed(name_, fmt::format("its faces show texture {}, and its header names {}",
+                                     part.texture, header_.textureFiles.size()));
     return textures_.pageOf(header_.textureFiles[part.texture], "its header");
 }
 
@@ -221,8 +245,11 @@ void PlyReader::checkIndices(const Part& part) const
 {
     for (const glm::uvec3& t : part.triangles)
         if (const uint32_t last = std::max({t.x, t.y, t.z}); last >= vertices_.positions.size())
-            malformed(name_, fmt::format("refers to vertex {}, and it has {}; the file is damaged, export it again",
-                                         last, vertices_.positions.size()));
+            malformed(
+                name_,
+                fmt::format(
+                    "refers to vertex {}, and it has {}; the file is damaged, export it again",
+                    last, vertices_.positions.size()));
 }
 
 void PlyReader::checkColors() const
@@ -232,9 +259,11 @@ void PlyReader::checkColors() const
     if (!vertices_.colors.empty() || hasUvs == hasPictures) return;
     if (hasUvs)
         fail(ErrorCode::unsupported, name_,
-             "has texture coordinates but names no picture.\nAdd the line \"comment TextureFile picture.jpg\" to its "
+             "has texture coordinates but names no picture.\nAdd the line \"comment TextureFile "
+             "picture.jpg\" to its "
              "header, behind the format.");
-    fail(ErrorCode::unsupported, name_, "names a picture but has no texture coordinates.\nUnwrap it first.");
+    fail(ErrorCode::unsupported, name_,
+         "names a picture but has no texture coordinates.\nUnwrap it first.");
 }
 
 void PlyReader::finish(Part& part)
@@ -259,7 +288,7 @@ void PlyReader::finish(Part& part)
             mesh.colors = vertices_.colors;
         }
     }
-    finishMesh(mesh, normals, name_, scan_.warnings);
+    finishMesh(mesh, std::move(normals), name_, scan_.warnings);
     if (!mesh.triangles.empty()) scan_.meshes.push_back(std::move(mesh));
 }
 
@@ -277,14 +306,16 @@ Scan PlyReader::read(Progress& progress)
     }
     if (parts_.empty())
         fail(ErrorCode::unsupported, name_,
-             fmt::format("has {} points but no faces: it is a point cloud, and relamp needs a surface.\nMake a mesh "
+             fmt::format("has {} points but no faces: it is a point cloud, and relamp needs a "
+                         "surface.\nMake a mesh "
                          "of it first, for example with MeshLab.",
                          vertices_.positions.size()));
     checkColors();
     for (Part& part : parts_) finish(part);
     scan_.pages = textures_.read({}, options_.transfer, progress);
     // What PLY keeps as bytes a vertex came from a photo, through its transfer curve.
-    addVertexPage(scan_, options_.transfer == Transfer::linear ? Transfer::linear : Transfer::srgb, name_);
+    addVertexPage(scan_, options_.transfer == Transfer::linear ? Transfer::linear : Transfer::srgb,
+                  name_);
     return std::move(scan_);
 }
 
@@ -293,11 +324,12 @@ Scan PlyReader::read(Progress& progress)
 bool isPly(std::span<const std::byte> bytes)
 {
     return bytes.size() >= 4 && bytes[0] == std::byte('p') && bytes[1] == std::byte('l') &&
-           bytes[2] == std::byte('y') && (bytes[3] == std::byte('\n') || bytes[3] == std::byte('\r'));
+           bytes[2] == std::byte('y') &&
+           (bytes[3] == std::byte('\n') || bytes[3] == std::byte('\r'));
 }
 
-Scan readPly(std::span<const std::byte> bytes, const std::filesystem::path& file, const ScanOptions& options,
-             Progress& progress)
+Scan readPly(std::span<const std::byte> bytes, const std::filesystem::path& file,
+             const ScanOptions& options, Progress& progress)
 {
     return PlyReader(bytes, file, options).read(progress);
 }

@@ -17,8 +17,8 @@ constexpr size_t kPacket = 16;
 /// Embree ends the process on a ray that is not a number, so none is let through.
 [[maybe_unused]] bool isFinite(const Ray& ray)
 {
-    const float sum = ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x + ray.direction.y +
-                      ray.direction.z + ray.nearest;
+    const float sum = ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x +
+                      ray.direction.y + ray.direction.z + ray.nearest;
     return std::isfinite(sum);
 }
 
@@ -28,8 +28,9 @@ void fillBuffers(RTCGeometry geometry, const Scan& scan)
     for (const Mesh& mesh : scan.meshes) vertices += mesh.positions.size();
     auto* position = static_cast<float*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices));
-    auto* index = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), scan.triangleCount()));
+    auto* index = static_cast<uint32_t*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof(uint32_t), scan.triangleCount()));
     uint32_t firstVertex = 0;
     for (const Mesh& mesh : scan.meshes) {
         for (const glm::vec3& p : mesh.positions)
@@ -40,7 +41,8 @@ void fillBuffers(RTCGeometry geometry, const Scan& scan)
     }
 }
 
-Hit hitFrom(uint32_t triangle, float distance, glm::vec2 weights, glm::vec3 towardsFace, glm::vec3 direction)
+Hit hitFrom(uint32_t triangle, float distance, glm::vec2 weights, glm::vec3 towardsFace,
+            glm::vec3 direction)
 {
     return {triangle, distance, weights, glm::dot(towardsFace, direction) < 0.0f};
 }
@@ -115,7 +117,8 @@ void RayScene::intersect(std::span<const Ray> rays, std::span<Hit> hits) const
             const bool missed = packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID;
             hits[begin + i] =
                 missed ? Hit{}
-                       : hitFrom(packet.hit.primID[i], packet.ray.tfar[i], {packet.hit.u[i], packet.hit.v[i]},
+                       : hitFrom(packet.hit.primID[i], packet.ray.tfar[i],
+                                 {packet.hit.u[i], packet.hit.v[i]},
                                  {packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i]},
                                  rays[begin + i].direction);
         }

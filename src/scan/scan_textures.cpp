@@ -28,9 +28,10 @@ std::filesystem::path ScanTextures::find(const Wanted& wanted) const
     for (const auto& candidate : {beside / relative, beside / relative.filename()})
         if (std::filesystem::is_regular_file(candidate, ignored)) return candidate;
     fail(ErrorCode::cannotRead, scanFile_.string(),
-         fmt::format("{} names the texture \"{}\", which is not there.\nPut it beside the file, or correct "
-                     "the name.",
-                     wanted.namedBy, wanted.name));
+         fmt::format(
+             "{} names the texture \"{}\", which is not there.\nPut it beside the file, or correct "
+             "the name.",
+             wanted.namedBy, wanted.name));
 }
 
 std::vector<Page> ScanTextures::read(const std::map<std::string, std::vector<std::byte>>& embedded,
@@ -41,10 +42,12 @@ std::vector<Page> ScanTextures::read(const std::map<std::string, std::vector<std
     forEach(pages.size(), [&](size_t i) {
         pages[i].name = wanted_[i].name;
         const auto inside = embedded.find(wanted_[i].name);
-        pages[i].image = inside != embedded.end()
-                             ? readImage(std::span(inside->second),
-                                         fmt::format("{}: texture \"{}\"", scanFile_.string(), wanted_[i].name), transfer)
-                             : readImage(find(wanted_[i]), transfer);
+        pages[i].image =
+            inside != embedded.end()
+                ? readImage(std::span(inside->second),
+                            fmt::format("{}: texture \"{}\"", scanFile_.string(), wanted_[i].name),
+                            transfer)
+                : readImage(find(wanted_[i]), transfer);
         stage.advance();
     });
     return pages;

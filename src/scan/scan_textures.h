@@ -19,11 +19,12 @@ public:
     /// Index of the page for a picture, which `namedBy` (say, material "wall") asks for.
     int pageOf(const std::string& name, const std::string& namedBy);
 
-    /// Reads all of them, in the order in which they were first asked for. Pictures are looked for in
-    /// `embedded` by name, then beside the scan's file. Throws Error, naming the picture and who asked
-    /// for it.
-    [[nodiscard]] std::vector<Page> read(const std::map<std::string, std::vector<std::byte>>& embedded,
-                                         Transfer transfer, Progress& progress) const;
+    /// Reads all of them, in the order in which they were first asked for. Pictures are looked for
+    /// in `embedded` by name, then beside the scan's file. Throws Error, naming the picture and who
+    /// asked for it.
+    [[nodiscard]] std::vector<Page>
+    read(const std::map<std::string, std::vector<std::byte>>& embedded, Transfer transfer,
+         Progress& progress) const;
 
 private:
     struct Wanted

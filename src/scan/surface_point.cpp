@@ -31,7 +31,8 @@ uint32_t wrapped(double pixel, int size, Wrap wrap)
 glm::dvec2 pointOn(const Texels& texels, const Mesh& mesh, const glm::uvec3& v, glm::vec3 weights)
 {
     const PixelTriangle t = pixelTriangle(*texels.scan, mesh, v);
-    return static_cast<double>(weights.x) * t.corner[0] + static_cast<double>(weights.y) * t.corner[1] +
+    return static_cast<double>(weights.x) * t.corner[0] +
+           static_cast<double>(weights.y) * t.corner[1] +
            static_cast<double>(weights.z) * t.corner[2];
 }
 
@@ -45,7 +46,9 @@ PixelAt nearestPixelAt(const Texels& texels, const Hit& hit)
     const Page& page = texels.scan->pages[static_cast<size_t>(mesh.page)];
     const auto pageIndex = static_cast<uint32_t>(mesh.page);
     if (page.ofVertices) {
-        const int corner = weights.x >= weights.y && weights.x >= weights.z ? 0 : weights.y >= weights.z ? 1 : 2;
+        const int corner = weights.x >= weights.y && weights.x >= weights.z ? 0
+                           : weights.y >= weights.z                         ? 1
+                                                                            : 2;
         return {pageIndex, static_cast<uint32_t>(mesh.firstPixel + v[corner])};
     }
     const glm::dvec2 at = pointOn(texels, mesh, v, weights);
@@ -75,8 +78,10 @@ PixelMix pixelsAt(const Texels& texels, const Hit& hit)
     const Image& image = page.image;
     const uint32_t x0 = wrapped(low.x, image.width, mesh.wrapU);
     const uint32_t x1 = wrapped(low.x + 1.0, image.width, mesh.wrapU);
-    const uint32_t row0 = wrapped(low.y, image.height, mesh.wrapV) * static_cast<uint32_t>(image.width);
-    const uint32_t row1 = wrapped(low.y + 1.0, image.height, mesh.wrapV) * static_cast<uint32_t>(image.width);
+    const uint32_t row0 =
+        wrapped(low.y, image.height, mesh.wrapV) * static_cast<uint32_t>(image.width);
+    const uint32_t row1 =
+        wrapped(low.y + 1.0, image.height, mesh.wrapV) * static_cast<uint32_t>(image.width);
     mix.pixel = {row0 + x0, row0 + x1, row1 + x0, row1 + x1};
     mix.weight = {(1.0f - fx) * (1.0f - fy), fx * (1.0f - fy), (1.0f - fx) * fy, fx * fy};
     return mix;

@@ -65,13 +65,16 @@ uint64_t SurfelGrid::keyOf(glm::vec3 position, glm::vec3 normal) const
     return firstKeyOf(cellOf(position)) + facingOf(normal);
 }
 
-SurfelCells::SurfelCells(std::span<const uint64_t> keys) : slots_(std::bit_ceil(2 * keys.size() + 2))
+SurfelCells::SurfelCells(std::span<const uint64_t> keys)
+    : slots_(std::bit_ceil(2 * keys.size() + 2))
 {
-    const auto cellKey = [&](size_t i) { return keys[i] / SurfelGrid::kFacings * SurfelGrid::kFacings; };
+    const auto cellKey = [&](size_t i) {
+        return keys[i] / SurfelGrid::kFacings * SurfelGrid::kFacings;
+    };
     for (size_t begin = 0, end = 0; begin < keys.size(); begin = end) {
         while (end < keys.size() && cellKey(end) == cellKey(begin)) ++end;
-        slots_[slotOf(cellKey(begin))] = {cellKey(begin),
-                                          {static_cast<uint32_t>(begin), static_cast<uint32_t>(end)}};
+        slots_[slotOf(cellKey(begin))] = {
+            cellKey(begin), {static_cast<uint32_t>(begin), static_cast<uint32_t>(end)}};
     }
 }
 
@@ -132,7 +135,8 @@ void connectNeighbors(Surfels& surfels)
                      surfels.firstNeighbor.begin());
     surfels.neighbor.clear();
     surfels.neighbor.reserve(surfels.firstNeighbor.back());
-    for (const auto& list : found) surfels.neighbor.insert(surfels.neighbor.end(), list.begin(), list.end());
+    for (const auto& list : found)
+        surfels.neighbor.insert(surfels.neighbor.end(), list.begin(), list.end());
 }
 
 } // namespace relamp

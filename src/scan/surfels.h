@@ -80,12 +80,13 @@ struct Surfels
     [[nodiscard]] size_t count() const { return position.size(); }
     [[nodiscard]] std::span<const uint32_t> neighborsOf(size_t surfel) const
     {
-        return {neighbor.data() + firstNeighbor[surfel], neighbor.data() + firstNeighbor[surfel + 1]};
+        return {neighbor.data() + firstNeighbor[surfel],
+                neighbor.data() + firstNeighbor[surfel + 1]};
     }
 
     static constexpr uint32_t kNone = ~0u;
-    /// The surfel that a texel at `place` facing `facing` belongs to; where there is no texel just there,
-    /// the nearest that faces about the same way; kNone where nothing is near.
+    /// The surfel that a texel at `place` facing `facing` belongs to; where there is no texel just
+    /// there, the nearest that faces about the same way; kNone where nothing is near.
     [[nodiscard]] uint32_t find(glm::vec3 place, glm::vec3 facing) const;
 
     /// Calls `visit(surfel)` for all whose cell is at most two from that of `place`: all within a

@@ -18,7 +18,8 @@ namespace
 constexpr double kMostSurfels = 1.5e6;
 constexpr double kMostOverlap = 0.02; // share of texels; more is a tiled texture, not a seam
 constexpr size_t kChunk = size_t{1} << 16;
-constexpr size_t kAhead = 24; // texels; surface order jumps over the page, and a look ahead hides that
+constexpr size_t kAhead =
+    24; // texels; surface order jumps over the page, and a look ahead hides that
 
 TexelSite siteOn(const Facet& facet, float column, float row)
 {
@@ -29,22 +30,24 @@ TexelSite siteOn(const Facet& facet, float column, float row)
             normal / std::max(glm::length(normal), 1e-12f)};
 }
 
-/// Columns and rows of pixels, without an integer division: half a pixel keeps the quotient clear of
-/// whole numbers, which a double's rounding could miss.
+/// Columns and rows of pixels, without an integer division: half a pixel keeps the quotient clear
+/// of whole numbers, which a double's rounding could miss.
 void splitPixels(std::span<const uint32_t> pixels, uint32_t width, float* columns, float* rows)
 {
     const double perWidth = 1.0 / width;
     for (size_t i = 0; i < pixels.size(); ++i) {
         const auto row = static_cast<int32_t>((pixels[i] + 0.5) * perWidth);
         rows[i] = static_cast<float>(row);
-        columns[i] = static_cast<float>(static_cast<int32_t>(pixels[i]) - row * static_cast<int32_t>(width));
+        columns[i] =
+            static_cast<float>(static_cast<int32_t>(pixels[i]) - row * static_cast<int32_t>(width));
     }
 }
 
 void normalize(TexelBlock& block)
 {
     for (size_t i = 0; i < block.count; ++i) {
-        const float squared = block.nx[i] * block.nx[i] + block.ny[i] * block.ny[i] + block.nz[i] * block.nz[i];
+        const float squared =
+            block.nx[i] * block.nx[i] + block.ny[i] * block.ny[i] + block.nz[i] * block.nz[i];
         const float scale = 1.0f / std::sqrt(squared > 1e-24f ? squared : 1e-24f);
         block.nx[i] *= scale;
         block.ny[i] *= scale;
@@ -62,7 +65,8 @@ double areaOf(const Texels& texels, const PageCoverage& coverage)
     std::vector<double> sums((coverage.facet.size() + kChunk - 1) / kChunk, 0.0);
     forEachChunk(coverage.facet.size(), kChunk, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
-            sums[begin / kChunk] += static_cast<double>(texels.facets.facets[coverage.facet[i]].texelArea);
+            sums[begin / kChunk] +=
+                static_cast<double>(texels.facets.facets[coverage.facet[i]].texelArea);
     });
     return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
@@ -101,10 +105,12 @@ PageKeys keysOf(const Texels& texels, const PageCoverage& coverage, size_t page)
         std::vector<uint64_t>& distinct = ofChunk[begin / kChunk];
         for (size_t i = begin; i < end; ++i) {
             const uint32_t pixel = coverage.pixel[i];
-            const TexelSite site = siteOn(texels.facets.facets[coverage.facet[i]],
-                                     static_cast<float>(pixel % width), static_cast<float>(pixel / width));
+            const TexelSite site =
+                siteOn(texels.facets.facets[coverage.facet[i]], static_cast<float>(pixel % width),
+                       static_cast<float>(pixel / width));
             keys.ofTexel[i] = texels.surfels.grid.keyOf(site.position, site.normal);
-            if (distinct.empty() || distinct.back() != keys.ofTexel[i]) distinct.push_back(keys.ofTexel[i]);
+            if (distinct.empty() || distinct.back() != keys.ofTexel[i])
+                distinct.push_back(keys.ofTexel[i]);
         }
         sortUnique(distinct);
     });
@@ -123,10 +129,12 @@ PageTexels sortBySurfel(const PageCoverage& coverage, const PageKeys& keys,
     forEachChunk(count, kChunk, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             const bool asBefore = i > begin && keys.ofTexel[i] == keys.ofTexel[i - 1];
-            slot[i] = asBefore ? slot[i - 1]
-                               : static_cast<uint32_t>(std::lower_bound(keys.distinct.begin(),
-                                                                        keys.distinct.end(), keys.ofTexel[i]) -
-                                                       keys.distinct.begin());
+            slot[i] =
+                asBefore
+                    ? slot[i - 1]
+                    : static_cast<uint32_t>(std::lower_bound(keys.distinct.begin(),
+                                                             keys.distinct.end(), keys.ofTexel[i]) -
+                                            keys.distinct.begin());
         }
     });
     std::vector<uint32_t> next(keys.distinct.size() + 1, 0);
@@ -136,7 +144,8 @@ PageTexels sortBySurfel(const PageCoverage& coverage, const PageKeys& keys,
     PageTexels page;
     page.runs.resize(keys.distinct.size() + 1, {0, static_cast<uint32_t>(count)});
     forEach(keys.distinct.size(), [&](size_t i) {
-        const auto surfel = std::lower_bound(surfelKeys.begin(), surfelKeys.end(), keys.distinct[i]);
+        const auto surfel =
+            std::lower_bound(surfelKeys.begin(), surfelKeys.end(), keys.distinct[i]);
         page.runs[i] = {static_cast<uint32_t>(surfel - surfelKeys.begin()), next[i]};
     });
     page.pixel.resize(count);
@@ -163,12 +172,13 @@ void accumulateSurfels(Texels& texels, size_t pageIndex)
             for (uint32_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i) {
                 const Facet& facet = texels.facets.facets[page.facet[i]];
                 const TexelSite site = siteOn(facet, static_cast<float>(page.pixel[i] % width),
-                                         static_cast<float>(page.pixel[i] / width));
+                                              static_cast<float>(page.pixel[i] / width));
                 position += static_cast<double>(facet.texelArea) * glm::dvec3(site.position);
                 normal += facet.texelArea * site.normal;
                 area += static_cast<double>(facet.texelArea);
             }
-            const uint32_t s = page.runs[run].surfel; // one run a surfel and page: no one else writes here
+            const uint32_t s =
+                page.runs[run].surfel; // one run a surfel and page: no one else writes here
             surfels.position[s] += glm::vec3(position);
             surfels.normal[s] += normal;
             surfels.area[s] += static_cast<float>(area);
@@ -181,7 +191,8 @@ void finishSurfels(Surfels& surfels)
     for (size_t s = 0; s < surfels.count(); ++s) {
         surfels.position[s] /= std::max(surfels.area[s], 1e-20f);
         const float length = glm::length(surfels.normal[s]);
-        surfels.normal[s] = length > 0.0f ? surfels.normal[s] / length : glm::vec3(0.0f, 1.0f, 0.0f);
+        surfels.normal[s] =
+            length > 0.0f ? surfels.normal[s] / length : glm::vec3(0.0f, 1.0f, 0.0f);
     }
 }
 
@@ -190,7 +201,9 @@ void finishSurfels(Surfels& surfels)
 size_t PageTexels::runOf(size_t texel) const
 {
     const auto startsAfter = [](size_t t, const Run& run) { return t < run.begin; };
-    return static_cast<size_t>(std::upper_bound(runs.begin(), runs.end(), texel, startsAfter) - runs.begin()) - 1;
+    return static_cast<size_t>(std::upper_bound(runs.begin(), runs.end(), texel, startsAfter) -
+                               runs.begin()) -
+           1;
 }
 
 size_t Texels::count() const
@@ -244,10 +257,12 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions&
     connectNeighbors(texels.surfels);
 
     const auto covered = static_cast<double>(texels.count());
-    texels.overlapShare = covered > 0.0 ? std::min(1.0, static_cast<double>(contested) / covered) : 0.0;
+    texels.overlapShare =
+        covered > 0.0 ? std::min(1.0, static_cast<double>(contested) / covered) : 0.0;
     if (texels.count() == 0)
         fail(ErrorCode::unsupported, scan.name,
-             "no texel lies on any triangle: its texture coordinates have no extent. Unwrap it again");
+             "no texel lies on any triangle: its texture coordinates have no extent. Unwrap it "
+             "again");
     return texels;
 }
 
@@ -255,10 +270,11 @@ void checkOverlap(const Texels& texels)
 {
     if (texels.overlapShare <= kMostOverlap) return;
     fail(ErrorCode::unsupported, texels.scan->name,
-         fmt::format("{:.0f} % of its texels stand for several places (tiled or mirrored texture).\n"
-                     "Light can only be taken off where every place has a texel of its own: unwrap it "
-                     "without overlap and bake the texture.",
-                     100.0 * texels.overlapShare));
+         fmt::format(
+             "{:.0f} % of its texels stand for several places (tiled or mirrored texture).\n"
+             "Light can only be taken off where every place has a texel of its own: unwrap it "
+             "without overlap and bake the texture.",
+             100.0 * texels.overlapShare));
 }
 
 TexelSite Texels::siteOf(size_t page, size_t texel) const
@@ -346,7 +362,8 @@ void TexelLoader::tint(size_t begin, TexelBlock& block) const
         const uint32_t facet = page_.facet[begin + i];
         const Tint tint = tintOf(*texels_.scan, texels_.facets, facet);
         const glm::vec2 from = texels_.facets.facets[facet].pixel;
-        const glm::vec3 color = tint.color + (static_cast<float>(pixel % width_) - from.x) * tint.colorX +
+        const glm::vec3 color = tint.color +
+                                (static_cast<float>(pixel % width_) - from.x) * tint.colorX +
                                 (static_cast<float>(pixel / width_) - from.y) * tint.colorY;
         block.r[i] *= color.r;
         block.g[i] *= color.g;

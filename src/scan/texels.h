@@ -16,8 +16,8 @@ namespace relamp
 
 /// The covered texels of one page, in surface order: those of one surfel follow each other.
 ///
-/// A texel is a pixel and the facet that it shows; all else follows from these two (loadBlock), so a
-/// texel takes eight bytes and a page may be worked on without holding the others.
+/// A texel is a pixel and the facet that it shows; all else follows from these two (loadBlock), so
+/// a texel takes eight bytes and a page may be worked on without holding the others.
 struct PageTexels
 {
     struct Run
@@ -48,7 +48,7 @@ struct Texels
     Facets facets;
     std::vector<PageTexels> pages; // as Scan::pages
     Surfels surfels;
-    double area = 0.0;        // m^2 of all texels
+    double area = 0.0;         // m^2 of all texels
     double overlapShare = 0.0; // of texels that stand for more than one place, 0..1
 
     [[nodiscard]] size_t count() const;
@@ -56,7 +56,8 @@ struct Texels
     [[nodiscard]] TexelSite siteOf(size_t page, size_t texel) const;
 };
 
-/// Texels of surfels, one after the other: where rays of a surfel start so that they average over it.
+/// Texels of surfels, one after the other: where rays of a surfel start so that they average over
+/// it.
 class SurfelSites
 {
 public:
@@ -90,8 +91,8 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions&
 /// Throws Error(unsupported), naming the share, where UVs overlap so much that texels mean nothing.
 void checkOverlap(const Texels& texels);
 
-/// A few texels as structure of arrays, the shape that all kernels work on. A kernel may read a group
-/// of lanes behind the last texel: what is there counts for nothing, but it is a number.
+/// A few texels as structure of arrays, the shape that all kernels work on. A kernel may read a
+/// group of lanes behind the last texel: what is there counts for nothing, but it is a number.
 struct TexelBlock
 {
     static constexpr size_t kCapacity = 512;
@@ -101,11 +102,12 @@ struct TexelBlock
     alignas(64) float x[kPadded] = {}, y[kPadded] = {}, z[kPadded] = {};    // world position, m
     alignas(64) float nx[kPadded] = {}, ny[kPadded] = {}, nz[kPadded] = {}; // unit normal
     alignas(64) float r[kPadded] = {}, g[kPadded] = {}, b[kPadded] = {};    // radiance, linear
-    alignas(64) float area[kCapacity] = {};                                       // m^2
+    alignas(64) float area[kCapacity] = {};                                 // m^2
     uint32_t surfel[kCapacity] = {};
 };
 
-/// RGB of a block of texels, structure of arrays. Entries behind the block's last texel are unspecified.
+/// RGB of a block of texels, structure of arrays. Entries behind the block's last texel are
+/// unspecified.
 struct RgbBlock
 {
     alignas(64) float r[TexelBlock::kPadded];
@@ -121,7 +123,7 @@ class TexelLoader
 public:
     TexelLoader(const Texels& texels, size_t page);
 
-    void load(size_t begin, size_t count, TexelBlock& block) const; // geometry and radiance
+    void load(size_t begin, size_t count, TexelBlock& block) const;         // geometry and radiance
     void loadGeometry(size_t begin, size_t count, TexelBlock& block) const; // position and normal
     void loadRadiance(size_t begin, size_t count, TexelBlock& block) const;
     void loadArea(size_t begin, size_t count, TexelBlock& block) const;
@@ -154,8 +156,8 @@ void forEachBlockOfRun(const PageTexels& page, size_t run, const Work& work)
         work(begin, std::min(TexelBlock::kCapacity, end - begin));
 }
 
-/// Calls `work(run, block)` for all runs of a page, on all threads. `block` is room to work in; it is
-/// lent from run to run, so that it is not made anew for a dozen texels.
+/// Calls `work(run, block)` for all runs of a page, on all threads. `block` is room to work in; it
+/// is lent from run to run, so that it is not made anew for a dozen texels.
 template<class Work>
 void forEachRun(const PageTexels& page, const Work& work)
 {

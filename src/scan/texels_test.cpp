@@ -69,7 +69,8 @@ TEST(Texels, VerticesShareTheAreaOfTheirTriangles)
     EXPECT_NEAR(texels.area, 4.0, 1e-5);
 }
 
-// Pixel (column, row) of a page that a square fills has its centre at (column + 1/2, row + 1/2) / pixels.
+// Pixel (column, row) of a page that a square fills has its centre at (column + 1/2, row + 1/2) /
+// pixels.
 TEST(Texels, LieWhereTheirPixelCentresAre)
 {
     const Scan scan = scenes::square(2.0f, 64, kGrey);
@@ -85,7 +86,8 @@ TEST(Texels, LieWhereTheirPixelCentresAre)
 
 TEST(Texels, ShowTheRadianceOfTheirPixels)
 {
-    const Scan scan = scenes::square(2.0f, 64, [](glm::vec3 p, glm::vec3) { return glm::vec3(p.x, p.z, 0.25f); });
+    const Scan scan =
+        scenes::square(2.0f, 64, [](glm::vec3 p, glm::vec3) { return glm::vec3(p.x, p.z, 0.25f); });
     const Texels texels = rasterize(scan);
     forEachTexel(texels, [](const TexelBlock& block, size_t i, uint32_t) {
         ASSERT_NEAR(block.r[i], block.x[i], 1e-3f * block.x[i]);
@@ -98,7 +100,8 @@ TEST(Texels, FactorAndVertexColorsMultiplyTheTexture)
 {
     Scan scan = scenes::square(2.0f, 64, kGrey);
     scan.meshes[0].factor = {1.0f, 0.5f, 1.0f};
-    for (const glm::vec3& p : scan.meshes[0].positions) scan.meshes[0].colors.emplace_back(0.5f * p.x, 1.0f, 1.0f);
+    for (const glm::vec3& p : scan.meshes[0].positions)
+        scan.meshes[0].colors.emplace_back(0.5f * p.x, 1.0f, 1.0f);
     const Texels texels = rasterize(scan);
     forEachTexel(texels, [](const TexelBlock& block, size_t i, uint32_t) {
         ASSERT_NEAR(block.r[i], 0.25f * block.x[i], 1e-3f);
@@ -117,7 +120,8 @@ TEST(Texels, OfOneSurfelFollowEachOtherAndLieTogether)
     EXPECT_EQ(seen.size(), surfels.count());
     forEachTexel(texels, [&](const TexelBlock& block, size_t i, uint32_t) {
         const glm::vec3 place(block.x[i], block.y[i], block.z[i]);
-        ASSERT_LT(glm::distance(place, surfels.position[block.surfel[i]]), std::sqrt(3.0f) * surfels.size);
+        ASSERT_LT(glm::distance(place, surfels.position[block.surfel[i]]),
+                  std::sqrt(3.0f) * surfels.size);
         const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
         ASSERT_GT(glm::dot(normal, surfels.normal[block.surfel[i]]), 0.99f);
     });
@@ -179,7 +183,8 @@ TEST(Texels, TiledTexturesCountAsOverlapping)
 
 TEST(Texels, UvsOnAnotherTileAreFoundByWrapping)
 {
-    Scan scan = scenes::square(2.0f, 64, [](glm::vec3 p, glm::vec3) { return glm::vec3(p.x, p.z, 0.0f); });
+    Scan scan =
+        scenes::square(2.0f, 64, [](glm::vec3 p, glm::vec3) { return glm::vec3(p.x, p.z, 0.0f); });
     for (glm::vec2& uv : scan.meshes[0].uvs) uv += glm::vec2(3.0f, -2.0f);
     const Texels texels = rasterize(scan);
     EXPECT_EQ(texels.count(), 64u * 64u);

@@ -16,7 +16,8 @@ constexpr size_t kBatch = 32;
 
 } // namespace
 
-AreaLight::AreaLight(const Candidate& candidate) : patches_(candidate.patches), centre_(candidate.centre)
+AreaLight::AreaLight(const Candidate& candidate)
+    : patches_(candidate.patches), centre_(candidate.centre)
 {
     float area = 0.0f;
     for (const ClippedPatch& patch : patches_) {
@@ -29,12 +30,13 @@ AreaLight::AreaLight(const Candidate& candidate) : patches_(candidate.patches), 
 const ClippedPatch& AreaLight::at(float share) const
 {
     const auto found = std::lower_bound(areaUpTo_.begin(), areaUpTo_.end(), share * area());
-    const auto index = std::min<size_t>(static_cast<size_t>(found - areaUpTo_.begin()), patches_.size() - 1);
+    const auto index =
+        std::min<size_t>(static_cast<size_t>(found - areaUpTo_.begin()), patches_.size() - 1);
     return patches_[index];
 }
 
-AreaSample sampleAreaLight(const RayScene& scene, const AreaLight& light, glm::vec3 position, glm::vec3 normal,
-                           size_t samples, float shift)
+AreaSample sampleAreaLight(const RayScene& scene, const AreaLight& light, glm::vec3 position,
+                           glm::vec3 normal, size_t samples, float shift)
 {
     const glm::vec3 origin = position + kOffSurface * normal;
     const float perSample = light.area() / static_cast<float>(samples);
@@ -47,7 +49,8 @@ AreaSample sampleAreaLight(const RayScene& scene, const AreaLight& light, glm::v
             const float share = (static_cast<float>(i) + shift) / static_cast<float>(samples);
             const ClippedPatch& patch = light.at(share);
             const glm::vec3 way = patch.position - origin;
-            const float received = perSample * patchFormFactor(way, normal, patch.normal, patch.area);
+            const float received =
+                perSample * patchFormFactor(way, normal, patch.normal, patch.area);
             if (received <= 0.0f) continue;
             sum.open += received;
             const float distance = glm::length(way);

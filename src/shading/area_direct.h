@@ -11,8 +11,8 @@
 namespace relamp
 {
 
-/// A lamp as something that points can be sampled on: its burnt-out patches, and where in their order
-/// an area is reached.
+/// A lamp as something that points can be sampled on: its burnt-out patches, and where in their
+/// order an area is reached.
 class AreaLight
 {
 public:
@@ -22,7 +22,10 @@ public:
     /// Patch at which `share` (0..1) of the area is reached.
     [[nodiscard]] const ClippedPatch& at(float share) const;
     [[nodiscard]] glm::vec3 centre() const { return centre_; }
-    [[nodiscard]] float radius() const { return radius_; } // of the sphere around `centre` that holds all
+    [[nodiscard]] float radius() const
+    {
+        return radius_;
+    } // of the sphere around `centre` that holds all
 
 private:
     std::vector<ClippedPatch> patches_;
@@ -38,9 +41,9 @@ struct AreaSample
     float visible = 0.0f; // with shadows
 };
 
-/// `samples` points, evenly over the lamp's area and shifted by `shift` (0..1), each with a shadow ray
-/// where it could be seen. `position` is on the surface, `normal` its unit normal.
-AreaSample sampleAreaLight(const RayScene& scene, const AreaLight& light, glm::vec3 position, glm::vec3 normal,
-                           size_t samples, float shift);
+/// `samples` points, evenly over the lamp's area and shifted by `shift` (0..1), each with a shadow
+/// ray where it could be seen. `position` is on the surface, `normal` its unit normal.
+AreaSample sampleAreaLight(const RayScene& scene, const AreaLight& light, glm::vec3 position,
+                           glm::vec3 normal, size_t samples, float shift);
 
 } // namespace relamp

@@ -5,8 +5,8 @@
 SHARED_BEGIN
 
 // Irradiance a radiance on a surface element from a patch of area 1 that faces `patchNormal`:
-// cos cos' / d^2, zero where either looks away. `leastSquared` keeps a patch nearer than its own size
-// from growing without end.
+// cos cos' / d^2, zero where either looks away. `leastSquared` keeps a patch nearer than its own
+// size from growing without end.
 SHARED_FN float patchFormFactor(vec3 toPatch, vec3 normal, vec3 patchNormal, float leastSquared)
 {
     const float squared = max(dot(toPatch, toPatch), 1e-12f);

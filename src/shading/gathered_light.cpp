@@ -85,8 +85,9 @@ void interpolateKernel(const InterpolateArgs& args)
     }
 }
 
-void addDirect(const RayScene& scene, const GatheredLight& light, const GatheredLightOptions& options,
-               const PageTexels& page, size_t begin, const TexelBlock& block, RgbBlock& out)
+void addDirect(const RayScene& scene, const GatheredLight& light,
+               const GatheredLightOptions& options, const PageTexels& page, size_t begin,
+               const TexelBlock& block, RgbBlock& out)
 {
     for (size_t i = 0; i < block.count; ++i) {
         const glm::vec3 position(block.x[i], block.y[i], block.z[i]);
@@ -104,8 +105,8 @@ void addDirect(const RayScene& scene, const GatheredLight& light, const Gathered
     }
 }
 
-void interpolate(const Texels& texels, const GatheredLight& light, const PageTexels& page, size_t begin,
-                 const TexelBlock& block, RgbBlock& out)
+void interpolate(const Texels& texels, const GatheredLight& light, const PageTexels& page,
+                 size_t begin, const TexelBlock& block, RgbBlock& out)
 {
     const Surfels& surfels = texels.surfels;
     const float reach = kReach * surfels.size;
@@ -115,7 +116,8 @@ void interpolate(const Texels& texels, const GatheredLight& light, const PageTex
         Taps taps;
         for (const uint32_t s : surfels.neighborsOf(page.runs[run].surfel))
             taps.add(surfels, s, light.indirect[s]);
-        const InterpolateArgs args{&block, &taps, at - begin, end - begin, 1.0f / (reach * reach), &out};
+        const InterpolateArgs args{&block, &taps, at - begin, end - begin, 1.0f / (reach * reach),
+                                   &out};
         runKernel<interpolateKernel>(bestInstructionSet(), args);
         at = end;
     }
@@ -124,11 +126,11 @@ void interpolate(const Texels& texels, const GatheredLight& light, const PageTex
 } // namespace
 
 TexelShading shadingOf(const Texels& texels, const RayScene& scene,
-                       std::shared_ptr<const GatheredLight> light, const GatheredLightOptions& options)
+                       std::shared_ptr<const GatheredLight> light,
+                       const GatheredLightOptions& options)
 {
-    return [&texels, &scene, light = std::move(light), options](size_t p, size_t begin,
-                                                                const TexelBlock& block,
-                                                                ShadingBlock& out) {
+    return [&texels, &scene, light = std::move(light),
+            options](size_t p, size_t begin, const TexelBlock& block, ShadingBlock& out) {
         const PageTexels& page = texels.pages[p];
         interpolate(texels, *light, page, begin, block, out.indirect);
         addDirect(scene, *light, options, page, begin, block, out.direct);

@@ -21,9 +21,10 @@ struct GatheredLightOptions
     size_t shadowSamples = 16; // points of a lamp that a texel looks for, >= 1
 };
 
-/// Shades texels: indirect light interpolated between surfels of one surface, direct light of every lamp
-/// by area with shadow rays from every texel.
+/// Shades texels: indirect light interpolated between surfels of one surface, direct light of every
+/// lamp by area with shadow rays from every texel.
 TexelShading shadingOf(const Texels& texels, const RayScene& scene,
-                       std::shared_ptr<const GatheredLight> light, const GatheredLightOptions& options);
+                       std::shared_ptr<const GatheredLight> light,
+                       const GatheredLightOptions& options);
 
 } // namespace relamp

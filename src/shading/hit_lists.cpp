@@ -19,8 +19,7 @@ class Caster
 public:
     Caster(const Texels& texels, const RayScene& scene,
            std::span<const std::vector<uint8_t>> clipped, size_t raysPerList)
-        : texels_(texels), scene_(scene), clipped_(clipped), rays_(raysPerList),
-          sites_(texels)
+        : texels_(texels), scene_(scene), clipped_(clipped), rays_(raysPerList), sites_(texels)
     {}
 
     void cast(Side side, std::span<HitTarget> out) const;

@@ -21,17 +21,19 @@ constexpr float kAlbedoOfTheUnknown = 0.7f; // of a surfel that is burnt out all
 constexpr float kMostRadiance = 10.0f;      // of a wall beside a lamp
 
 /// Albedo that the plain texels of every surfel imply; where there are none, the neighbours' mean.
-std::vector<glm::vec3> albedoOf(const Texels& texels, const SurfelRadiance& radiance, const HitLists& hits,
-                                std::span<const glm::vec3> irradiance)
+std::vector<glm::vec3> albedoOf(const Texels& texels, const SurfelRadiance& radiance,
+                                const HitLists& hits, std::span<const glm::vec3> irradiance)
 {
     const size_t surfels = texels.surfels.count();
     std::vector<glm::vec3> albedo(surfels, glm::vec3(kAlbedoOfTheUnknown));
-    const auto isKnown = [&](size_t s) { return radiance.plainArea[s] > 0.1f * radiance.clippedArea[s]; };
+    const auto isKnown = [&](size_t s) {
+        return radiance.plainArea[s] > 0.1f * radiance.clippedArea[s];
+    };
     for (size_t s = 0; s < surfels; ++s) {
         if (!isKnown(s)) continue;
         const glm::vec3 e = irradiance[static_cast<size_t>(hits.listOfSide[2 * s])];
-        albedo[s] = glm::clamp(kPi * radiance.plain[s] / glm::max(e, glm::vec3(kLeastIrradiance)), kDarkestAlbedo,
-                               kBrightestAlbedo);
+        albedo[s] = glm::clamp(kPi * radiance.plain[s] / glm::max(e, glm::vec3(kLeastIrradiance)),
+                               kDarkestAlbedo, kBrightestAlbedo);
     }
     for (size_t s = 0; s < surfels; ++s) {
         if (isKnown(s)) continue;
@@ -62,7 +64,8 @@ std::vector<float> directOfLists(const Texels& texels, const RayScene& scene, co
                 const TexelSite site = sites.at(side.surfel(), k);
                 const glm::vec3 normal = side.isBack() ? -site.normal : site.normal;
                 const float shift = hashedShift(side.index, static_cast<uint32_t>(k));
-                sum += sampleAreaLight(scene, light, site.position, normal, kSamplesAnOrigin, shift).visible;
+                sum += sampleAreaLight(scene, light, site.position, normal, kSamplesAnOrigin, shift)
+                           .visible;
             }
             direct[i] = sum / kOrigins;
         }
@@ -70,8 +73,9 @@ std::vector<float> directOfLists(const Texels& texels, const RayScene& scene, co
     return direct;
 }
 
-LitSides lightSides(const Texels& texels, const RayScene& scene, const HitLists& hits, const SurfelRadiance& radiance,
-                    std::span<const LitLamp> lamps, std::span<const uint8_t> shines, glm::vec3 ambient)
+LitSides lightSides(const Texels& texels, const RayScene& scene, const HitLists& hits,
+                    const SurfelRadiance& radiance, std::span<const LitLamp> lamps,
+                    std::span<const uint8_t> shines, glm::vec3 ambient)
 {
     LitSides sides;
     sides.field = fieldOf(radiance);
@@ -85,7 +89,8 @@ LitSides lightSides(const Texels& texels, const RayScene& scene, const HitLists&
         sides.gathered = gather(hits, sides.field);
         std::vector<glm::vec3> irradiance(sides.direct.size());
         for (size_t i = 0; i < irradiance.size(); ++i)
-            irradiance[i] = sides.direct[i] + sides.gathered.irradiance[i] + ambient * sides.gathered.missed[i];
+            irradiance[i] =
+                sides.direct[i] + sides.gathered.irradiance[i] + ambient * sides.gathered.missed[i];
         sides.albedo = albedoOf(texels, radiance, hits, irradiance);
         for (size_t s = 0; s < sides.albedo.size(); ++s) {
             const glm::vec3 front = irradiance[static_cast<size_t>(hits.listOfSide[2 * s])];

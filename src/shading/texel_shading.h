@@ -14,8 +14,8 @@ struct ShadingBlock
     RgbBlock indirect; // by way of other surfaces, and ambient
 };
 
-/// What every solver ends in: shades texels [begin, begin + block.count) of a page. The block comes with
-/// geometry and surfels loaded. Thread safe.
+/// What every solver ends in: shades texels [begin, begin + block.count) of a page. The block comes
+/// with geometry and surfels loaded. Thread safe.
 using TexelShading =
     std::function<void(size_t page, size_t begin, const TexelBlock& block, ShadingBlock& out)>;
 

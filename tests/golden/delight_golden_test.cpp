@@ -27,7 +27,8 @@ const std::string kScan = kRoom / "scan.glb";
 std::vector<std::string> namesIn(const std::filesystem::path& folder)
 {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) names.push_back(entry.path().filename());
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        names.push_back(entry.path().filename());
     return names;
 }
 
@@ -45,9 +46,11 @@ TEST(DelightProgram, WritesAllThatTheGuidePromises)
     const Outcome run = runRelamp({"delight", kScan, "-o", folder / "out"});
     ASSERT_EQ(run.exitCode, 0) << run.err;
     EXPECT_THAT(namesIn(folder / "out"),
-                UnorderedElementsAre("albedo.exr", "albedo.png", "confidence.png", "direct.exr", "indirect.exr",
-                                     "lights.json", "preview.png", "report.json", "scan.glb", "shading.exr"));
-    EXPECT_THAT(namesIn(folder.path()), testing::ElementsAre("out")); // and nothing half-written beside it
+                UnorderedElementsAre("albedo.exr", "albedo.png", "confidence.png", "direct.exr",
+                                     "indirect.exr", "lights.json", "preview.png", "report.json",
+                                     "scan.glb", "shading.exr"));
+    EXPECT_THAT(namesIn(folder.path()),
+                testing::ElementsAre("out")); // and nothing half-written beside it
 
     const auto report = nlohmann::json::parse(bytesOf(folder / "out/report.json"));
     EXPECT_EQ(report["scan"]["triangles"], 39855);
@@ -59,7 +62,9 @@ TEST(DelightProgram, WritesAllThatTheGuidePromises)
 TEST(DelightProgram, ThesisSolverTakesSomeShadingOffTheSample)
 {
     const TemporaryFolder folder;
-    ASSERT_EQ(runRelamp({"delight", kScan, "-o", folder / "out", "--solver", "thesis", "-q"}).exitCode, 0);
+    ASSERT_EQ(
+        runRelamp({"delight", kScan, "-o", folder / "out", "--solver", "thesis", "-q"}).exitCode,
+        0);
     const Score input = scoreAlbedo(readPicture(kRoom / "scan_recon.jpg"), kRoom);
     EXPECT_NEAR(input.psnr, 11.88, 0.05);
     EXPECT_NEAR(input.leakSlope, 1.0, 0.01);
@@ -71,11 +76,14 @@ TEST(DelightProgram, ThesisSolverTakesSomeShadingOffTheSample)
 TEST(DelightProgram, WritesTheSameBytesOnOneThreadAndOnEight)
 {
     const TemporaryFolder folder;
-    ASSERT_EQ(runRelamp({"delight", kScan, "-o", folder / "one", "--threads", "1", "-q"}).exitCode, 0);
-    ASSERT_EQ(runRelamp({"delight", kScan, "-o", folder / "eight", "--threads", "8", "-q"}).exitCode, 0);
+    ASSERT_EQ(runRelamp({"delight", kScan, "-o", folder / "one", "--threads", "1", "-q"}).exitCode,
+              0);
+    ASSERT_EQ(
+        runRelamp({"delight", kScan, "-o", folder / "eight", "--threads", "8", "-q"}).exitCode, 0);
     for (const std::string& name : namesIn(folder / "one")) {
         if (name == "report.json") continue; // it tells the seconds
-        EXPECT_TRUE(bytesOf(folder / ("one/" + name)) == bytesOf(folder / ("eight/" + name))) << name;
+        EXPECT_TRUE(bytesOf(folder / ("one/" + name)) == bytesOf(folder / ("eight/" + name)))
+            << name;
     }
 }
 
@@ -120,8 +128,8 @@ TEST(DelightProgram, ItsLightsCanBeReadAgain)
     const Lights lights = readLights(folder / "out/lights.json", warnings);
     EXPECT_TRUE(warnings.empty());
     EXPECT_EQ(lights.points.size(), 64u);
-    const Outcome again =
-        runRelamp({"delight", kScan, "-o", folder / "again", "--lights", folder / "out/lights.json"});
+    const Outcome again = runRelamp(
+        {"delight", kScan, "-o", folder / "again", "--lights", folder / "out/lights.json"});
     EXPECT_EQ(again.exitCode, 0) << again.err;
 }
 

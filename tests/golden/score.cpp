@@ -83,7 +83,8 @@ Score scoreAlbedo(const Picture& albedo, const std::filesystem::path& room)
     const Picture shading = readPicture(room / "gt_shading.exr");
     const Picture mask = readPicture(room / "mask.png");
     const Picture input = readPicture(room / "scan_recon.jpg");
-    if (albedo.rgb.size() != truth.rgb.size()) throw std::runtime_error("albedo has another size than the truth");
+    if (albedo.rgb.size() != truth.rgb.size())
+        throw std::runtime_error("albedo has another size than the truth");
 
     std::vector<glm::vec3> estimate;
     std::vector<glm::vec3> wanted;
@@ -97,7 +98,8 @@ Score scoreAlbedo(const Picture& albedo, const std::filesystem::path& room)
         logShading.push_back(std::log(std::max(luminanceOf(shading.rgb[i]), 1e-4f)));
         isClipped.push_back(std::max({in.r, in.g, in.b}) >= kClipped);
     }
-    const glm::vec3 scale(scaleOf(estimate, wanted, 0), scaleOf(estimate, wanted, 1), scaleOf(estimate, wanted, 2));
+    const glm::vec3 scale(scaleOf(estimate, wanted, 0), scaleOf(estimate, wanted, 1),
+                          scaleOf(estimate, wanted, 2));
     glm::vec3 mean(0.0f);
     for (const glm::vec3& rgb : estimate) mean += rgb / static_cast<float>(estimate.size());
     const float darkest = 1e-3f * (mean.r + mean.g + mean.b) / 3.0f;

@@ -23,7 +23,8 @@ Picture readPicture(const std::filesystem::path& file);
 struct Score
 {
     double psnr;      // of the albedo after one scale a channel, unclipped texels of the mask, dB
-    double leakSlope; // of log(estimate / truth) over log(true shading): 1 = all shading is left, 0 = none
+    double leakSlope; // of log(estimate / truth) over log(true shading): 1 = all shading is left, 0
+                      // = none
 };
 
 /// Scores an albedo against the ground truth in the folder of a sample room.

@@ -57,9 +57,12 @@ void addWall(Mesh& mesh, Page& page, const Wall& wall, const Paint& paint)
         for (int x = 0; x < wall.pixels.x; ++x) {
             const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(wall.pixels.x);
             const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(wall.pixels.y);
-            const glm::vec3 radiance = paint(wall.corner + u * wall.alongU + v * wall.alongV, normal);
-            const auto pixel = static_cast<size_t>((wall.row + y) * page.image.width + wall.column + x);
-            for (int c = 0; c < 3; ++c) page.image.half[3 * pixel + static_cast<size_t>(c)] = halfFromFloat(radiance[c]);
+            const glm::vec3 radiance =
+                paint(wall.corner + u * wall.alongU + v * wall.alongV, normal);
+            const auto pixel =
+                static_cast<size_t>((wall.row + y) * page.image.width + wall.column + x);
+            for (int c = 0; c < 3; ++c)
+                page.image.half[3 * pixel + static_cast<size_t>(c)] = halfFromFloat(radiance[c]);
         }
 }
 
@@ -82,9 +85,10 @@ Scan square(float side, int pixels, const Paint& paint)
     Mesh mesh;
     Page page = emptyPage(pixels, pixels);
     // u along x and v along z would face down; the wall is wound the other way round.
-    addWall(mesh, page, {{0, 0, 0}, {side, 0, 0}, {0, 0, side}, 0, 0, glm::ivec2(pixels)}, [&](glm::vec3 p, glm::vec3) {
-        return paint(p, {0.0f, 1.0f, 0.0f});
-    });
+    addWall(mesh, page, {{0, 0, 0}, {side, 0, 0}, {0, 0, side}, 0, 0, glm::ivec2(pixels)},
+            [&](glm::vec3 p, glm::vec3) {
+                return paint(p, {0.0f, 1.0f, 0.0f});
+            });
     for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
     return scanOf(std::move(mesh), std::move(page));
 }
@@ -99,7 +103,8 @@ Scan splitSquare(float side, int pixels, const Paint& paint)
     const glm::vec3 alongU(0.5f * side, 0, 0);
     const glm::vec3 alongV(0, 0, side);
     addWall(mesh, page, {alongU, alongU, alongV, kGutter, kGutter, {half, pixels}}, upwards);
-    addWall(mesh, page, {glm::vec3(0), alongU, alongV, half + 3 * kGutter, kGutter, {half, pixels}}, upwards);
+    addWall(mesh, page, {glm::vec3(0), alongU, alongV, half + 3 * kGutter, kGutter, {half, pixels}},
+            upwards);
     for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
     return scanOf(std::move(mesh), std::move(page));
 }
@@ -113,17 +118,18 @@ Scan room(glm::vec3 size, int pixels, const Paint& paint)
     const glm::vec3 y(0, size.y, 0);
     const glm::vec3 z(0, 0, size.z);
     const std::array<std::array<glm::vec3, 3>, 6> walls{{
-        {glm::vec3(0), z, x},  // floor, faces up
-        {y, x, z},             // ceiling, faces down
-        {glm::vec3(0), y, z},  // x = 0
-        {x, z, y},             // x = size.x
-        {glm::vec3(0), x, y},  // z = 0
-        {z, y, x},             // z = size.z
+        {glm::vec3(0), z, x}, // floor, faces up
+        {y, x, z},            // ceiling, faces down
+        {glm::vec3(0), y, z}, // x = 0
+        {x, z, y},            // x = size.x
+        {glm::vec3(0), x, y}, // z = 0
+        {z, y, x},            // z = size.z
     }};
     for (size_t i = 0; i < walls.size(); ++i) {
         const int column = static_cast<int>(i % 3) * tile + kGutter;
         const int row = static_cast<int>(i / 3) * tile + kGutter;
-        addWall(mesh, page, {walls[i][0], walls[i][1], walls[i][2], column, row, glm::ivec2(pixels)}, paint);
+        addWall(mesh, page,
+                {walls[i][0], walls[i][1], walls[i][2], column, row, glm::ivec2(pixels)}, paint);
     }
     return scanOf(std::move(mesh), std::move(page));
 }

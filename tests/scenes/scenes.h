@@ -10,8 +10,8 @@ namespace relamp::scenes
 /// Linear radiance that a surface shows at a place.
 using Paint = std::function<glm::vec3(glm::vec3 position, glm::vec3 normal)>;
 
-/// A flat square in the xz plane, `side` metres long, facing +y, on a page of `pixels` squared that it
-/// fills to its edges. u runs along x, v along z; corner (0, 0, 0) is u = v = 0.
+/// A flat square in the xz plane, `side` metres long, facing +y, on a page of `pixels` squared that
+/// it fills to its edges. u runs along x, v along z; corner (0, 0, 0) is u = v = 0.
 Scan square(float side, int pixels, const Paint& paint);
 
 /// The same square in two charts that meet at x = side / 2 in space and lie apart on the page.

@@ -1,0 +1,232 @@
+#include "relamp/image.h"
+
+#include "relamp/error.h"
+#include "scenes/pictures.h"
+#include "scenes/temporary_folder.h"
+
+#include <limits>
+#include <random>
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace relamp
+{
+namespace
+{
+
+using scenes::fourColors;
+using scenes::pictureFile;
+using scenes::Pixels;
+using testing::Each;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+using Bytes = std::vector<uint8_t>;
+
+Image read(const Bytes& bytes, Transfer transfer = Transfer::automatic,
+           const std::string& name = "picture")
+{
+    return readImage(std::as_bytes(std::span(bytes)), name, transfer);
+}
+
+std::string refusal(const Bytes& bytes)
+{
+    try {
+        read(bytes);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+glm::vec3 pixel(const Image& image, size_t i)
+{
+    return Radiance(image)[i];
+}
+
+float distance(const Image& image, size_t i, glm::vec3 expected)
+{
+    return glm::length(pixel(image, i) - expected);
+}
+
+/// Sixteen by sixteen of noise: no codec finds much to leave out.
+Pixels<uint8_t> noise()
+{
+    std::mt19937 random(1);
+    Pixels<uint8_t> pixels{16, 16, 3, Bytes(768)};
+    for (uint8_t& sample : pixels.samples) sample = static_cast<uint8_t>(random());
+    return pixels;
+}
+
+} // namespace
+
+TEST(ReadImage, EveryLosslessFormatOfBytesGivesThemBack)
+{
+    for (const char* format : {"png", "tiff", "bmp", "targa"}) {
+        const Image image =
+            read(pictureFile(format, fourColors()), Transfer::automatic, "picture.tga");
+        EXPECT_EQ(image.width, 2) << format;
+        EXPECT_EQ(image.encoded, fourColors().samples) << format;
+        EXPECT_EQ(image.transfer, Transfer::srgb) << format;
+        EXPECT_TRUE(image.clipsAtWhite) << format;
+        EXPECT_FALSE(image.wasJpeg) << format;
+        EXPECT_THAT(image.alpha, IsEmpty()) << format;
+    }
+}
+
+TEST(ReadImage, LossyFormatsAreNear)
+{
+    for (const char* format : {"jpeg", "webp"}) {
+        const Image image = read(pictureFile(format, Pixels<uint8_t>{8, 8, 3, Bytes(192, 100)}));
+        EXPECT_EQ(image.wasJpeg, format == std::string("jpeg"));
+        EXPECT_THAT(image.encoded, Each(testing::AllOf(testing::Ge(98), testing::Le(102))))
+            << format;
+    }
+}
+
+TEST(ReadImage, PalettesAreLookedUp)
+{
+    EXPECT_EQ(read(scenes::palettePng()).encoded, fourColors().samples);
+}
+
+TEST(ReadImage, GreyIsSpreadOverTheColours)
+{
+    const Image image = read(pictureFile("png", Pixels<uint8_t>{2, 1, 1, {7, 200}}));
+    EXPECT_THAT(image.encoded, ElementsAre(7, 7, 7, 200, 200, 200));
+}
+
+TEST(ReadImage, OpacityIsKeptApartAndLeavesColoursAlone)
+{
+    const Image rgba =
+        read(pictureFile("png", Pixels<uint8_t>{2, 1, 4, {10, 20, 30, 0, 40, 50, 60, 128}}));
+    EXPECT_THAT(rgba.encoded, ElementsAre(10, 20, 30, 40, 50, 60));
+    EXPECT_THAT(rgba.alpha, ElementsAre(0, 128));
+
+    const Image opaque = read(pictureFile("png", Pixels<uint8_t>{1, 1, 4, {10, 20, 30, 255}}));
+    EXPECT_THAT(opaque.alpha, IsEmpty());
+
+    const Image greyAlpha = read(pictureFile("png", Pixels<uint8_t>{2, 1, 2, {9, 0, 11, 255}}));
+    EXPECT_THAT(greyAlpha.encoded, ElementsAre(9, 9, 9, 11, 11, 11));
+    EXPECT_THAT(greyAlpha.alpha, ElementsAre(0, 255));
+}
+
+// 32896 / 65535 = 0.50196; sRGB makes 0.2159 of it.
+TEST(ReadImage, SixteenBitsAreSrgbInHalfFloats)
+{
+    for (const char* format : {"png", "tiff"}) {
+        const Image image = read(pictureFile(format, Pixels<uint16_t>{1, 1, 3, {0, 32896, 65535}}));
+        EXPECT_THAT(image.encoded, IsEmpty());
+        EXPECT_LT(distance(image, 0, {0.0f, 0.2159f, 1.0f}), 2e-4f) << format;
+        EXPECT_TRUE(image.clipsAtWhite);
+    }
+}
+
+TEST(ReadImage, FloatsAreLinearAndMayBeBrighterThanWhite)
+{
+    for (const char* format : {"openexr", "tiff", "hdr"}) {
+        const Image image = read(pictureFile(format, Pixels<float>{1, 1, 3, {0.25f, 0.5f, 8.0f}}));
+        EXPECT_LT(distance(image, 0, {0.25f, 0.5f, 8.0f}), 0.05f) << format;
+        EXPECT_FALSE(image.clipsAtWhite);
+    }
+}
+
+TEST(ReadImage, TransferOverridesTheType)
+{
+    const Bytes bytes = pictureFile("png", Pixels<uint8_t>{1, 1, 1, {188}});
+    EXPECT_NEAR(pixel(read(bytes, Transfer::linear), 0).r, 188.0f / 255.0f, 1e-6f);
+    EXPECT_NEAR(pixel(read(bytes, Transfer::srgb), 0).r, 0.5029f, 1e-3f);
+
+    const Bytes words = pictureFile("png", Pixels<uint16_t>{1, 1, 1, {32896}});
+    EXPECT_NEAR(pixel(read(words, Transfer::linear), 0).r, 0.502f, 1e-3f);
+
+    const Bytes floats = pictureFile("openexr", Pixels<float>{1, 1, 3, {0.5f, 0.5f, 0.5f}});
+    EXPECT_NEAR(pixel(read(floats, Transfer::srgb), 0).r, 0.2140f, 1e-3f);
+}
+
+TEST(ReadImage, NanInfinityAndDarkerThanBlackAreBlack)
+{
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    const Image image = read(pictureFile(
+        "openexr", Pixels<float>{2, 1, 3, {kNan, kInfinity, -kInfinity, -1.0f, 1e9f, 0.5f}}));
+    EXPECT_EQ(pixel(image, 0), glm::vec3(0.0f));
+    EXPECT_EQ(pixel(image, 1), glm::vec3(0.0f, 65504.0f, 0.5f)); // the largest half
+}
+
+TEST(ReadImage, AFourthChannelThatIsNoOpacityIsPassedOver)
+{
+    Pixels<float> depth{1, 1, 3, {0.25f, 0.5f, 0.75f}};
+    const Image image = read(pictureFile("tiff", depth));
+    EXPECT_THAT(image.alpha, IsEmpty());
+}
+
+TEST(ReadImage, FilesAreKnownByContentNotByName)
+{
+    const scenes::TemporaryFolder folder;
+    EXPECT_EQ(readImage(folder.write("picture.jpg", pictureFile("png", fourColors()))).encoded,
+              fourColors().samples);
+}
+
+TEST(ReadImage, WhatIsNoPictureIsNamedAsSuch)
+{
+    EXPECT_THAT(refusal({'h', 'e', 'l', 'l', 'o'}),
+                HasSubstr("picture: is no picture that relamp reads"));
+    EXPECT_THAT(refusal({}), HasSubstr("is no picture"));
+    EXPECT_THAT(refusal({0xab, 'K', 'T', 'X', ' ', '2', '0', 0xbb, '\r', '\n', 0x1a, '\n'}),
+                HasSubstr("KTX2"));
+}
+
+TEST(ReadImage, CutOffPicturesAreRefusedWhereverTheyEnd)
+{
+    for (const char* format : {"png", "jpeg", "webp", "tiff", "bmp", "targa"}) {
+        const Bytes whole = pictureFile(format, noise());
+        for (size_t size = 1; size < whole.size() * 9 / 10; size += 1 + whole.size() / 40)
+            EXPECT_THAT(refusal({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}),
+                        HasSubstr("picture"))
+                << format << " cut at " << size << " of " << whole.size();
+    }
+    Pixels<float> floats{16, 16, 3, std::vector<float>(768)};
+    for (size_t i = 0; i < 768; ++i) floats.samples[i] = static_cast<float>(noise().samples[i]);
+    for (const char* format : {"openexr", "hdr"}) {
+        const Bytes whole = pictureFile(format, floats);
+        for (size_t size = 1; size < whole.size() * 9 / 10; size += 1 + whole.size() / 40)
+            EXPECT_THAT(refusal({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}),
+                        HasSubstr("picture"))
+                << format << " cut at " << size << " of " << whole.size();
+    }
+}
+
+TEST(ReadImage, AFlippedBitInAPngIsAlwaysSeen)
+{
+    const Bytes whole = scenes::palettePng();
+    for (size_t bit = 0; bit < 8 * whole.size(); ++bit) {
+        Bytes broken = whole;
+        broken[bit / 8] ^= static_cast<uint8_t>(1u << bit % 8);
+        EXPECT_NE(refusal(broken), "") << "bit " << bit;
+    }
+}
+
+TEST(ReadImage, FlippedBitsDoNoHarm)
+{
+    std::mt19937 random(7);
+    for (const char* format : {"png", "jpeg", "webp", "tiff", "bmp", "targa"}) {
+        const Bytes whole = pictureFile(format, noise());
+        for (int i = 0; i < 60; ++i) {
+            Bytes broken = whole;
+            broken[random() % whole.size()] ^= static_cast<uint8_t>(1u << random() % 8);
+            refusal(broken); // or not: a bit of a colour may flip unseen
+        }
+    }
+}
+
+TEST(ReadImage, SizesThatTheFileCannotHoldAreRefusedBeforeThereIsRoomForThem)
+{
+    EXPECT_THAT(refusal(scenes::pngClaiming(60000, 60000)),
+                HasSubstr("claims 60000 x 60000 pixels"));
+    EXPECT_THAT(refusal(scenes::pngClaiming(20000, 20000)), HasSubstr("but the file has only"));
+}
+
+} // namespace relamp

@@ -1,0 +1,173 @@
+#include "scan/finish_mesh.h"
+
+#include "relamp/error.h"
+
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace relamp
+{
+namespace
+{
+
+using testing::Each;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+/// Two triangles that share an edge along z; the second is turned up by `degrees` about it.
+Mesh hinge(float degrees)
+{
+    const float angle = degrees * 3.14159265f / 180.0f;
+    Mesh mesh;
+    mesh.name = "hinge";
+    mesh.positions = {{0, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {std::cos(angle), std::sin(angle), 0}};
+    mesh.triangles = {{0, 2, 1}, {0, 1, 3}};
+    return mesh;
+}
+
+std::vector<std::string> finish(Mesh& mesh, std::vector<glm::vec3> normals = {})
+{
+    std::vector<std::string> warnings;
+    finishMesh(mesh, std::move(normals), "room.obj", warnings);
+    return warnings;
+}
+
+std::string refusal(Mesh mesh)
+{
+    try {
+        finish(mesh);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST(FinishMesh, SmoothsOverABlunterEdgeAndCreasesAtASharperOneThan45Degrees)
+{
+    Mesh blunt = hinge(40.0f);
+    finish(blunt);
+    EXPECT_NEAR(glm::length(blunt.normals[0] - blunt.normals[3]), 0.0f,
+                1e-6f); // at the shared vertex 0
+    Mesh sharp = hinge(50.0f);
+    finish(sharp);
+    EXPECT_EQ(sharp.normals[0], glm::vec3(0, 1, 0));
+}
+
+// The far corners belong to one face each, however smooth the edge is.
+TEST(FinishMesh, ANormalIsOfTheFacesAroundItsVertexAlone)
+{
+    Mesh mesh = hinge(40.0f);
+    finish(mesh);
+    EXPECT_EQ(mesh.normals[1], glm::vec3(0, 1, 0));
+}
+
+TEST(FinishMesh, AUvSeamLeavesNoCrease)
+{
+    Mesh whole = hinge(30.0f);
+    finish(whole);
+    Mesh torn = hinge(30.0f);
+    torn.positions.push_back(torn.positions[0]);
+    torn.positions.push_back(torn.positions[1]);
+    torn.triangles[1] = {4, 5, 3};
+    finish(torn);
+    EXPECT_EQ(torn.normals, whole.normals);
+}
+
+TEST(FinishMesh, GivenNormalsAreTakenUnlessTheyAreNoneOrPointIntoTheSurface)
+{
+    Mesh mesh = hinge(0.0f);
+    const glm::vec3 slanted = glm::normalize(glm::vec3(1, 2, 0));
+    finish(mesh, {slanted * 3.0f, {kNan, 0, 0}, {0, -1, 0}, {0, 0, 0}});
+    EXPECT_NEAR(glm::length(mesh.normals[0] - slanted), 0.0f, 1e-6f);
+    EXPECT_EQ(mesh.normals[1], glm::vec3(0, 1, 0)); // of vertex 2: against the face
+    EXPECT_EQ(mesh.normals[2], glm::vec3(0, 1, 0)); // of vertex 1: not a number
+    EXPECT_EQ(mesh.normals[5], glm::vec3(0, 1, 0)); // of vertex 3: nothing
+}
+
+TEST(FinishMesh, NormalsThatAreNotOneAVertexAreNotTaken)
+{
+    Mesh mesh = hinge(0.0f);
+    finish(mesh, {{1, 0, 0}});
+    EXPECT_THAT(mesh.normals, Each(glm::vec3(0, 1, 0)));
+}
+
+TEST(FinishMesh, CoordinatesBeyondAThousandKilometresAreNoRoom)
+{
+    Mesh mesh = hinge(0.0f);
+    mesh.positions[3].x = 2e6f;
+    EXPECT_THAT(finish(mesh), testing::ElementsAre(HasSubstr("1 triangles have a vertex")));
+    EXPECT_THAT(mesh.triangles, SizeIs(1));
+}
+
+TEST(FinishMesh, TextureCoordinatesThatAreNotNumbersTakeTheirTrianglesAlong)
+{
+    Mesh mesh = hinge(0.0f);
+    mesh.uvs = {{0, 0}, {0, 1}, {1, 0}, {kNan, 0}};
+    finish(mesh);
+    EXPECT_THAT(mesh.triangles, SizeIs(1));
+    EXPECT_EQ(mesh.uvs[3], glm::vec2(0.0f));
+}
+
+TEST(FinishMesh, VerticesThatNobodyUsesGoFromTexturedMeshesAlone)
+{
+    Mesh textured = hinge(0.0f);
+    textured.page = 0;
+    textured.positions.insert(textured.positions.begin(), 100, glm::vec3(9.0f));
+    textured.uvs.assign(104, glm::vec2(0.5f));
+    textured.triangles = {{100, 102, 101}, {100, 101, 103}};
+    finish(textured);
+    EXPECT_EQ(textured.positions, hinge(0.0f).positions);
+    EXPECT_THAT(textured.uvs, SizeIs(4));
+
+    Mesh colored = hinge(0.0f); // its vertices are pixels of a page, in the order of the file
+    colored.positions.resize(104);
+    finish(colored);
+    EXPECT_THAT(colored.positions, SizeIs(104));
+}
+
+TEST(FinishMesh, AFanOfThousandsCostsNoMoreThanItsTriangles)
+{
+    constexpr uint32_t kRim = 200'000;
+    Mesh mesh;
+    mesh.positions.emplace_back(0.0f);
+    for (uint32_t i = 0; i <= kRim; ++i) {
+        const float angle = static_cast<float>(i) * 6.2831853f / kRim;
+        mesh.positions.emplace_back(std::cos(angle), 0.0f, -std::sin(angle));
+        if (i > 0) mesh.triangles.emplace_back(0, i, i + 1);
+    }
+    finish(mesh);
+    EXPECT_EQ(mesh.normals[0], glm::vec3(0, 1, 0));
+}
+
+TEST(FinishMesh, WhatDoesNotFitTogetherIsRefused)
+{
+    Mesh mesh = hinge(0.0f);
+    mesh.triangles[0].y = 4;
+    EXPECT_THAT(refusal(mesh),
+                HasSubstr("room.obj: mesh \"hinge\": refers to vertex 4, and it has 4"));
+    mesh = hinge(0.0f);
+    mesh.uvs.resize(3);
+    EXPECT_THAT(refusal(mesh), HasSubstr("has not one texture coordinate a vertex"));
+    mesh = hinge(0.0f);
+    mesh.colors.resize(5);
+    EXPECT_THAT(refusal(mesh), HasSubstr("has not one colour a vertex"));
+}
+
+TEST(FinishMesh, NothingIsLeftOfAMeshWithoutArea)
+{
+    Mesh mesh = hinge(0.0f);
+    for (glm::vec3& p : mesh.positions) p = glm::vec3(1, 2, 3);
+    EXPECT_THAT(finish(mesh), testing::ElementsAre(HasSubstr("2 triangles without area")));
+    EXPECT_THAT(mesh.triangles, IsEmpty());
+}
+
+} // namespace relamp
