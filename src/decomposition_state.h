@@ -3,7 +3,7 @@
 #include "relamp/delight.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
-#include "shading/thesis.h"
+#include "solve/solution.h"
 
 namespace relamp
 {
@@ -15,13 +15,7 @@ struct Decomposition::State
 
     RayScene scene;
     Texels texels;
-    Lights lights;
-    std::vector<PointLight> merged;
-    ThesisShading shading;
-    std::vector<uint8_t> shines; // of surfels: whether it belongs to a fixture
-    DelightOptions options;
-    Closure closure;
-    std::vector<std::string> warnings;
+    Solution solution;
 };
 
 } // namespace relamp

@@ -8,6 +8,7 @@
 #include "relamp/threads.h"
 
 #include <chrono>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -22,9 +23,10 @@ struct DelightArguments
     ScanArguments scan;
     relamp::DelightOptions options;
     std::filesystem::path folder;
-    std::string solver = "thesis";
     std::filesystem::path lights;
     std::vector<float> attenuation;
+    std::vector<float> lightsAt;
+    std::vector<float> notLightsAt;
     bool quiet = false;
     bool json = false;
 };
@@ -114,6 +116,43 @@ void addDials(CLI::App& command, DelightArguments& arguments)
         ->group(group);
 }
 
+void addPlaces(CLI::App& command, const char* name, std::vector<float>& numbers, const char* what)
+{
+    command.add_option(name, numbers, what)
+        ->delimiter(',')
+        ->expected(3)
+        ->take_all()
+        ->type_name("X,Y,Z")
+        ->check(between(-1e6, 1e6))
+        ->group("Dials of the gather solver (it needs none)");
+}
+
+void addGatherDials(CLI::App& command, DelightArguments& arguments)
+{
+    relamp::GatherOptions& gather = arguments.options.gather;
+    const std::string group = "Dials of the gather solver (it needs none)";
+    addPlaces(command, "--light", arguments.lightsAt,
+              "What is burnt out at this place is a light; may be given again");
+    addPlaces(command, "--not-a-light", arguments.notLightsAt,
+              "What is burnt out at this place is none; may be given again");
+    command.add_option("--rays", gather.rays, "Rays of a place that look for bounce light [32]")
+        ->check(between(4, 1024))
+        ->type_name("N")
+        ->group(group);
+    command.add_option("--shadow-rays", gather.shadowRays, "Rays of a texel to each lamp [16]")
+        ->check(between(1, 1024))
+        ->type_name("N")
+        ->group(group);
+}
+
+std::vector<glm::vec3> placesFrom(const std::vector<float>& numbers)
+{
+    std::vector<glm::vec3> places;
+    for (size_t i = 0; i + 2 < numbers.size(); i += 3)
+        places.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+    return places;
+}
+
 void printSummary(const DelightArguments& arguments, const relamp::Scan& scan,
                   const relamp::Decomposition& result, double seconds)
 {
@@ -144,6 +183,9 @@ int run(DelightArguments& arguments)
         arguments.options.thesis.attenuation = {arguments.attenuation[0], arguments.attenuation[1],
                                                 arguments.attenuation[2]};
 
+    arguments.options.gather.lights = placesFrom(arguments.lightsAt);
+    arguments.options.gather.notLights = placesFrom(arguments.notLightsAt);
+
     relamp::Scan scan = relamp::readScan(arguments.scan.file, arguments.scan.options, progress);
     scan.warnings.insert(scan.warnings.end(), notes.begin(), notes.end());
     const relamp::Decomposition result = relamp::delight(scan, arguments.options, progress);
@@ -169,8 +211,12 @@ void addDelightCommand(CLI::App& app, Run& run)
                     "Folder for the result; made if it is not there")
         ->required()
         ->type_name("DIR");
-    command.add_option("--solver", arguments->solver, "How the shading is found: thesis [thesis]")
-        ->check(CLI::IsMember({"thesis"}).description(""))
+    const std::map<std::string, relamp::Solver> solvers{{"gather", relamp::Solver::gather},
+                                                        {"thesis", relamp::Solver::thesis}};
+    command
+        .add_option("--solver", arguments->options.solver,
+                    "How the shading is found: gather, or thesis (Choi 2018) [gather]")
+        ->transform(CLI::CheckedTransformer(solvers).description(""))
         ->type_name("NAME");
     command
         .add_option("--lights", arguments->lights,
@@ -183,6 +229,7 @@ void addDelightCommand(CLI::App& app, Run& run)
         ->type_name("L");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
     command.add_flag("--json", arguments->json, "Print the report as JSON and nothing else");
+    addGatherDials(command, *arguments);
     addDials(command, *arguments);
     command.footer("Examples:\n"
                    "  relamp delight kitchen.glb -o kitchen\n"

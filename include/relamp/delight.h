@@ -1,6 +1,7 @@
 #pragma once
 
 #include "relamp/api.h"
+#include "relamp/gather.h"
 #include "relamp/lights.h"
 #include "relamp/progress.h"
 #include "relamp/scan.h"
@@ -20,8 +21,16 @@ struct AlbedoOptions
     float darkest = 0.02f; // radiance; a weaker shading is raised to this before dividing, > 0
 };
 
+enum class Solver
+{
+    gather, // area lights with shadows, bounce light gathered from the scan itself
+    thesis  // Choi 2018
+};
+
 struct DelightOptions
 {
+    Solver solver = Solver::gather;
+    GatherOptions gather;
     ThesisOptions thesis;
     AlbedoOptions albedo;
     std::optional<Lights> lights; // instead of looking for them

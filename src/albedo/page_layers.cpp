@@ -5,6 +5,7 @@
 #include "base/half.h"
 #include "image/gutter.h"
 #include "image/transfer.h"
+#include "lights/emitters.h"
 
 #include <algorithm>
 
@@ -27,8 +28,8 @@ void storeRgb(std::vector<uint16_t>& layer, uint32_t pixel, const RgbBlock& bloc
 class LayerMaker
 {
 public:
-    LayerMaker(const Texels& texels, size_t page, const ThesisShading& shading,
-               std::span<const uint8_t> shines, const DelightOptions& options);
+    LayerMaker(const Texels& texels, size_t page, const TexelShading& shade,
+               const Shining& shining, const AlbedoOptions& options);
 
     PageLayers run(Progress::Stage& stage);
 
@@ -38,21 +39,21 @@ private:
                     size_t i, uint32_t pixel);
     void fill();
 
+    size_t page_;
     const PageTexels& texels_;
     TexelLoader loader_;
-    const ThesisShading& shading_;
-    std::span<const uint8_t> shines_;
-    const DelightOptions& options_;
-    EmitterOptions emitters_;
+    const TexelShading& shade_;
+    const Shining& shining_;
+    const AlbedoOptions& options_;
     PageLayers layers_;
     std::vector<uint8_t> covered_;
     bool ofVertices_;
 };
 
-LayerMaker::LayerMaker(const Texels& texels, size_t page, const ThesisShading& shading,
-                       std::span<const uint8_t> shines, const DelightOptions& options)
-    : texels_(texels.pages[page]), loader_(texels, page), shading_(shading), shines_(shines),
-      options_(options), emitters_{.threshold = options.thesis.emitterThreshold},
+LayerMaker::LayerMaker(const Texels& texels, size_t page, const TexelShading& shade,
+                       const Shining& shining, const AlbedoOptions& options)
+    : page_(page), texels_(texels.pages[page]), loader_(texels, page), shade_(shade), shining_(shining),
+      options_(options),
       ofVertices_(texels.scan->pages[page].ofVertices)
 {
     const Image& image = texels.scan->pages[page].image;
@@ -73,7 +74,7 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
     storeRgb(layers_.indirect, pixel, shade.indirect, i);
     const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
     uint16_t* rho = &layers_.albedo[3 * size_t{pixel}];
-    if (shines_[block.surfel[i]] && isEmitting(radiance, emitters_)) {
+    if (shining_.surfels[block.surfel[i]] && isEmitting(radiance, {.threshold = shining_.threshold})) {
         for (int c = 0; c < 3; ++c) {
             rho[c] = halfFromFloat(kAlbedoOfFixtures);
             layers_.emission[3 * size_t{pixel} + static_cast<size_t>(c)] =
@@ -88,7 +89,7 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
                           shade.direct.g[i] + shade.indirect.g[i],
                           shade.direct.b[i] + shade.indirect.b[i]);
     layers_.confidence[pixel] =
-        confidenceByte(confidence(radiance, total, options_.albedo.darkest));
+        confidenceByte(confidence(radiance, total, options_.darkest));
 }
 
 void LayerMaker::makeBlock(size_t begin, size_t count)
@@ -98,8 +99,8 @@ void LayerMaker::makeBlock(size_t begin, size_t count)
     AlbedoBlock albedo;
     loader_.load(begin, count, block);
     loader_.loadSurfel(begin, count, block);
-    shade(shading_, block, shading);
-    divide(block, shading, options_.albedo.darkest, albedo);
+    shade_(page_, begin, block, shading);
+    divide(block, shading, options_.darkest, albedo);
     for (size_t i = 0; i < count; ++i)
         storeTexel(block, shading, albedo, i, texels_.pixel[begin + i]);
 }
@@ -128,12 +129,12 @@ PageLayers LayerMaker::run(Progress::Stage& stage)
 
 } // namespace
 
-PageLayers makeLayers(const Texels& texels, size_t page, const ThesisShading& shading,
-                      std::span<const uint8_t> shines, const DelightOptions& options,
+PageLayers makeLayers(const Texels& texels, size_t page, const TexelShading& shade,
+                      const Shining& shining, const AlbedoOptions& options,
                       Progress& progress)
 {
     Progress::Stage stage(progress, "divide", texels.pages[page].count());
-    return LayerMaker(texels, page, shading, shines, options).run(stage);
+    return LayerMaker(texels, page, shade, shining, options).run(stage);
 }
 
 } // namespace relamp

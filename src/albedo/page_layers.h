@@ -1,19 +1,16 @@
 #pragma once
 
-#include "lights/emitters.h"
+#include "lights/shining.h"
 #include "relamp/delight.h"
 #include "scan/texels.h"
-#include "shading/thesis.h"
-
-#include <span>
+#include "shading/texel_shading.h"
 
 namespace relamp
 {
 
-/// Shades, divides and rates all texels of a page. `shines` tells for every surfel whether it
-/// belongs to a fixture: its emitting texels go to `emission`.
-PageLayers makeLayers(const Texels& texels, size_t page, const ThesisShading& shading,
-                      std::span<const uint8_t> shines, const DelightOptions& options,
+/// Shades, divides and rates all texels of a page; those that shine go to `emission`.
+PageLayers makeLayers(const Texels& texels, size_t page, const TexelShading& shade,
+                      const Shining& shining, const AlbedoOptions& options,
                       Progress& progress);
 
 } // namespace relamp

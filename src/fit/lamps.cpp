@@ -10,6 +10,8 @@
 #include <cmath>
 #include <map>
 
+#include <fmt/format.h>
+
 namespace relamp
 {
 namespace
@@ -17,9 +19,9 @@ namespace
 
 constexpr float kPi = 3.14159265f;
 constexpr size_t kMostCandidates = 64;
-constexpr size_t kPlaces = 12000;
+constexpr size_t kPlaces = 6000;
 constexpr size_t kPairsFirst = 3; // a place, for the first look at all candidates
-constexpr size_t kPairs = 10;
+constexpr size_t kPairs = 8;
 constexpr float kAboutWhite = 2.0f;   // luminance; a wall lights its surroundings as little as this
 constexpr float kLeastPower = 0.003f; // share of the room's; below, a lamp does not matter
 constexpr float kBrightWall = 0.75f;  // albedo of what burns out first
@@ -28,6 +30,7 @@ constexpr size_t kPatchesLookedAt = 16; // of a candidate, to see what lights it
 constexpr size_t kSamplesAPatch = 16;
 constexpr int kMostRounds = 6;
 constexpr float kTouching = 0.12f;  // m between pieces of one lamp
+constexpr float kPointedAt = 0.3f;  // m around a place that a person names
 constexpr float kAboutEqual = 3.0f; // ratio of their radiances
 
 /// One lamp to be, with what it does at all places at radiance 1.
@@ -37,6 +40,8 @@ struct Suspect
     std::vector<float> direct;
     glm::vec3 radiance{1.0f};
     glm::vec3 logError{0.0f};
+    std::vector<AreaSample> onSides; // at radiance 1, one a hit list
+    bool isGiven = false;            // a person says that it shines
 
     [[nodiscard]] float power() const { return candidate.area * luminance(radiance); }
 };
@@ -45,12 +50,13 @@ class LampSearch
 {
 public:
     LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
-               const SurfelRadiance& radiance, Progress& progress);
+               const SurfelRadiance& radiance, const GatherOptions& options, Progress& progress);
 
     FoundLamps run();
 
 private:
     void choosePlaces();
+    void takeCandidates(const GatherOptions& options);
     void fit(size_t pairsPerPlace, bool oneChannel);
     void updateField();
     size_t dropWalls();
@@ -66,22 +72,65 @@ private:
     Progress::Stage stage_;
     std::vector<uint32_t> places_; // surfels, which are also the lists of their fronts
     std::vector<Suspect> suspects_;
+    std::vector<std::string> warnings_;
     RadianceField field_;
     Powers powers_;
 };
 
 LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                       const SurfelRadiance& radiance, Progress& progress)
+                       const SurfelRadiance& radiance, const GatherOptions& options,
+                       Progress& progress)
     : texels_(texels), scene_(scene), hits_(hits), radiance_(radiance),
       stage_(progress, "lamps", kMostCandidates + 3), field_(fieldOf(radiance))
 {
     choosePlaces();
-    for (Candidate& candidate : findCandidates(texels, radiance, kMostCandidates)) {
-        Suspect suspect;
-        suspect.direct = directOfLists(texels, scene, hits, AreaLight(candidate), places_);
-        suspect.candidate = std::move(candidate);
-        suspects_.push_back(std::move(suspect));
+    takeCandidates(options);
+}
+
+float distanceTo(const Candidate& candidate, glm::vec3 place)
+{
+    float least = kPointedAt;
+    for (const ClippedPatch& patch : candidate.patches)
+        least = std::min(least, glm::distance(patch.position, place));
+    return least;
+}
+
+/// The candidate that a person points at; none where nothing near is burnt out.
+size_t nearestTo(std::span<const Candidate> candidates, glm::vec3 place)
+{
+    size_t nearest = candidates.size();
+    float least = kPointedAt;
+    for (size_t c = 0; c < candidates.size(); ++c)
+        if (const float distance = distanceTo(candidates[c], place); distance < least) {
+            least = distance;
+            nearest = c;
+        }
+    return nearest;
+}
+
+void LampSearch::takeCandidates(const GatherOptions& options)
+{
+    std::vector<Candidate> candidates = findCandidates(texels_, radiance_, kMostCandidates);
+    std::vector<uint8_t> isGiven(candidates.size() + 1, 0);
+    std::vector<uint8_t> isRefused(candidates.size() + 1, 0);
+    const auto mark = [&](glm::vec3 place, std::vector<uint8_t>& marks) {
+        const size_t nearest = nearestTo(candidates, place);
+        marks[nearest] = 1;
+        if (nearest == candidates.size())
+            warnings_.push_back(fmt::format("nothing is burnt out near {}, {}, {}: what was said "
+                                            "of a light there was passed over",
+                                            place.x, place.y, place.z));
+    };
+    for (const glm::vec3 place : options.lights) mark(place, isGiven);
+    for (const glm::vec3 place : options.notLights) mark(place, isRefused);
+    for (size_t c = 0; c < candidates.size(); ++c) {
         stage_.advance();
+        if (isRefused[c] != 0) continue;
+        Suspect suspect{.candidate = std::move(candidates[c]), .isGiven = isGiven[c] != 0};
+        for (const AreaSample& sample :
+             directOfLists(texels_, scene_, hits_, AreaLight(suspect.candidate.patches), places_))
+            suspect.direct.push_back(sample.visible);
+        suspects_.push_back(std::move(suspect));
     }
 }
 
@@ -133,6 +182,7 @@ size_t LampSearch::dropWalls()
     float total = 0.0f;
     for (const Suspect& suspect : suspects_) total += suspect.power();
     return std::erase_if(suspects_, [&](const Suspect& suspect) {
+        if (suspect.isGiven) return false;
         return luminance(suspect.radiance) < kAboutWhite || suspect.power() < kLeastPower * total;
     });
 }
@@ -150,7 +200,7 @@ bool LampSearch::isExplained(size_t f) const
         glm::vec3 irradiance = gathered.irradiance[0] + powers_.ambient * gathered.missed[0];
         for (size_t other = 0; other < suspects_.size(); ++other) {
             if (other == f) continue;
-            const AreaLight light(suspects_[other].candidate);
+            const AreaLight light(suspects_[other].candidate.patches);
             irradiance +=
                 suspects_[other].radiance *
                 sampleAreaLight(scene_, light, patch.position, patch.normal, kSamplesAPatch, 0.5f)
@@ -175,7 +225,7 @@ size_t LampSearch::dropExplained()
     });
     std::vector<uint8_t> gone(suspects_.size(), 0);
     for (const size_t f : order) {
-        if (!isExplained(f)) continue;
+        if (suspects_[f].isGiven || !isExplained(f)) continue;
         gone[f] = 1;
         suspects_[f].radiance = glm::vec3(0.0f); // it explains nobody any more
     }
@@ -212,6 +262,7 @@ void LampSearch::joinPieces()
         const auto [found, isNew] = joined.try_emplace(sets.find(f), suspects_[f]);
         if (isNew) continue;
         Suspect& whole = found->second;
+        whole.isGiven |= suspects_[f].isGiven;
         const Candidate& piece = suspects_[f].candidate;
         whole.candidate.patches.insert(whole.candidate.patches.end(), piece.patches.begin(),
                                        piece.patches.end());
@@ -228,17 +279,21 @@ void LampSearch::joinPieces()
 /// Lets burnt-out walls and backs settle under the lamps as they are now.
 void LampSearch::updateField()
 {
-    std::vector<LitLamp> lamps;
-    for (const Suspect& suspect : suspects_)
-        lamps.push_back({AreaLight(suspect.candidate), suspect.radiance});
-    field_ =
-        lightSides(texels_, scene_, hits_, radiance_, lamps, field_.shines, powers_.ambient).field;
+    std::vector<glm::vec3> direct(hits_.sideOfList.size(), glm::vec3(0.0f));
+    for (Suspect& suspect : suspects_) {
+        suspect.onSides =
+            directOfLists(texels_, scene_, hits_, AreaLight(suspect.candidate.patches));
+        addDirect(suspect.onSides, suspect.radiance, direct);
+    }
+    field_ = lightSides(texels_, hits_, radiance_, std::move(direct), field_.shines, powers_.ambient)
+                 .field;
 }
 
 FoundLamps LampSearch::run()
 {
     FoundLamps found;
-    if (suspects_.empty() || places_.size() < 2) return found;
+    found.warnings = std::move(warnings_);
+    if (places_.size() < 2) return found;
     fit(kPairsFirst, true);
     dropWalls();
     stage_.advance();
@@ -255,8 +310,8 @@ FoundLamps LampSearch::run()
     std::stable_sort(suspects_.begin(), suspects_.end(),
                      [](const Suspect& a, const Suspect& b) { return a.power() > b.power(); });
     for (Suspect& suspect : suspects_)
-        found.lamps.push_back(
-            {std::move(suspect.candidate.patches), suspect.radiance, suspect.logError});
+        found.lamps.push_back({std::move(suspect.candidate.patches), suspect.radiance,
+                               suspect.logError, std::move(suspect.onSides)});
     found.ambient = powers_.ambient;
     found.residual = powers_.residual;
     stage_.advance();
@@ -266,16 +321,18 @@ FoundLamps LampSearch::run()
 } // namespace
 
 FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                     const SurfelRadiance& radiance, Progress& progress)
+                     const SurfelRadiance& radiance, const GatherOptions& options,
+                     Progress& progress)
 {
-    return LampSearch(texels, scene, hits, radiance, progress).run();
+    return LampSearch(texels, scene, hits, radiance, options, progress).run();
 }
 
 std::vector<uint8_t> shinesOf(const FoundLamps& found, size_t surfels)
 {
     std::vector<uint8_t> shines(surfels, 0);
     for (const FoundLamp& lamp : found.lamps)
-        for (const ClippedPatch& patch : lamp.patches) shines[patch.surfel] = 1;
+        for (const ClippedPatch& patch : lamp.patches)
+            if (patch.surfel != Surfels::kNone) shines[patch.surfel] = 1;
     return shines;
 }
 

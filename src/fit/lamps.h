@@ -1,11 +1,13 @@
 #pragma once
 
 #include "lights/candidates.h"
+#include "relamp/gather.h"
 #include "relamp/progress.h"
 #include "scan/rays.h"
 #include "shading/hit_lists.h"
 #include "shading/lit_sides.h"
 
+#include <string>
 #include <vector>
 
 namespace relamp
@@ -17,6 +19,7 @@ struct FoundLamp
     std::vector<ClippedPatch> patches;
     glm::vec3 radiance{0.0f}; // RGB, 1 = the texture's white
     glm::vec3 logError{0.0f}; // standard error of log radiance
+    std::vector<AreaSample> onSides; // at radiance 1, one a hit list; empty: not looked at
 };
 
 struct FoundLamps
@@ -24,6 +27,7 @@ struct FoundLamps
     std::vector<FoundLamp> lamps; // by falling power
     glm::vec3 ambient{0.0f};      // radiance of what lies outside the scan
     float residual = 0.0f;        // of the fit, in log radiance
+    std::vector<std::string> warnings;
 };
 
 /// Decides by evidence which burnt-out pieces are lamps, and how bright they are.
@@ -31,9 +35,10 @@ struct FoundLamps
 /// All candidates are fitted as if they were lamps. One that comes out at about white lights
 /// nothing: it is a wall. One whose brightness the others explain, within the error of its own, is
 /// a wall too. What remains is fitted again, until nothing changes; pieces that touch and are about
-/// equally bright become one lamp.
+/// equally bright become one lamp. What a person says of a place in `options` is not doubted.
 FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                     const SurfelRadiance& radiance, Progress& progress);
+                     const SurfelRadiance& radiance, const GatherOptions& options,
+                     Progress& progress);
 
 /// Marks the surfels whose burnt-out texels belong to a lamp.
 std::vector<uint8_t> shinesOf(const FoundLamps& found, size_t surfels);

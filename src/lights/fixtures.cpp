@@ -75,6 +75,17 @@ std::vector<Fixture> fixturesFrom(std::span<const Emitter> emitters, int count)
     return fixtures;
 }
 
+PointLight pointLightOf(const Fixture& fixture, int index)
+{
+    PointLight light;
+    light.position = fixture.centre;
+    light.normal = fixture.normal;
+    light.intensity = 0.25f * fixture.area * fixture.radiance; // pi L A over the whole sphere
+    light.radius = std::sqrt(fixture.area / 3.14159265f);
+    light.fixture = index;
+    return light;
+}
+
 std::vector<PointLight> pointLightsFrom(std::span<const Emitter> emitters, int levels)
 {
     std::vector<CutPoint> points;

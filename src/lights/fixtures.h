@@ -9,6 +9,9 @@ namespace relamp
 /// One Fixture a connected blob of emitters; indices are those of Emitter::fixture.
 std::vector<Fixture> fixturesFrom(std::span<const Emitter> emitters, int count);
 
+/// A lamp that nobody took apart: it shines all around from its centre, with all its flux.
+PointLight pointLightOf(const Fixture& fixture, int index);
+
 /// Stands for all emitters with 2^levels point lights of equal energy, by median cut.
 ///
 /// A patch of area A and radiance L sends the flux pi L A; the light that stands for it sends that

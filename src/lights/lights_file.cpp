@@ -3,6 +3,7 @@
 #include "base/fail.h"
 #include "base/file.h"
 #include "base/json.h"
+#include "lights/fixtures.h"
 
 #include <algorithm>
 #include <array>
@@ -39,13 +40,15 @@ ordered_json facingAsJson(glm::vec3 normal)
 
 ordered_json toJson(const Fixture& fixture, size_t id)
 {
-    return {{"id", id},
-            {"centre", toJson(fixture.centre)},
-            {"normal", facingAsJson(fixture.normal)},
-            {"area", shortest(fixture.area)},
-            {"radiance", toJson(fixture.radiance)},
-            {"power", toJson(fixture.power())},
-            {"on", true}};
+    ordered_json object{{"id", id},
+                        {"centre", toJson(fixture.centre)},
+                        {"normal", facingAsJson(fixture.normal)},
+                        {"area", shortest(fixture.area)},
+                        {"radiance", toJson(fixture.radiance)},
+                        {"power", toJson(fixture.power())},
+                        {"on", true}};
+    if (fixture.error != glm::vec3(0.0f)) object["error"] = toJson(fixture.error);
+    return object;
 }
 
 ordered_json toJson(const PointLight& light)
@@ -141,7 +144,7 @@ void warnOfUnknown(const Item& item, std::initializer_list<const char*> known,
 
 Fixture fixtureFrom(const Item& item, std::vector<std::string>& warnings)
 {
-    warnOfUnknown(item, {"id", "centre", "normal", "area", "radiance", "power", "on"}, warnings);
+    warnOfUnknown(item, {"id", "centre", "normal", "area", "radiance", "power", "error", "on"}, warnings);
     Fixture fixture;
     fixture.centre = vectorAt(item, "centre");
     fixture.normal = facingAt(item);
@@ -196,18 +199,6 @@ void forEachItem(const Item& top, const char* key, const std::string& what, cons
     }
 }
 
-/// A lamp that nobody took apart shines from its centre.
-PointLight lightOf(const Fixture& fixture, int index)
-{
-    PointLight light;
-    light.position = fixture.centre;
-    light.normal = fixture.normal;
-    light.intensity = 0.25f * fixture.area * fixture.radiance; // pi L A over the whole sphere
-    light.radius = std::sqrt(fixture.area / 3.14159265f);
-    light.fixture = index;
-    return light;
-}
-
 } // namespace
 
 std::string lightsAsJson(const Lights& lights)
@@ -245,7 +236,7 @@ Lights readLights(const std::filesystem::path& file, std::vector<std::string>& w
     });
     if (top.find("lights") == nullptr)
         for (size_t i = 0; i < lights.fixtures.size(); ++i)
-            lights.points.push_back(lightOf(lights.fixtures[i], static_cast<int>(i)));
+            lights.points.push_back(pointLightOf(lights.fixtures[i], static_cast<int>(i)));
     dropDark(lights);
     if (top.find("ambient") != nullptr) lights.ambient = lightAt(top, "ambient");
     if (lights.points.empty() && lights.ambient == glm::vec3(0.0f))

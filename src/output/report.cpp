@@ -40,11 +40,14 @@ ordered_json scanAsJson(const Scan& scan, const Decomposition& result,
             {"extent", toJson(boundsOf(scan).extent())}};
 }
 
-ordered_json optionsAsJson(const DelightOptions& options)
+ordered_json optionsAsJson(const GatherOptions& gather)
 {
-    const ThesisOptions& thesis = options.thesis;
-    return {{"solver", "thesis"},
-            {"emitterThreshold", shortest(thesis.emitterThreshold)},
+    return {{"rays", gather.rays}, {"shadowRays", gather.shadowRays}};
+}
+
+ordered_json optionsAsJson(const ThesisOptions& thesis)
+{
+    return {{"emitterThreshold", shortest(thesis.emitterThreshold)},
             {"expansion", shortest(thesis.expansion)},
             {"lightLevels", thesis.lightLevels},
             {"attenuation", toJson(*thesis.attenuation)},
@@ -57,9 +60,18 @@ ordered_json optionsAsJson(const DelightOptions& options)
             {"flattenReach", shortest(thesis.flattenReach)},
             {"flattenRange", shortest(thesis.flattenRange)},
             {"lpv", thesis.useLpv},
-            {"ambientLight", thesis.useAmbient},
-            {"darkest", shortest(options.albedo.darkest)},
-            {"lightsFromFile", options.lights.has_value()}};
+            {"ambientLight", thesis.useAmbient}};
+}
+
+ordered_json optionsAsJson(const DelightOptions& options)
+{
+    const bool isThesis = options.solver == Solver::thesis;
+    ordered_json json =
+        isThesis ? optionsAsJson(options.thesis) : optionsAsJson(options.gather);
+    json["solver"] = isThesis ? "thesis" : "gather";
+    json["darkest"] = shortest(options.albedo.darkest);
+    json["lightsFromFile"] = options.lights.has_value();
+    return json;
 }
 
 /// All stages, and the three rows of the thesis's table 1.
@@ -87,7 +99,8 @@ ordered_json lightsAsReport(const Decomposition& result)
     for (const Fixture& fixture : result.lights().fixtures)
         fixtures.push_back({{"centre", toJson(fixture.centre)},
                             {"area", shortest(fixture.area)},
-                            {"power", toJson(fixture.power())}});
+                            {"power", toJson(fixture.power())},
+                            {"error", toJson(fixture.error)}});
     return {{"fixtures", std::move(fixtures)},
             {"pointLights", result.lights().points.size()},
             {"mergedLights", result.mergedLights().size()},

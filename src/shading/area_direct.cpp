@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace relamp
 {
@@ -16,15 +17,17 @@ constexpr size_t kBatch = 32;
 
 } // namespace
 
-AreaLight::AreaLight(const Candidate& candidate)
-    : patches_(candidate.patches), centre_(candidate.centre)
+AreaLight::AreaLight(std::vector<ClippedPatch> patches) : patches_(std::move(patches))
 {
     float area = 0.0f;
     for (const ClippedPatch& patch : patches_) {
         area += patch.area;
         areaUpTo_.push_back(area);
-        radius_ = std::max(radius_, glm::distance(patch.position, centre_) + std::sqrt(patch.area));
+        centre_ += patch.area * patch.position;
     }
+    centre_ /= area;
+    for (const ClippedPatch& patch : patches_)
+        radius_ = std::max(radius_, glm::distance(patch.position, centre_) + std::sqrt(patch.area));
 }
 
 const ClippedPatch& AreaLight::at(float share) const

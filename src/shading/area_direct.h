@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lights/candidates.h"
+#include "lights/surfel_radiance.h"
 #include "scan/rays.h"
 
 #include <span>
@@ -16,7 +16,7 @@ namespace relamp
 class AreaLight
 {
 public:
-    explicit AreaLight(const Candidate& candidate);
+    explicit AreaLight(std::vector<ClippedPatch> patches);
 
     [[nodiscard]] float area() const { return areaUpTo_.empty() ? 0.0f : areaUpTo_.back(); }
     /// Patch at which `share` (0..1) of the area is reached.

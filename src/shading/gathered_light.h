@@ -9,6 +9,13 @@
 namespace relamp
 {
 
+/// A lamp with a power.
+struct LitLamp
+{
+    AreaLight light;
+    glm::vec3 radiance{0.0f};
+};
+
 /// Everything that the default solver knows of the light of a room.
 struct GatheredLight
 {

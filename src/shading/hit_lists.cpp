@@ -57,14 +57,9 @@ HitTarget Caster::targetOf(const Ray& ray, const Hit& hit) const
 
 void Caster::cast(Side side, std::span<HitTarget> out) const
 {
-    constexpr size_t kBatch = 64;
-    Ray rays[kBatch];
-    Hit hits[kBatch];
-    for (size_t begin = 0; begin < rays_; begin += kBatch) {
-        const size_t count = std::min(kBatch, rays_ - begin);
-        for (size_t i = 0; i < count; ++i) rays[i] = rayOf(side, begin + i);
-        scene_.intersect({rays, count}, {hits, count});
-        for (size_t i = 0; i < count; ++i) out[begin + i] = targetOf(rays[i], hits[i]);
+    for (size_t i = 0; i < rays_; ++i) { // one by one: they go everywhere
+        const Ray ray = rayOf(side, i);
+        out[i] = targetOf(ray, scene_.intersect(ray));
     }
 }
 

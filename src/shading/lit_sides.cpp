@@ -4,6 +4,7 @@
 #include "shading/sampling.shared.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace relamp
 {
@@ -12,7 +13,7 @@ namespace
 
 constexpr float kPi = 3.14159265f;
 constexpr size_t kOrigins = 4;         // texels of a surfel that a lamp is looked for from
-constexpr size_t kSamplesAnOrigin = 4; // points of the lamp
+constexpr size_t kSamplesAnOrigin = 1; // points of the lamp
 constexpr int kRounds = 4;
 constexpr float kLeastIrradiance = 1e-4f;
 constexpr float kDarkestAlbedo = 0.02f;
@@ -51,40 +52,44 @@ std::vector<glm::vec3> albedoOf(const Texels& texels, const SurfelRadiance& radi
 
 } // namespace
 
-std::vector<float> directOfLists(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                                 const AreaLight& light, std::span<const uint32_t> lists)
+std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scene,
+                                      const HitLists& hits, const AreaLight& light,
+                                      std::span<const uint32_t> lists)
 {
     const SurfelSites sites(texels);
-    std::vector<float> direct(lists.empty() ? hits.sideOfList.size() : lists.size());
+    std::vector<AreaSample> direct(lists.empty() ? hits.sideOfList.size() : lists.size());
     forEachChunk(direct.size(), 64, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             const Side side = hits.sideOfList[lists.empty() ? i : lists[i]];
-            float sum = 0.0f;
             for (size_t k = 0; k < kOrigins; ++k) {
                 const TexelSite site = sites.at(side.surfel(), k);
                 const glm::vec3 normal = side.isBack() ? -site.normal : site.normal;
-                const float shift = hashedShift(side.index, static_cast<uint32_t>(k));
-                sum += sampleAreaLight(scene, light, site.position, normal, kSamplesAnOrigin, shift)
-                           .visible;
+                // The origins share one even sequence over the lamp.
+                const float shift = (static_cast<float>(k) + hashedShift(side.index, 0)) / kOrigins;
+                const AreaSample sample = sampleAreaLight(scene, light, site.position, normal,
+                                                          kSamplesAnOrigin, shift);
+                direct[i].open += sample.open / kOrigins;
+                direct[i].visible += sample.visible / kOrigins;
             }
-            direct[i] = sum / kOrigins;
         }
     });
     return direct;
 }
 
-LitSides lightSides(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                    const SurfelRadiance& radiance, std::span<const LitLamp> lamps,
-                    std::span<const uint8_t> shines, glm::vec3 ambient)
+void addDirect(std::span<const AreaSample> ofLamp, glm::vec3 radiance,
+               std::span<glm::vec3> irradiance)
+{
+    for (size_t i = 0; i < irradiance.size(); ++i) irradiance[i] += ofLamp[i].visible * radiance;
+}
+
+LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
+                    std::vector<glm::vec3> direct, std::span<const uint8_t> shines,
+                    glm::vec3 ambient)
 {
     LitSides sides;
     sides.field = fieldOf(radiance);
     sides.field.shines.assign(shines.begin(), shines.end());
-    sides.direct.assign(hits.sideOfList.size(), glm::vec3(0.0f));
-    for (const LitLamp& lamp : lamps) {
-        const std::vector<float> direct = directOfLists(texels, scene, hits, lamp.light);
-        for (size_t i = 0; i < direct.size(); ++i) sides.direct[i] += direct[i] * lamp.radiance;
-    }
+    sides.direct = std::move(direct);
     for (int round = 0; round < kRounds; ++round) {
         sides.gathered = gather(hits, sides.field);
         std::vector<glm::vec3> irradiance(sides.direct.size());
@@ -100,6 +105,17 @@ LitSides lightSides(const Texels& texels, const RayScene& scene, const HitLists&
         }
     }
     return sides;
+}
+
+std::vector<glm::vec3> indirectOfFronts(const LitSides& sides, const HitLists& hits,
+                                        glm::vec3 ambient)
+{
+    std::vector<glm::vec3> indirect(hits.listOfSide.size() / 2);
+    for (size_t s = 0; s < indirect.size(); ++s) {
+        const auto list = static_cast<size_t>(hits.listOfSide[2 * s]);
+        indirect[s] = sides.gathered.irradiance[list] + ambient * sides.gathered.missed[list];
+    }
+    return indirect;
 }
 
 } // namespace relamp

@@ -11,13 +11,6 @@
 namespace relamp
 {
 
-/// A lamp with a power.
-struct LitLamp
-{
-    AreaLight light;
-    glm::vec3 radiance{0.0f};
-};
-
 /// Light at every side of every surfel.
 struct LitSides
 {
@@ -27,15 +20,26 @@ struct LitSides
     std::vector<glm::vec3> albedo; // of surfels, 0..0.95
 };
 
-/// Irradiance from one lamp at radiance 1 on the sides that `lists` name; all where empty.
-std::vector<float> directOfLists(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                                 const AreaLight& light, std::span<const uint32_t> lists = {});
+/// Irradiance from one lamp at radiance 1 on the sides that `lists` name; all where empty. Few rays:
+/// right on average over several sides.
+std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scene,
+                                      const HitLists& hits, const AreaLight& light,
+                                      std::span<const uint32_t> lists = {});
+
+/// Adds what a lamp does at `radiance`.
+void addDirect(std::span<const AreaSample> ofLamp, glm::vec3 radiance,
+               std::span<glm::vec3> irradiance);
+
+/// Irradiance at the front of every surfel that did not come from a lamp.
+std::vector<glm::vec3> indirectOfFronts(const LitSides& sides, const HitLists& hits,
+                                        glm::vec3 ambient);
 
 /// Settles what the texture does not show: burnt-out walls send out albedo * irradiance / pi and
 /// not the white that they show, backs are lit by what is behind them. `shines` marks the lamps'
 /// surfels.
-LitSides lightSides(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                    const SurfelRadiance& radiance, std::span<const LitLamp> lamps,
-                    std::span<const uint8_t> shines, glm::vec3 ambient);
+/// `direct` is the irradiance from all lamps, one a list.
+LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
+                    std::vector<glm::vec3> direct, std::span<const uint8_t> shines,
+                    glm::vec3 ambient);
 
 } // namespace relamp

@@ -35,4 +35,13 @@ SHARED_FN vec3 cosineDirection(vec3 normal, vec2 u)
     return normalize(radius * cos(angle) * tangent + radius * sin(angle) * bitangent + up * normal);
 }
 
+// Direction with the same density all around.
+SHARED_FN vec3 evenDirection(vec2 u)
+{
+    const float z = 1.0f - 2.0f * u.x;
+    const float radius = sqrt(max(1.0f - z * z, 0.0f));
+    const float angle = 6.28318531f * u.y;
+    return vec3(radius * cos(angle), radius * sin(angle), z);
+}
+
 SHARED_END

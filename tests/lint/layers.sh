@@ -3,7 +3,7 @@
 # header names no type of the libraries that relamp works with.
 set -euo pipefail
 
-readonly layers='base gpu image scan lights flatten shading fit albedo decomposition_state.h relight output
+readonly layers='base gpu image scan lights flatten shading fit albedo solve decomposition_state.h relight output
                  delight.cpp'
 
 includes() { grep -rnE '^ *# *include' --include='*.'{h,cpp,comp} "$@" || true; }

@@ -1,0 +1,124 @@
+#include "solve/by_thesis.h"
+
+#include "albedo/closure.h"
+#include "fit/dials.h"
+#include "lights/emitters.h"
+#include "lights/expand.shared.h"
+#include "lights/fixtures.h"
+#include "relamp/error.h"
+
+#include <memory>
+#include <utility>
+
+namespace relamp
+{
+
+namespace
+{
+
+EmitterOptions emitterOptions(const ThesisOptions& thesis)
+{
+    return {.threshold = thesis.emitterThreshold, .expansion = thesis.expansion};
+}
+
+/// The scan's own lights; `light` keeps only the emitters that belong to them.
+Lights findLights(SurfelLight& light, const Texels& texels, const ThesisOptions& thesis)
+{
+    Lights lights;
+    const int count = joinFixtures(light, texels, emitterOptions(thesis));
+    lights.fixtures = fixturesFrom(light.emitters, count);
+    lights.points = pointLightsFrom(light.emitters, thesis.lightLevels);
+    return lights;
+}
+
+/// Colour of all lights together, of luminance 1; white where there is none.
+glm::vec3 meanColor(const Lights& lights)
+{
+    glm::vec3 sum(0.0f);
+    for (const PointLight& light : lights.points) sum += light.intensity;
+    const float brightness = luminance(sum);
+    return brightness > 0.0f ? sum / brightness : glm::vec3(1.0f);
+}
+
+/// Sets power and ambient as the options say, or from the scan where they leave them open.
+void setDials(ThesisShading& shading, const Texels& texels, const SurfelLight& light,
+              const Lights& lights)
+{
+    ThesisOptions& dials = shading.dials;
+    if (!dials.useAmbient) dials.ambient = 0.0f;
+    const std::optional<float> power = std::exchange(dials.power, 1.0f); // the samples want it at 1
+    const std::vector<glm::vec3> shades = shadingOfSurfels(texels.surfels, shading);
+    std::vector<DialSample> samples(shades.size());
+    for (size_t s = 0; s < samples.size(); ++s)
+        samples[s] = {light.radiance[s], shades[s], light.area[s]};
+    const Dials fitted = fitDials(samples, power, dials.ambient);
+    dials.power = fitted.power;
+    dials.ambient = fitted.ambient;
+    const bool asGiven =
+        luminance(lights.ambient) > 0.0f && *dials.ambient == luminance(lights.ambient);
+    shading.ambient = asGiven ? lights.ambient : *dials.ambient * meanColor(lights);
+}
+
+void checkAttenuation(const ThesisOptions& thesis)
+{
+    if (thesis.attenuation && *thesis.attenuation == glm::vec3(0.0f))
+        throw Error(ErrorCode::unsupported,
+                    "attenuation 0 0 0 would make every light endless; give one of k0, "
+                    "k1, k2 a value");
+}
+
+/// Lights of a file are as bright as they say; the dials follow them.
+ThesisOptions dialsFor(const Lights& given, const ThesisOptions& thesis)
+{
+    ThesisOptions dials = thesis;
+    if (!dials.power) dials.power = 1.0f;
+    if (!dials.ambient) dials.ambient = luminance(given.ambient);
+    return dials;
+}
+
+void scalePower(Lights& lights, float power, glm::vec3 ambient)
+{
+    for (Fixture& fixture : lights.fixtures) fixture.radiance *= power;
+    for (PointLight& light : lights.points) light.intensity *= power;
+    lights.ambient = ambient;
+}
+
+} // namespace
+
+Solution solveByThesis(const Texels& texels, const RayScene& scene, const DelightOptions& options,
+                       Progress& progress)
+{
+    checkAttenuation(options.thesis);
+    Solution solution{.options = options};
+    SurfelLight light = collectLight(texels, emitterOptions(options.thesis), progress);
+    const Lights found = findLights(light, texels, options.thesis);
+    const Lights& lights = options.lights ? *options.lights : found;
+    if (lights.points.empty() && !options.lights)
+        solution.warnings.emplace_back(
+            "no light was found: nothing in the texture is burnt out. The result "
+            "has ambient light alone; give it lights with --lights");
+
+    const ThesisOptions dials = options.lights ? dialsFor(lights, options.thesis) : options.thesis;
+    const auto shading =
+        std::make_shared<ThesisShading>(solveThesis(texels, scene, lights, dials, progress));
+    setDials(*shading, texels, light, lights);
+    {
+        const Progress::Stage stage(progress, "closure");
+        solution.closure =
+            closeLoop(texels, scene, light, lights, *shading, options.albedo.darkest);
+    }
+
+    solution.options.thesis = shading->dials;
+    solution.lights = lights;
+    scalePower(solution.lights, *shading->dials.power, shading->ambient);
+    solution.merged = lightsOfShadowMaps(solution.lights, shading->dials);
+    solution.shining = {std::vector<uint8_t>(texels.surfels.count(), 0),
+                        options.thesis.emitterThreshold};
+    for (const Emitter& emitter : light.emitters) solution.shining.surfels[emitter.surfel] = 1;
+    solution.shade = [shading](size_t, size_t, const TexelBlock& block, ShadingBlock& out) {
+        shade(*shading, block, out);
+    };
+    return solution;
+}
+
+} // namespace relamp

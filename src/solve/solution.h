@@ -1,0 +1,25 @@
+#pragma once
+
+#include "lights/shining.h"
+#include "relamp/delight.h"
+#include "shading/texel_shading.h"
+
+#include <string>
+#include <vector>
+
+namespace relamp
+{
+
+/// What a solver makes of a scan: its lights, and the shading that they give any texel.
+struct Solution
+{
+    Lights lights;
+    std::vector<PointLight> merged; // the same light, for formats that know points alone
+    TexelShading shade;             // refers to the texels and the scene that were solved
+    Shining shining;
+    DelightOptions options; // as given, and all that was derived
+    Closure closure;
+    std::vector<std::string> warnings;
+};
+
+} // namespace relamp
