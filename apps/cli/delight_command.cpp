@@ -139,7 +139,7 @@ void addGatherDials(CLI::App& command, DelightArguments& arguments)
         ->check(between(4, 1024))
         ->type_name("N")
         ->group(group);
-    command.add_option("--shadow-rays", gather.shadowRays, "Rays of a texel to each lamp [16]")
+    command.add_option("--shadow-rays", gather.shadowRays, "Rays of a place in a penumbra to each lamp [8]")
         ->check(between(1, 1024))
         ->type_name("N")
         ->group(group);

@@ -65,6 +65,8 @@ public:
 
     /// Some texel of a surfel; consecutive `i` are spread over it.
     [[nodiscard]] TexelSite at(uint32_t surfel, size_t i) const;
+    /// How many `at` chooses from; the first that many `i` give each of them once.
+    [[nodiscard]] size_t countOf(uint32_t surfel) const { return ranges_[surfel].count; }
 
 private:
     struct Range

@@ -3,7 +3,6 @@
 #include "base/instruction_set.h"
 #include "base/lanes.h"
 #include "flatten/flatten.shared.h"
-#include "shading/sampling.shared.h"
 
 #include <algorithm>
 
@@ -85,23 +84,37 @@ void interpolateKernel(const InterpolateArgs& args)
     }
 }
 
-void addDirect(const RayScene& scene, const GatheredLight& light,
-               const GatheredLightOptions& options, const PageTexels& page, size_t begin,
-               const TexelBlock& block, RgbBlock& out)
+/// Visits the runs of a page that a block is made of: visit(surfel, first, end), in its texels.
+template<class Visit>
+void forEachRunOf(const PageTexels& page, size_t begin, const TexelBlock& block, const Visit& visit)
 {
-    for (size_t i = 0; i < block.count; ++i) {
-        const glm::vec3 position(block.x[i], block.y[i], block.z[i]);
-        const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
-        glm::vec3 irradiance(0.0f);
-        for (const LitLamp& lamp : light.lamps) {
-            const float shift = hashedShift(page.pixel[begin + i], 0);
-            irradiance += lamp.radiance * sampleAreaLight(scene, lamp.light, position, normal,
-                                                          options.shadowSamples, shift)
-                                              .visible;
+    size_t run = page.runOf(begin);
+    for (size_t at = begin; at < begin + block.count; ++run) {
+        const size_t end = std::min<size_t>(begin + block.count, page.runs[run + 1].begin);
+        visit(page.runs[run].surfel, at - begin, end - begin);
+        at = end;
+    }
+}
+
+void shadeDirect(const GatheredLight& light, const PageTexels& page, size_t begin,
+                 const TexelBlock& block, RgbBlock& out)
+{
+    for (float* channel : {out.r, out.g, out.b}) std::fill_n(channel, block.count, 0.0f);
+    float share[TexelBlock::kPadded];
+    float open[TexelBlock::kPadded];
+    for (size_t l = 0; l < light.lamps.size(); ++l) {
+        bool isSeen = false;
+        forEachRunOf(page, begin, block, [&](uint32_t surfel, size_t first, size_t end) {
+            isSeen |= light.visibility.at(l, surfel, block, first, end, share);
+        });
+        if (!isSeen) continue;
+        openIrradiance(block, light.lamps[l].patches, open);
+        const glm::vec3 radiance = light.lamps[l].radiance / kPi;
+        for (size_t i = 0; i < block.count; ++i) {
+            out.r[i] += open[i] * share[i] * radiance.r;
+            out.g[i] += open[i] * share[i] * radiance.g;
+            out.b[i] += open[i] * share[i] * radiance.b;
         }
-        out.r[i] = irradiance.r / kPi;
-        out.g[i] = irradiance.g / kPi;
-        out.b[i] = irradiance.b / kPi;
     }
 }
 
@@ -110,30 +123,24 @@ void interpolate(const Texels& texels, const GatheredLight& light, const PageTex
 {
     const Surfels& surfels = texels.surfels;
     const float reach = kReach * surfels.size;
-    size_t run = page.runOf(begin);
-    for (size_t at = begin; at < begin + block.count; ++run) {
-        const size_t end = std::min<size_t>(begin + block.count, page.runs[run + 1].begin);
+    forEachRunOf(page, begin, block, [&](uint32_t surfel, size_t first, size_t end) {
         Taps taps;
-        for (const uint32_t s : surfels.neighborsOf(page.runs[run].surfel))
+        for (const uint32_t s : surfels.neighborsOf(surfel))
             taps.add(surfels, s, light.indirect[s]);
-        const InterpolateArgs args{&block, &taps, at - begin, end - begin, 1.0f / (reach * reach),
-                                   &out};
+        const InterpolateArgs args{&block, &taps, first, end, 1.0f / (reach * reach), &out};
         runKernel<interpolateKernel>(bestInstructionSet(), args);
-        at = end;
-    }
+    });
 }
 
 } // namespace
 
-TexelShading shadingOf(const Texels& texels, const RayScene& scene,
-                       std::shared_ptr<const GatheredLight> light,
-                       const GatheredLightOptions& options)
+TexelShading shadingOf(const Texels& texels, std::shared_ptr<const GatheredLight> light)
 {
-    return [&texels, &scene, light = std::move(light),
-            options](size_t p, size_t begin, const TexelBlock& block, ShadingBlock& out) {
+    return [&texels, light = std::move(light)](size_t p, size_t begin, const TexelBlock& block,
+                                               ShadingBlock& out) {
         const PageTexels& page = texels.pages[p];
         interpolate(texels, *light, page, begin, block, out.indirect);
-        addDirect(scene, *light, options, page, begin, block, out.direct);
+        shadeDirect(*light, page, begin, block, out.direct);
     };
 }
 

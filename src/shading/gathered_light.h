@@ -1,7 +1,7 @@
 #pragma once
 
-#include "shading/lit_sides.h"
 #include "shading/texel_shading.h"
+#include "shading/visibility.h"
 
 #include <memory>
 #include <vector>
@@ -12,7 +12,7 @@ namespace relamp
 /// A lamp with a power.
 struct LitLamp
 {
-    AreaLight light;
+    LampPatches patches;
     glm::vec3 radiance{0.0f};
 };
 
@@ -20,18 +20,12 @@ struct LitLamp
 struct GatheredLight
 {
     std::vector<LitLamp> lamps;
+    Visibility visibility;           // of the same lamps
     std::vector<glm::vec3> indirect; // irradiance at surfels' fronts that did not come from a lamp
 };
 
-struct GatheredLightOptions
-{
-    size_t shadowSamples = 16; // points of a lamp that a texel looks for, >= 1
-};
-
 /// Shades texels: indirect light interpolated between surfels of one surface, direct light of every
-/// lamp by area with shadow rays from every texel.
-TexelShading shadingOf(const Texels& texels, const RayScene& scene,
-                       std::shared_ptr<const GatheredLight> light,
-                       const GatheredLightOptions& options);
+/// lamp by its area, as much of it as can be seen.
+TexelShading shadingOf(const Texels& texels, std::shared_ptr<const GatheredLight> light);
 
 } // namespace relamp

@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr float kPi = 3.14159265f;
+constexpr size_t kPatchesOfLamp = 32;
 constexpr float kNoFacing = 0.3f; // length of a mean normal below which a lamp shines all around
 
 Fixture fixtureOf(const FoundLamp& lamp)
@@ -60,13 +61,22 @@ std::vector<glm::vec3> directOf(const Texels& texels, const RayScene& scene, con
     return direct;
 }
 
-std::shared_ptr<GatheredLight> lightOf(const FoundLamps& found, std::vector<glm::vec3> indirect)
+std::shared_ptr<GatheredLight> lightOf(const Texels& texels, const RayScene& scene,
+                                       const FoundLamps& found, std::vector<glm::vec3> indirect,
+                                       const GatherOptions& options)
 {
-    auto light = std::make_shared<GatheredLight>();
-    for (const FoundLamp& lamp : found.lamps)
-        light->lamps.push_back({AreaLight(lamp.patches), lamp.radiance});
-    light->indirect = std::move(indirect);
-    return light;
+    std::vector<AreaLight> areas;
+    std::vector<LitLamp> lamps;
+    std::vector<std::vector<AreaSample>> coarse;
+    for (const FoundLamp& lamp : found.lamps) {
+        areas.emplace_back(lamp.patches);
+        lamps.push_back({LampPatches(areas.back(), kPatchesOfLamp), lamp.radiance});
+        coarse.push_back(lamp.onSides);
+    }
+    Visibility visibility(texels, scene, areas, coarse,
+                          {.raysPerProbe = static_cast<size_t>(options.shadowRays)});
+    return std::make_shared<GatheredLight>(
+        GatheredLight{std::move(lamps), std::move(visibility), std::move(indirect)});
 }
 
 } // namespace
@@ -85,14 +95,14 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
         solution.warnings.emplace_back("no lamp was found; the room is taken to be lit from "
                                        "outside alone. Point at one with --light or --lights");
 
-    const Progress::Stage stage(progress, "sides");
+    const Progress::Stage stage(progress, "shadows");
     solution.shining = {shinesOf(found, texels.surfels.count()), 0.0f};
     const LitSides sides = lightSides(texels, hits, radiance, directOf(texels, scene, hits, found),
                                       solution.shining.surfels, found.ambient);
     solution.closure = closeLoop(hits, radiance, sides, found.ambient);
     solution.shade =
-        shadingOf(texels, scene, lightOf(found, indirectOfFronts(sides, hits, found.ambient)),
-                  {.shadowSamples = static_cast<size_t>(options.gather.shadowRays)});
+        shadingOf(texels, lightOf(texels, scene, found,
+                                  indirectOfFronts(sides, hits, found.ambient), options.gather));
     solution.lights = lightsOf(found);
     solution.merged = solution.lights.points;
     return solution;

@@ -1,0 +1,175 @@
+#include "shading/visibility.h"
+
+#include "base/instruction_set.h"
+#include "base/lanes.h"
+#include "base/parallel.h"
+#include "flatten/flatten.shared.h"
+#include "shading/sampling.shared.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr size_t kProbes = 16;     // of a surfel, at most
+constexpr float kRing = 1.7f;      // surfel sizes; so near, neighbours must agree
+constexpr float kProbeReach = 1.6f; // steps between probes
+constexpr uint8_t kAll = 250;
+constexpr uint8_t kUnknown = 255;
+
+/// Probes around a run of texels.
+struct Taps
+{
+    static constexpr size_t kMost = 256;
+
+    float x[kMost], y[kMost], z[kMost];
+    float share[kMost];
+    size_t count = 0;
+};
+
+struct ShareArgs
+{
+    const TexelBlock* block;
+    const Taps* taps;
+    size_t first;
+    size_t end;
+    float perReachSquared;
+    float* share;
+};
+
+void shareKernel(const ShareArgs& args)
+{
+    const TexelBlock& block = *args.block;
+    const Taps& taps = *args.taps;
+    for (size_t first = args.first; first < args.end; first += kLanes) {
+        float sum[kLanes] = {};
+        float weight[kLanes] = {};
+        for (size_t t = 0; t < taps.count; ++t)
+            for (size_t lane = 0; lane < kLanes; ++lane) {
+                const size_t i = first + lane;
+                const glm::vec3 way = glm::vec3(taps.x[t], taps.y[t], taps.z[t]) -
+                                      glm::vec3(block.x[i], block.y[i], block.z[i]);
+                const float w = biweight(dot(way, way) * args.perReachSquared) + 1e-6f;
+                sum[lane] += w * taps.share[t];
+                weight[lane] += w;
+            }
+        for (size_t lane = 0; lane < kLanes; ++lane)
+            args.share[first + lane] = sum[lane] / weight[lane];
+    }
+}
+
+} // namespace
+
+Visibility::Visibility(const Texels& texels, const RayScene& scene,
+                       std::span<const AreaLight> lamps,
+                       std::span<const std::vector<AreaSample>> coarse,
+                       const VisibilityOptions& options)
+    : texels_(texels)
+{
+    placeProbes();
+    for (size_t lamp = 0; lamp < lamps.size(); ++lamp) {
+        states_.push_back(statesOf(coarse[lamp]));
+        shares_.push_back(look(lamps[lamp], states_[lamp], scene, options.raysPerProbe));
+    }
+}
+
+void Visibility::placeProbes()
+{
+    const Surfels& surfels = texels_.surfels;
+    const SurfelSites sites(texels_);
+    firstProbe_.assign(surfels.count() + 1, 0);
+    for (uint32_t s = 0; s < surfels.count(); ++s)
+        firstProbe_[s + 1] =
+            firstProbe_[s] + static_cast<uint32_t>(std::min(kProbes, sites.countOf(s)));
+    for (auto* axis : {&x_, &y_, &z_}) axis->resize(firstProbe_.back());
+    reach_.resize(surfels.count());
+    forEachChunk(surfels.count(), 256, [&](size_t begin, size_t end) {
+        for (auto s = static_cast<uint32_t>(begin); s < end; ++s) {
+            const uint32_t count = firstProbe_[s + 1] - firstProbe_[s];
+            reach_[s] = kProbeReach * std::sqrt(surfels.area[s] / static_cast<float>(count));
+            for (uint32_t i = 0; i < count; ++i) {
+                const glm::vec3 position = sites.at(s, i).position;
+                x_[firstProbe_[s] + i] = position.x;
+                y_[firstProbe_[s] + i] = position.y;
+                z_[firstProbe_[s] + i] = position.z;
+            }
+        }
+    });
+}
+
+/// All or nothing only where the ring of neighbours says the same.
+std::vector<Visibility::State> Visibility::statesOf(std::span<const AreaSample> coarse) const
+{
+    const Surfels& surfels = texels_.surfels;
+    std::vector<State> own(surfels.count());
+    for (size_t s = 0; s < own.size(); ++s)
+        own[s] = coarse[s].visible <= 0.0f                      ? none
+                 : coarse[s].visible >= 0.999f * coarse[s].open ? all
+                                                                : some;
+    std::vector<State> states = own;
+    const float ring = kRing * surfels.size;
+    forEachChunk(own.size(), 1024, [&](size_t begin, size_t end) {
+        for (size_t s = begin; s < end; ++s)
+            for (const uint32_t n : surfels.neighborsOf(s)) {
+                const glm::vec3 way = surfels.position[n] - surfels.position[s];
+                if (own[n] != own[s] && glm::dot(way, way) < ring * ring) states[s] = some;
+            }
+    });
+    return states;
+}
+
+std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const State> states,
+                                      const RayScene& scene, size_t rays) const
+{
+    const SurfelSites sites(texels_);
+    std::vector<uint8_t> shares(x_.size(), kUnknown);
+    forEachChunk(states.size(), 64, [&](size_t begin, size_t end) {
+        for (auto s = static_cast<uint32_t>(begin); s < end; ++s) {
+            if (states[s] != some) continue;
+            for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {
+                const TexelSite site = sites.at(s, probe - firstProbe_[s]);
+                const AreaSample sample = sampleAreaLight(scene, lamp, site.position, site.normal,
+                                                          rays, hashedShift(probe, 0));
+                if (sample.open > 0.0f)
+                    shares[probe] =
+                        static_cast<uint8_t>(std::lround(kAll * sample.visible / sample.open));
+            }
+        }
+    });
+    return shares;
+}
+
+bool Visibility::at(size_t lamp, uint32_t surfel, const TexelBlock& block, size_t first,
+                    size_t end, float* share) const
+{
+    const State state = states_[lamp][surfel];
+    std::fill(share + first, share + end, state == all ? 1.0f : 0.0f);
+    if (state != some) return state == all;
+    const Surfels& surfels = texels_.surfels;
+    const std::vector<uint8_t>& shares = shares_[lamp];
+    Taps taps;
+    const float far = surfels.size + reach_[surfel];
+    for (const uint32_t n : surfels.neighborsOf(surfel)) {
+        if (states_[lamp][n] != some) continue;
+        for (uint32_t probe = firstProbe_[n]; probe < firstProbe_[n + 1]; ++probe) {
+            if (shares[probe] == kUnknown || taps.count == Taps::kMost) continue;
+            const glm::vec3 position(x_[probe], y_[probe], z_[probe]);
+            const glm::vec3 way = position - surfels.position[surfel];
+            if (n != surfel && glm::dot(way, way) > far * far) continue;
+            taps.x[taps.count] = position.x;
+            taps.y[taps.count] = position.y;
+            taps.z[taps.count] = position.z;
+            taps.share[taps.count++] = static_cast<float>(shares[probe]) / kAll;
+        }
+    }
+    if (taps.count == 0) return false;
+    const float reach = reach_[surfel];
+    const ShareArgs args{&block, &taps, first, end, 1.0f / (reach * reach), share};
+    runKernel<shareKernel>(bestInstructionSet(), args);
+    return true;
+}
+
+} // namespace relamp

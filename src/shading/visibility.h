@@ -1,0 +1,53 @@
+#pragma once
+
+#include "scan/rays.h"
+#include "scan/texels.h"
+#include "shading/area_direct.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace relamp
+{
+
+struct VisibilityOptions
+{
+    size_t raysPerProbe = 8; // >= 1
+};
+
+/// What share of every lamp each place of the scan sees.
+///
+/// Rays go where the answer changes: a surfel that sees all of a lamp, or nothing, as its
+/// neighbours do, needs no more than to say so. In the others a few texels look for themselves
+/// (probes), all of them where there are few, and the rest lie between.
+class Visibility
+{
+public:
+    /// `coarse[lamp][surfel]` is what a few rays of each surfel's front saw. The arguments must
+    /// outlive this.
+    Visibility(const Texels& texels, const RayScene& scene, std::span<const AreaLight> lamps,
+               std::span<const std::vector<AreaSample>> coarse, const VisibilityOptions& options);
+
+    /// Share, 0..1, of a lamp that texels [first, end) of a block see, all of one surfel. False
+    /// where they see nothing of it. May write up to a group of lanes behind `end`.
+    bool at(size_t lamp, uint32_t surfel, const TexelBlock& block, size_t first, size_t end,
+            float* share) const;
+
+private:
+    enum State : uint8_t { none, all, some };
+
+    void placeProbes();
+    [[nodiscard]] std::vector<State> statesOf(std::span<const AreaSample> coarse) const;
+    [[nodiscard]] std::vector<uint8_t> look(const AreaLight& lamp, std::span<const State> states,
+                                            const RayScene& scene, size_t rays) const;
+
+    const Texels& texels_;
+    std::vector<uint32_t> firstProbe_; // of surfels, and one more
+    std::vector<float> x_, y_, z_;     // of probes
+    std::vector<float> reach_;         // of surfels, m: how far a probe's word goes
+    std::vector<std::vector<State>> states_;   // [lamp][surfel]
+    std::vector<std::vector<uint8_t>> shares_; // [lamp][probe], of kAll; kUnknown: faces away
+};
+
+} // namespace relamp
