@@ -22,12 +22,14 @@ constexpr size_t kMostCandidates = 64;
 constexpr size_t kPlaces = 6000;
 constexpr size_t kPairsFirst = 3; // a place, for the first look at all candidates
 constexpr size_t kPairs = 8;
+constexpr size_t kRaysPerOrigin = 8; // at a place, to those that remain: noise would make them weak
 constexpr float kAboutWhite = 2.0f;   // luminance; a wall lights its surroundings as little as this
 constexpr float kLeastPower = 0.003f; // share of the room's; below, a lamp does not matter
 constexpr float kBrightWall = 0.75f;  // albedo of what burns out first
 constexpr float kExplained = 0.8f;    // of white
 constexpr size_t kPatchesLookedAt = 16; // of a candidate, to see what lights it
 constexpr size_t kSamplesAPatch = 16;
+constexpr float kAround = 1.6f; // surfel sizes
 constexpr int kMostRounds = 6;
 constexpr float kTouching = 0.12f;  // m between pieces of one lamp
 constexpr float kPointedAt = 0.3f;  // m around a place that a person names
@@ -57,6 +59,7 @@ public:
 private:
     void choosePlaces();
     void takeCandidates(const GatherOptions& options);
+    void look(Suspect& suspect, size_t raysPerOrigin) const;
     void fit(size_t pairsPerPlace, bool oneChannel);
     void updateField();
     size_t dropWalls();
@@ -64,6 +67,7 @@ private:
     void joinPieces();
     [[nodiscard]] bool isExplained(size_t suspect) const;
     [[nodiscard]] FitData dataFor() const;
+    void addGathered(const Gathered& gathered, uint32_t place, FitData& data) const;
 
     const Texels& texels_;
     const RayScene& scene_;
@@ -108,6 +112,14 @@ size_t nearestTo(std::span<const Candidate> candidates, glm::vec3 place)
     return nearest;
 }
 
+void LampSearch::look(Suspect& suspect, size_t raysPerOrigin) const
+{
+    const std::vector<AreaSample> samples = directOfLists(
+        texels_, scene_, hits_, AreaLight(suspect.candidate.patches), places_, raysPerOrigin);
+    suspect.direct.clear();
+    for (const AreaSample& sample : samples) suspect.direct.push_back(sample.visible);
+}
+
 void LampSearch::takeCandidates(const GatherOptions& options)
 {
     std::vector<Candidate> candidates = findCandidates(texels_, radiance_, kMostCandidates);
@@ -127,9 +139,7 @@ void LampSearch::takeCandidates(const GatherOptions& options)
         stage_.advance();
         if (isRefused[c] != 0) continue;
         Suspect suspect{.candidate = std::move(candidates[c]), .isGiven = isGiven[c] != 0};
-        for (const AreaSample& sample :
-             directOfLists(texels_, scene_, hits_, AreaLight(suspect.candidate.patches), places_))
-            suspect.direct.push_back(sample.visible);
+        look(suspect, 1);
         suspects_.push_back(std::move(suspect));
     }
 }
@@ -146,16 +156,33 @@ void LampSearch::choosePlaces()
     for (size_t i = 0; i < count; ++i) places_.push_back(good[i * good.size() / count]);
 }
 
+/// Mean over the surfels around a place: bounce light changes slowly, its few rays are noisy.
+void LampSearch::addGathered(const Gathered& gathered, uint32_t place, FitData& data) const
+{
+    glm::vec3 irradiance(0.0f);
+    float missed = 0.0f;
+    float count = 0.0f;
+    const Surfels& surfels = texels_.surfels;
+    for (const uint32_t n : surfels.neighborsOf(place)) {
+        const glm::vec3 way = surfels.position[n] - surfels.position[place];
+        if (glm::dot(way, way) > kAround * kAround * surfels.size * surfels.size) continue;
+        irradiance += gathered.irradiance[n]; // a front's list has its surfel's number
+        missed += gathered.missed[n];
+        count += 1.0f;
+    }
+    data.gathered.push_back(irradiance / count);
+    data.missed.push_back(missed / count);
+}
+
 FitData LampSearch::dataFor() const
 {
     FitData data;
     data.lamps = suspects_.size();
-    const Gathered gathered = gather(hits_, field_, places_);
-    data.gathered = gathered.irradiance;
-    data.missed = gathered.missed;
+    const Gathered gathered = gather(hits_, field_);
     data.direct.resize(places_.size() * data.lamps);
     for (size_t i = 0; i < places_.size(); ++i) {
         data.radiance.push_back(radiance_.plain[places_[i]]);
+        addGathered(gathered, places_[i], data);
         for (size_t f = 0; f < data.lamps; ++f)
             data.direct[i * data.lamps + f] = suspects_[f].direct[i];
     }
@@ -296,6 +323,7 @@ FoundLamps LampSearch::run()
     if (places_.size() < 2) return found;
     fit(kPairsFirst, true);
     dropWalls();
+    for (Suspect& suspect : suspects_) look(suspect, kRaysPerOrigin);
     stage_.advance();
     for (int round = 0; round < kMostRounds; ++round) {
         fit(kPairs, false);

@@ -13,7 +13,6 @@ namespace
 
 constexpr float kPi = 3.14159265f;
 constexpr size_t kOrigins = 4;         // texels of a surfel that a lamp is looked for from
-constexpr size_t kSamplesAnOrigin = 1; // points of the lamp
 constexpr int kRounds = 4;
 constexpr float kLeastIrradiance = 1e-4f;
 constexpr float kDarkestAlbedo = 0.02f;
@@ -54,7 +53,7 @@ std::vector<glm::vec3> albedoOf(const Texels& texels, const SurfelRadiance& radi
 
 std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scene,
                                       const HitLists& hits, const AreaLight& light,
-                                      std::span<const uint32_t> lists)
+                                      std::span<const uint32_t> lists, size_t raysPerOrigin)
 {
     const SurfelSites sites(texels);
     std::vector<AreaSample> direct(lists.empty() ? hits.sideOfList.size() : lists.size());
@@ -67,7 +66,7 @@ std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scen
                 // The origins share one even sequence over the lamp.
                 const float shift = (static_cast<float>(k) + hashedShift(side.index, 0)) / kOrigins;
                 const AreaSample sample = sampleAreaLight(scene, light, site.position, normal,
-                                                          kSamplesAnOrigin, shift);
+                                                          raysPerOrigin, shift);
                 direct[i].open += sample.open / kOrigins;
                 direct[i].visible += sample.visible / kOrigins;
             }

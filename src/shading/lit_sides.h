@@ -20,11 +20,12 @@ struct LitSides
     std::vector<glm::vec3> albedo; // of surfels, 0..0.95
 };
 
-/// Irradiance from one lamp at radiance 1 on the sides that `lists` name; all where empty. Few rays:
-/// right on average over several sides.
+/// Irradiance from one lamp at radiance 1 on the sides that `lists` name; all where empty.
+/// Rays start at a few places of each side; one from each is right on average over several sides.
 std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scene,
                                       const HitLists& hits, const AreaLight& light,
-                                      std::span<const uint32_t> lists = {});
+                                      std::span<const uint32_t> lists = {},
+                                      size_t raysPerOrigin = 1);
 
 /// Adds what a lamp does at `radiance`.
 void addDirect(std::span<const AreaSample> ofLamp, glm::vec3 radiance,
