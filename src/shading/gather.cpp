@@ -35,17 +35,18 @@ Gathered gather(const HitLists& hits, const RadianceField& field, std::span<cons
     Gathered result;
     result.irradiance.resize(count);
     result.missed.resize(count);
-    const float perRay = kPi / static_cast<float>(hits.raysPerList); // rays are cosine-distributed
     forEachChunk(count, 256, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             glm::vec3 sum(0.0f);
             float missed = 0.0f;
-            for (const HitTarget target : hits.targetsOf(lists.empty() ? i : lists[i])) {
+            const std::span targets = hits.targetsOf(lists.empty() ? i : lists[i]);
+            for (const HitTarget target : targets) {
                 if (target.isNothing())
                     missed += 1.0f;
                 else
                     sum += radianceAt(field, target);
             }
+            const float perRay = kPi / static_cast<float>(targets.size()); // cosine-distributed
             result.irradiance[i] = perRay * sum;
             result.missed[i] = perRay * missed;
         }

@@ -1,10 +1,12 @@
 #include "shading/hit_lists.h"
 
 #include "base/parallel.h"
+#include "lights/expand.shared.h"
 #include "scan/surface_point.h"
 #include "shading/sampling.shared.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace relamp
 {
@@ -12,17 +14,22 @@ namespace
 {
 
 constexpr float kOffSurface = 2e-3f;   // m; less than things that lie on each other are apart
+constexpr size_t kMoreRays = 4;
+constexpr float kNoisy = 0.25f; // of the mean; what neighbours average away again
+constexpr float kBlack = 0.01f; // radiance
 constexpr int kGenerationsOfBacks = 2; // backs seen by backs seen by fronts; beyond is dark anyway
 
 class Caster
 {
 public:
-    Caster(const Texels& texels, const RayScene& scene,
-           std::span<const std::vector<uint8_t>> clipped, size_t raysPerList)
-        : texels_(texels), scene_(scene), clipped_(clipped), rays_(raysPerList), sites_(texels)
+    Caster(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance)
+        : texels_(texels), scene_(scene), radiance_(radiance), sites_(texels)
     {}
 
-    void cast(Side side, std::span<HitTarget> out) const;
+    /// Rays from `first` on of a side's sequence.
+    void cast(Side side, size_t first, std::span<HitTarget> out) const;
+    /// Standard error of the mean of what was met, as a share of it.
+    [[nodiscard]] float noiseOf(std::span<const HitTarget> targets) const;
 
 private:
     [[nodiscard]] Ray rayOf(Side side, size_t i) const;
@@ -30,8 +37,7 @@ private:
 
     const Texels& texels_;
     const RayScene& scene_;
-    std::span<const std::vector<uint8_t>> clipped_;
-    size_t rays_;
+    const SurfelRadiance& radiance_;
     SurfelSites sites_;
 };
 
@@ -52,22 +58,39 @@ HitTarget Caster::targetOf(const Ray& ray, const Hit& hit) const
     if (surfel == Surfels::kNone) return HitTarget::nothing();
     if (!hit.front) return HitTarget::of(Side::back(surfel), false);
     const auto [page, pixel] = nearestPixelAt(texels_, hit);
-    return HitTarget::of(Side::front(surfel), clipped_[page][pixel] != 0);
+    return HitTarget::of(Side::front(surfel), radiance_.isClipped[page][pixel] != 0);
 }
 
-void Caster::cast(Side side, std::span<HitTarget> out) const
+void Caster::cast(Side side, size_t first, std::span<HitTarget> out) const
 {
-    for (size_t i = 0; i < rays_; ++i) { // one by one: they go everywhere
-        const Ray ray = rayOf(side, i);
+    for (size_t i = 0; i < out.size(); ++i) { // one by one: they go everywhere
+        const Ray ray = rayOf(side, first + i);
         out[i] = targetOf(ray, scene_.intersect(ray));
     }
+}
+
+float Caster::noiseOf(std::span<const HitTarget> targets) const
+{
+    float sum = 0.0f;
+    float squares = 0.0f;
+    for (const HitTarget target : targets) {
+        if (target.isNothing() || target.side().isBack()) continue;
+        const float value =
+            target.isClipped() ? 1.0f : luminance(radiance_.plain[target.side().surfel()]);
+        sum += value;
+        squares += value * value;
+    }
+    const auto count = static_cast<float>(targets.size());
+    const float mean = sum / count;
+    const float variance = std::max(squares / count - mean * mean, 0.0f);
+    return std::sqrt(variance / count) / std::max(mean, kBlack);
 }
 
 /// Backs that lists from `firstList` on have met and that have no list yet, ascending.
 std::vector<Side> newBacks(const HitLists& lists, size_t firstList)
 {
     std::vector<uint8_t> seen(lists.listOfSide.size(), 0);
-    for (size_t i = firstList * lists.raysPerList; i < lists.targets.size(); ++i) {
+    for (size_t i = lists.firstTarget[firstList]; i < lists.targets.size(); ++i) {
         const HitTarget target = lists.targets[i];
         if (!target.isNothing() && target.side().isBack()) seen[target.side().index] = 1;
     }
@@ -77,33 +100,54 @@ std::vector<Side> newBacks(const HitLists& lists, size_t firstList)
     return backs;
 }
 
+/// Casts the lists of `sides`: a few rays each, then more where these do not agree.
+void castSides(const Caster& caster, std::span<const Side> sides, size_t rays, HitLists& lists,
+               Progress::Stage& stage)
+{
+    const size_t first = lists.sideOfList.size();
+    for (size_t i = 0; i < sides.size(); ++i)
+        lists.listOfSide[sides[i].index] = static_cast<int32_t>(first + i);
+    lists.sideOfList.insert(lists.sideOfList.end(), sides.begin(), sides.end());
+
+    std::vector<HitTarget> few(sides.size() * rays, HitTarget::nothing());
+    std::vector<uint32_t> counts(sides.size());
+    const auto ofList = [&](size_t i) { return std::span(few).subspan(i * rays, rays); };
+    forEachChunk(sides.size(), 64, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            caster.cast(sides[i], 0, ofList(i));
+            const bool isNoisy = caster.noiseOf(ofList(i)) > kNoisy && !sides[i].isBack();
+            counts[i] = static_cast<uint32_t>(isNoisy ? kMoreRays * rays : rays);
+        }
+        stage.advance(end - begin);
+    });
+    for (const uint32_t count : counts)
+        lists.firstTarget.push_back(lists.firstTarget.back() + count);
+    lists.targets.resize(lists.firstTarget.back(), HitTarget::nothing());
+    forEachChunk(sides.size(), 64, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            const std::span out(lists.targets.data() + lists.firstTarget[first + i], counts[i]);
+            std::copy_n(ofList(i).begin(), rays, out.begin());
+            caster.cast(sides[i], rays, out.subspan(rays));
+        }
+        stage.advance(end - begin);
+    });
+}
+
 } // namespace
 
-HitLists castHitLists(const Texels& texels, const RayScene& scene,
-                      std::span<const std::vector<uint8_t>> clipped, size_t raysPerList,
-                      Progress& progress)
+HitLists castHitLists(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance,
+                      size_t rays, Progress& progress)
 {
     const auto surfels = static_cast<uint32_t>(texels.surfels.count());
-    const Caster caster(texels, scene, clipped, raysPerList);
+    const Caster caster(texels, scene, radiance);
     HitLists lists;
-    lists.raysPerList = raysPerList;
     lists.listOfSide.assign(2 * size_t{surfels}, HitLists::kNoList);
-
     std::vector<Side> sides(surfels, Side{0});
     for (uint32_t s = 0; s < surfels; ++s) sides[s] = Side::front(s);
-    Progress::Stage stage(progress, "rays", surfels);
+    Progress::Stage stage(progress, "rays", 3 * size_t{surfels}); // backs are about half as many
     for (int generation = 0; generation <= kGenerationsOfBacks && !sides.empty(); ++generation) {
         const size_t first = lists.sideOfList.size();
-        lists.sideOfList.insert(lists.sideOfList.end(), sides.begin(), sides.end());
-        lists.targets.resize(lists.sideOfList.size() * raysPerList, HitTarget::nothing());
-        for (size_t i = 0; i < sides.size(); ++i)
-            lists.listOfSide[sides[i].index] = static_cast<int32_t>(first + i);
-        forEachChunk(sides.size(), 64, [&](size_t begin, size_t end) {
-            for (size_t i = begin; i < end; ++i)
-                caster.cast(sides[i],
-                            {lists.targets.data() + (first + i) * raysPerList, raysPerList});
-            if (generation == 0) stage.advance(end - begin);
-        });
+        castSides(caster, sides, rays, lists, stage);
         sides = newBacks(lists, first);
     }
     return lists;

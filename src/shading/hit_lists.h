@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lights/surfel_radiance.h"
 #include "relamp/progress.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
@@ -48,22 +49,23 @@ struct HitLists
 {
     static constexpr int32_t kNoList = -1;
 
-    size_t raysPerList = 0;
-    std::vector<Side> sideOfList;
+    std::vector<Side> sideOfList;   // fronts first: that of surfel s has list s
     std::vector<int32_t> listOfSide; // kNoList for a side that nobody sees
-    std::vector<HitTarget> targets;  // raysPerList a list
+    std::vector<uint32_t> firstTarget{0}; // of lists, and one more
+    std::vector<HitTarget> targets;
 
     [[nodiscard]] std::span<const HitTarget> targetsOf(size_t list) const
     {
-        return {targets.data() + list * raysPerList, raysPerList};
+        return {targets.data() + firstTarget[list], targets.data() + firstTarget[list + 1]};
     }
 };
 
 /// Casts rays from the fronts of all surfels, then from the backs that were met, then from those
 /// that these met. Rays start all over a surfel's texels, so that a list averages over its area.
-/// `clipped[page][pixel]` is not 0 where a texel is burnt out.
-HitLists castHitLists(const Texels& texels, const RayScene& scene,
-                      std::span<const std::vector<uint8_t>> clipped, size_t raysPerList,
-                      Progress& progress);
+///
+/// A list has `rays` rays; four times as many where these do not agree, as in a dark corner that
+/// one of them in ten leaves.
+HitLists castHitLists(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance,
+                      size_t rays, Progress& progress);
 
 } // namespace relamp

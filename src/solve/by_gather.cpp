@@ -86,8 +86,8 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
 {
     Solution solution{.options = options};
     const SurfelRadiance radiance = collectRadiance(texels, progress);
-    const HitLists hits = castHitLists(texels, scene, radiance.isClipped,
-                                       static_cast<size_t>(options.gather.rays), progress);
+    const HitLists hits = castHitLists(texels, scene, radiance, static_cast<size_t>(options.gather.rays),
+                                       progress);
     FoundLamps found = findLamps(texels, scene, hits, radiance, options.gather, progress);
     solution.warnings = found.warnings;
     if (options.lights) found = asGiven(*options.lights, found);
