@@ -62,6 +62,7 @@ private:
     void look(Suspect& suspect, size_t raysPerOrigin) const;
     void fit(size_t pairsPerPlace, bool oneChannel);
     void updateField();
+    void debug();
     size_t dropWalls();
     size_t dropExplained();
     void joinPieces();
@@ -316,6 +317,8 @@ void LampSearch::updateField()
                  .field;
 }
 
+void LampSearch::debug(){ if(!getenv("DEBUG")) return; FitData data=dataFor(); auto pairs=drawPairs(data,places_,texels_.surfels,4); std::vector<glm::vec3> all=powers_.radiance; all.push_back(powers_.ambient); PowersOptions o{.firstScale=.08,.oneChannel=true,.start=all}; auto t0=std::chrono::steady_clock::now(); float base=fitPowers(data,pairs,o).loss; for(size_t f=0;f<data.lamps;++f){ FitData d=data; d.lamps--; d.direct.clear(); for(size_t i=0;i<d.places();++i) for(size_t g=0;g<data.lamps;++g) if(g!=f) d.direct.push_back(data.direct[i*data.lamps+g]); auto st=all; st.erase(st.begin()+(long)f); o.start=st; float l=fitPowers(d,pairs,o).loss; auto&s=suspects_[f]; printf("  %2zu c %.2f %.2f %.2f A %.3f L %.2f P %.2f  rise %.5f of %.4f\n",f,s.candidate.centre.x,s.candidate.centre.y,s.candidate.centre.z,s.candidate.area,luminance(s.radiance),s.power(),l-base,base);} printf("  %.3f s\n",std::chrono::duration<double>(std::chrono::steady_clock::now()-t0).count()); }
+
 FoundLamps LampSearch::run()
 {
     FoundLamps found;
@@ -329,8 +332,10 @@ FoundLamps LampSearch::run()
         fit(kPairs, false);
         if (dropWalls() + dropExplained() == 0) break;
     }
+    debug();
     joinPieces();
     fit(kPairs, false);
+    debug();
     stage_.advance();
     updateField();
     fit(kPairs, false);

@@ -33,11 +33,8 @@ class Channel : public ceres::EvaluationCallback
 {
 public:
     Channel(const FitData& data, int c)
-        : data_(data), unknowns_(data.lamps + 1), log_(unknowns_, 0.0)
+        : data_(data), c_(c), unknowns_(data.lamps + 1), log_(unknowns_, 0.0)
     {
-        const auto pick = [&](glm::vec3 rgb) {
-            return static_cast<double>(c < 0 ? luminance(rgb) : rgb[c]);
-        };
         for (size_t i = 0; i < data.places(); ++i) {
             logRadiance_.push_back(std::log(std::max(pick(data.radiance[i]), 1e-4)));
             gathered_.push_back(pick(data.gathered[i]));
@@ -56,6 +53,10 @@ public:
         });
     }
 
+    [[nodiscard]] double pick(glm::vec3 rgb) const
+    {
+        return static_cast<double>(c_ < 0 ? luminance(rgb) : rgb[c_]);
+    }
     [[nodiscard]] double* unknowns() { return log_.data(); }
     [[nodiscard]] size_t count() const { return unknowns_; }
     /// Where the unknowns are without evidence: lamps at the texture's white, what lies behind
@@ -87,6 +88,7 @@ private:
     }
 
     const FitData& data_;
+    int c_; // < 0: luminance
     size_t unknowns_;
     std::vector<double> log_; // of lamps, then of ambient
     std::vector<double> logRadiance_;
@@ -154,6 +156,7 @@ struct ChannelFit
     std::vector<double> log;
     std::vector<double> error;
     double residual = 0.0;
+    double loss = 0.0;
 };
 
 /// Standard errors from the inverse of the information that unbroken pairs give.
@@ -182,6 +185,8 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, 
                       const PowersOptions& options)
 {
     Channel channel(data, c);
+    for (size_t f = 0; f < options.start.size(); ++f)
+        channel.unknowns()[f] = std::log(std::max(channel.pick(options.start[f]), 1e-2));
     const double prior = std::sqrt(options.priorWeight * static_cast<double>(pairs.size()) /
                                    static_cast<double>(std::max<size_t>(data.places(), 1)));
     for (double scale = options.firstScale;; scale = std::max(0.5 * scale, options.lastScale)) {
@@ -212,7 +217,11 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, 
     fit.log.assign(channel.unknowns(), channel.unknowns() + channel.count());
     fit.error = errorsOf(channel, pairs, options.lastScale, std::max(prior, 1e-3));
     std::vector<double> sizes;
-    for (const MaterialPair& pair : pairs) sizes.push_back(std::abs(channel.residual(pair)));
+    for (const MaterialPair& pair : pairs) {
+        sizes.push_back(std::abs(channel.residual(pair)));
+        const double size = sizes.back() / options.lastScale;
+        fit.loss += std::log1p(size * size) / static_cast<double>(pairs.size());
+    }
     fit.residual = medianOf(std::move(sizes));
     return fit;
 }
@@ -240,6 +249,7 @@ Powers fitPowers(const FitData& data, std::span<const MaterialPair> pairs,
             powers.logError[f][c] = static_cast<float>(fit.error[f]);
         }
         powers.ambient[c] = static_cast<float>(std::exp(fit.log[data.lamps]));
+        powers.loss += static_cast<float>(fit.loss) / 3.0f;
         powers.residual += static_cast<float>(fit.residual) / 3.0f;
     }
     return powers;

@@ -15,6 +15,7 @@ struct PowersOptions
     double firstScale = 0.5; // of the Cauchy loss, in log radiance; halves until lastScale
     double lastScale = 0.08;
     bool oneChannel = false; // fit luminance alone: faster, for a first look
+    std::vector<glm::vec3> start; // radiances of lamps, then of ambient; empty: without evidence
 };
 
 /// Radiances of lamps that make the walls uniform.
@@ -25,6 +26,7 @@ struct Powers
         logError;            // standard error of its logarithm; large where the data do not tell
     glm::vec3 ambient{0.0f}; // radiance from outside the scan
     float residual = 0.0f;   // median absolute deviation of a pair, in log radiance
+    float loss = 0.0f;       // mean of the pairs' robust losses, in squares of the last scale
 };
 
 /// Fits the radiance of every lamp, and of what lies outside, so that pairs of one material get one
