@@ -23,8 +23,10 @@ EmitterOptions emitterOptions(const ThesisOptions& thesis)
 }
 
 /// The scan's own lights; `light` keeps only the emitters that belong to them.
-Lights findLights(SurfelLight& light, const Texels& texels, const ThesisOptions& thesis)
+Lights findLights(SurfelLight& light, const Texels& texels, const ThesisOptions& thesis,
+                  Progress& progress)
 {
+    const Progress::Stage stage(progress, "lights");
     Lights lights;
     const int count = joinFixtures(light, texels, emitterOptions(thesis));
     lights.fixtures = fixturesFrom(light.emitters, count);
@@ -43,8 +45,9 @@ glm::vec3 meanColor(const Lights& lights)
 
 /// Sets power and ambient as the options say, or from the scan where they leave them open.
 void setDials(ThesisShading& shading, const Texels& texels, const SurfelLight& light,
-              const Lights& lights)
+              const Lights& lights, Progress& progress)
 {
+    const Progress::Stage stage(progress, "dials");
     ThesisOptions& dials = shading.dials;
     if (!dials.useAmbient) dials.ambient = 0.0f;
     const std::optional<float> power = std::exchange(dials.power, 1.0f); // the samples want it at 1
@@ -84,16 +87,22 @@ void scalePower(Lights& lights, float power, glm::vec3 ambient)
     lights.ambient = ambient;
 }
 
+std::unique_ptr<Decomposition::State> stateOf(const Scan& scan, Progress& progress)
+{
+    const Progress::Stage stage(progress, "bvh");
+    return std::make_unique<Decomposition::State>(scan);
+}
+
 } // namespace
 
 Decomposition delight(const Scan& scan, const DelightOptions& options, Progress& progress)
 {
-    auto state = std::make_unique<Decomposition::State>(scan);
+    auto state = stateOf(scan, progress);
     state->texels = rasterizeAtlas(scan, progress);
     checkOverlap(state->texels);
     checkAttenuation(options.thesis);
     SurfelLight light = collectLight(state->texels, emitterOptions(options.thesis), progress);
-    const Lights found = findLights(light, state->texels, options.thesis);
+    const Lights found = findLights(light, state->texels, options.thesis, progress);
     const Lights& lights = options.lights ? *options.lights : found;
     if (lights.points.empty() && !options.lights)
         state->warnings.emplace_back(
@@ -102,7 +111,7 @@ Decomposition delight(const Scan& scan, const DelightOptions& options, Progress&
 
     const ThesisOptions dials = options.lights ? dialsFor(lights, options.thesis) : options.thesis;
     state->shading = solveThesis(state->texels, state->scene, lights, dials, progress);
-    setDials(state->shading, state->texels, light, lights);
+    setDials(state->shading, state->texels, light, lights, progress);
     {
         const Progress::Stage stage(progress, "closure");
         state->closure = closeLoop(state->texels, state->scene, light, lights, state->shading,

@@ -47,13 +47,15 @@ private:
     PageLayers layers_;
     std::vector<uint8_t> covered_;
     bool ofVertices_;
+    bool clips_;
 };
 
 LayerMaker::LayerMaker(const Texels& texels, size_t page, const ThesisShading& shading,
                        std::span<const uint8_t> shines, const DelightOptions& options)
     : texels_(texels.pages[page]), loader_(texels, page), shading_(shading), shines_(shines),
       options_(options), emitters_{.threshold = options.thesis.emitterThreshold},
-      ofVertices_(texels.scan->pages[page].ofVertices)
+      ofVertices_(texels.scan->pages[page].ofVertices),
+      clips_(texels.scan->pages[page].image.clipsAtWhite)
 {
     const Image& image = texels.scan->pages[page].image;
     layers_.width = image.width;
@@ -73,7 +75,7 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
     storeRgb(layers_.indirect, pixel, shade.indirect, i);
     const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
     uint16_t* rho = &layers_.albedo[3 * size_t{pixel}];
-    if (shines_[block.surfel[i]] && isEmitting(radiance, emitters_)) {
+    if (shines_[block.surfel[i]] && isEmitting(radiance, clips_, emitters_)) {
         for (int c = 0; c < 3; ++c) {
             rho[c] = halfFromFloat(kAlbedoOfFixtures);
             layers_.emission[3 * size_t{pixel} + static_cast<size_t>(c)] =
@@ -88,7 +90,7 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
                           shade.direct.g[i] + shade.indirect.g[i],
                           shade.direct.b[i] + shade.indirect.b[i]);
     layers_.confidence[pixel] =
-        confidenceByte(confidence(radiance, total, options_.albedo.darkest));
+        confidenceByte(confidence(radiance, clips_, total, options_.albedo.darkest));
 }
 
 void LayerMaker::makeBlock(size_t begin, size_t count)

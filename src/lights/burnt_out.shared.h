@@ -1,16 +1,3 @@
 #pragma once
 
-#include "base/shared.h"
-
-SHARED_BEGIN
-
-// Where a channel of a texture counts as at the top of its range: JPEG rings around a burnt-out
-// spot by a few of its 255 steps.
-SHARED_CONST kBurntOut = 0.97f;
-
-SHARED_FN float brightestChannel(vec3 rgb)
-{
-    return max(rgb.x, max(rgb.y, rgb.z));
-}
-
-SHARED_END
+#include "image/burnt_out.shared.h"

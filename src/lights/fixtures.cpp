@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace relamp
@@ -82,13 +83,14 @@ std::vector<PointLight> pointLightsFrom(std::span<const Emitter> emitters, int l
     for (const Emitter& e : emitters) points.push_back({e.position, luminance(e.intensity)});
     std::vector<PointLight> lights;
     for (const auto& region : medianCut(points, levels)) {
-        LightSum sum;
+        std::map<int, LightSum> sumOfFixture;
         for (const uint32_t i : region)
-            sum.add(emitters[i].position, emitters[i].normal, 0.25f * emitters[i].intensity);
-        lights.push_back(sum.light());
-        const int fixture = emitters[region.front()].fixture;
-        const auto isSame = [&](uint32_t i) { return emitters[i].fixture == fixture; };
-        if (std::all_of(region.begin(), region.end(), isSame)) lights.back().fixture = fixture;
+            sumOfFixture[emitters[i].fixture].add(emitters[i].position, emitters[i].normal,
+                                                  0.25f * emitters[i].intensity);
+        for (const auto& [fixture, sum] : sumOfFixture) {
+            lights.push_back(sum.light());
+            lights.back().fixture = fixture;
+        }
     }
     return lights;
 }

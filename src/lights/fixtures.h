@@ -12,7 +12,8 @@ std::vector<Fixture> fixturesFrom(std::span<const Emitter> emitters, int count);
 /// Stands for all emitters with 2^levels point lights of equal energy, by median cut.
 ///
 /// A patch of area A and radiance L sends the flux pi L A; the light that stands for it sends that
-/// all around, I = pi L A / (4 pi). A light whose region spans several fixtures belongs to none.
+/// all around, I = pi L A / (4 pi). A region that spans several fixtures becomes a light in each,
+/// so that every light goes off with its fixture.
 std::vector<PointLight> pointLightsFrom(std::span<const Emitter> emitters, int levels);
 
 /// Takes lights that are closer than `distance` metres and face the same way as one; strongest

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "base/shared.h"
+
+SHARED_BEGIN
+
+// Where a channel of a texture counts as at the top of its range: JPEG rings around a burnt-out
+// spot by a few of its 255 steps.
+SHARED_CONST kBurntOut = 0.97f;
+
+SHARED_FN float brightestChannel(vec3 rgb)
+{
+    return max(rgb.x, max(rgb.y, rgb.z));
+}
+
+// Whether a texel may have been brighter than it says. `clips`: Image::clipsAtWhite.
+SHARED_FN bool isBurntOut(vec3 rgb, bool clips)
+{
+    return clips && brightestChannel(rgb) >= kBurntOut;
+}
+
+SHARED_END
