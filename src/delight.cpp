@@ -10,9 +10,20 @@
 namespace relamp
 {
 
+namespace
+{
+
+std::unique_ptr<Decomposition::State> stateOf(const Scan& scan, Progress& progress)
+{
+    const Progress::Stage stage(progress, "bvh");
+    return std::make_unique<Decomposition::State>(scan);
+}
+
+} // namespace
+
 Decomposition delight(const Scan& scan, const DelightOptions& options, Progress& progress)
 {
-    auto state = std::make_unique<Decomposition::State>(scan);
+    auto state = stateOf(scan, progress);
     const bool isThesis = options.solver == Solver::thesis;
     state->texels = rasterizeAtlas(scan, progress,
                                    isThesis ? SurfelOptions{} : SurfelOptions{.texelsAcross = 2.0});

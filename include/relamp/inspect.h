@@ -18,7 +18,8 @@ struct PageInspection
     int height = 0;
     bool ofVertices = false;
     double coverage = 0.0; // share of pixels that show a surface, 0..1
-    double clipped = 0.0;  // share of covered texels with a channel at the top of its range, 0..1
+    double clipped = 0.0;  // share of covered texels with a channel at the top of its range, 0..1;
+                           // 0 of a float texture, whose range has no top
     size_t charts = 0;     // connected pieces of its UV layout
 };
 

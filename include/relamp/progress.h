@@ -46,10 +46,15 @@ public:
     void abandon();
 
     /// Seconds spent in each stage that has ended, in the order of their first end; a stage that
-    /// ran several times is listed once, with the sum.
+    /// ran several times is listed once, with the sum. No second counts twice: while a stage runs
+    /// within another, the time is its own.
     [[nodiscard]] std::vector<StageTime> times() const;
 
-    /// A stage lasts as long as this object. Its steps may be counted by several threads.
+    /// Seconds since this object was made.
+    [[nodiscard]] double elapsed() const;
+
+    /// A stage lasts as long as this object. Its steps may be counted by several threads; stages
+    /// themselves begin and end like brackets, on one thread.
     class RELAMP_API Stage
     {
     public:
@@ -67,6 +72,8 @@ public:
         size_t steps_;
         std::atomic<size_t> done_{0};
         std::chrono::steady_clock::time_point start_;
+        Stage* outer_;
+        double secondsOfInner_ = 0.0;
     };
 
 private:
@@ -74,6 +81,8 @@ private:
     void ended(const std::string& stage, double seconds);
 
     Sink sink_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    Stage* innermost_ = nullptr;
     std::atomic<bool> cancelled_{false};
     mutable std::mutex mutex_;
     std::vector<StageTime> times_;

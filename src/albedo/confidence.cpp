@@ -1,6 +1,6 @@
 #include "albedo/confidence.h"
 
-#include "lights/burnt_out.shared.h"
+#include "image/burnt_out.shared.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,11 +20,11 @@ float ramp(float from, float to, float value)
 
 } // namespace
 
-float confidence(glm::vec3 radiance, glm::vec3 shading, float darkest)
+float confidence(glm::vec3 radiance, bool clips, glm::vec3 shading, float darkest)
 {
-    const float brightest = brightestChannel(radiance);
+    const float whole = clips ? ramp(kBurntOut, kSafelyBelow, brightestChannel(radiance)) : 1.0f;
     const float weakest = std::min({shading.r, shading.g, shading.b});
-    return ramp(kBurntOut, kSafelyBelow, brightest) * ramp(darkest, kWellLit * darkest, weakest);
+    return whole * ramp(darkest, kWellLit * darkest, weakest);
 }
 
 uint8_t confidenceByte(float confidence)

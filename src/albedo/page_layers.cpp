@@ -48,13 +48,14 @@ private:
     PageLayers layers_;
     std::vector<uint8_t> covered_;
     bool ofVertices_;
+    bool clips_;
 };
 
 LayerMaker::LayerMaker(const Texels& texels, size_t page, const TexelShading& shade,
                        const Shining& shining, const AlbedoOptions& options)
-    : page_(page), texels_(texels.pages[page]), loader_(texels, page), shade_(shade), shining_(shining),
-      options_(options),
-      ofVertices_(texels.scan->pages[page].ofVertices)
+    : page_(page), texels_(texels.pages[page]), loader_(texels, page), shade_(shade),
+      shining_(shining), options_(options), ofVertices_(texels.scan->pages[page].ofVertices),
+      clips_(texels.scan->pages[page].image.clipsAtWhite)
 {
     const Image& image = texels.scan->pages[page].image;
     layers_.width = image.width;
@@ -74,7 +75,8 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
     storeRgb(layers_.indirect, pixel, shade.indirect, i);
     const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
     uint16_t* rho = &layers_.albedo[3 * size_t{pixel}];
-    if (shining_.surfels[block.surfel[i]] && isEmitting(radiance, {.threshold = shining_.threshold})) {
+    if (shining_.surfels[block.surfel[i]] &&
+        isEmitting(radiance, clips_, {.threshold = shining_.threshold})) {
         for (int c = 0; c < 3; ++c) {
             rho[c] = halfFromFloat(kAlbedoOfFixtures);
             layers_.emission[3 * size_t{pixel} + static_cast<size_t>(c)] =
@@ -89,7 +91,7 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
                           shade.direct.g[i] + shade.indirect.g[i],
                           shade.direct.b[i] + shade.indirect.b[i]);
     layers_.confidence[pixel] =
-        confidenceByte(confidence(radiance, total, options_.darkest));
+        confidenceByte(confidence(radiance, clips_, total, options_.darkest));
 }
 
 void LayerMaker::makeBlock(size_t begin, size_t count)

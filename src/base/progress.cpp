@@ -6,6 +6,20 @@
 
 namespace relamp
 {
+namespace
+{
+
+double secondsSince(std::chrono::steady_clock::time_point start)
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+} // namespace
+
+double Progress::elapsed() const
+{
+    return secondsSince(start_);
+}
 
 void Progress::check() const
 {
@@ -55,16 +69,19 @@ void Progress::ended(const std::string& stage, double seconds)
 
 Progress::Stage::Stage(Progress& progress, std::string_view name, size_t steps)
     : progress_(progress), name_(name), steps_(std::max<size_t>(steps, 1)),
-      start_(std::chrono::steady_clock::now())
+      start_(std::chrono::steady_clock::now()), outer_(progress.innermost_)
 {
     progress_.check();
     progress_.report(name_, 0.0);
+    progress_.innermost_ = this;
 }
 
 Progress::Stage::~Stage()
 {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-    progress_.ended(name_, elapsed.count());
+    const double seconds = secondsSince(start_);
+    progress_.ended(name_, seconds - secondsOfInner_);
+    if (outer_ != nullptr) outer_->secondsOfInner_ += seconds;
+    progress_.innermost_ = outer_;
 }
 
 void Progress::Stage::advance(size_t steps)

@@ -2,7 +2,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
-#include "lights/burnt_out.shared.h"
+#include "image/burnt_out.shared.h"
 #include "lights/expand.shared.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ void add(const TexelBlock& block, size_t i, bool clips, const EmitterOptions& op
 {
     const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
     const float area = block.area[i];
-    if (isEmitting(radiance, options)) {
+    if (isEmitting(radiance, clips, options)) {
         const glm::vec3 intensity =
             area * (clips ? expanded(radiance, options.expansion) : radiance);
         const float weight = luminance(intensity);
@@ -37,7 +37,7 @@ void add(const TexelBlock& block, size_t i, bool clips, const EmitterOptions& op
         sum.intensity += intensity;
         sum.weight += weight;
         sum.area += area;
-    } else if (!clips || brightestChannel(radiance) < kBurntOut) {
+    } else if (!isBurntOut(radiance, clips)) {
         sum.plain += area * radiance;
         sum.plainArea += area;
     }
@@ -81,9 +81,9 @@ void mergeSameSurfel(std::vector<Emitter>& emitters)
 
 } // namespace
 
-bool isEmitting(glm::vec3 radiance, const EmitterOptions& options)
+bool isEmitting(glm::vec3 radiance, bool clips, const EmitterOptions& options)
 {
-    return brightestChannel(radiance) >= kBurntOut && luminance(radiance) >= options.threshold;
+    return (!clips || isBurntOut(radiance, clips)) && luminance(radiance) >= options.threshold;
 }
 
 SurfelLight collectLight(const Texels& texels, const EmitterOptions& options, Progress& progress)

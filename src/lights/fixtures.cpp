@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace relamp
@@ -54,6 +55,15 @@ struct LightSum
     }
 };
 
+/// The fixture that most of a region's light comes from.
+int fixtureOfMost(std::span<const Emitter> emitters, std::span<const uint32_t> region)
+{
+    std::map<int, float> lightOf;
+    for (const uint32_t i : region) lightOf[emitters[i].fixture] += luminance(emitters[i].intensity);
+    const auto isLess = [](const auto& a, const auto& b) { return a.second < b.second; };
+    return std::max_element(lightOf.begin(), lightOf.end(), isLess)->first;
+}
+
 } // namespace
 
 std::vector<Fixture> fixturesFrom(std::span<const Emitter> emitters, int count)
@@ -75,12 +85,17 @@ std::vector<Fixture> fixturesFrom(std::span<const Emitter> emitters, int count)
     return fixtures;
 }
 
+glm::vec3 intensityOf(const Fixture& fixture)
+{
+    return 0.25f * fixture.area * fixture.radiance;
+}
+
 PointLight pointLightOf(const Fixture& fixture, int index)
 {
     PointLight light;
     light.position = fixture.centre;
     light.normal = fixture.normal;
-    light.intensity = 0.25f * fixture.area * fixture.radiance; // pi L A over the whole sphere
+    light.intensity = intensityOf(fixture);
     light.radius = std::sqrt(fixture.area / 3.14159265f);
     light.fixture = index;
     return light;
@@ -97,9 +112,7 @@ std::vector<PointLight> pointLightsFrom(std::span<const Emitter> emitters, int l
         for (const uint32_t i : region)
             sum.add(emitters[i].position, emitters[i].normal, 0.25f * emitters[i].intensity);
         lights.push_back(sum.light());
-        const int fixture = emitters[region.front()].fixture;
-        const auto isSame = [&](uint32_t i) { return emitters[i].fixture == fixture; };
-        if (std::all_of(region.begin(), region.end(), isSame)) lights.back().fixture = fixture;
+        lights.back().fixture = fixtureOfMost(emitters, region);
     }
     return lights;
 }

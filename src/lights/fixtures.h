@@ -9,13 +9,17 @@ namespace relamp
 /// One Fixture a connected blob of emitters; indices are those of Emitter::fixture.
 std::vector<Fixture> fixturesFrom(std::span<const Emitter> emitters, int count);
 
+/// Intensity of one point that sends as much as the fixture: pi L A over the whole sphere.
+glm::vec3 intensityOf(const Fixture& fixture);
+
 /// A lamp that nobody took apart: it shines all around from its centre, with all its flux.
 PointLight pointLightOf(const Fixture& fixture, int index);
 
 /// Stands for all emitters with 2^levels point lights of equal energy, by median cut.
 ///
 /// A patch of area A and radiance L sends the flux pi L A; the light that stands for it sends that
-/// all around, I = pi L A / (4 pi). A light whose region spans several fixtures belongs to none.
+/// all around, I = pi L A / (4 pi). A light whose region spans several fixtures counts as of
+/// the one that sends most of it.
 std::vector<PointLight> pointLightsFrom(std::span<const Emitter> emitters, int levels);
 
 /// Takes lights that are closer than `distance` metres and face the same way as one; strongest

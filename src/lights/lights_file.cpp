@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -24,6 +25,7 @@ constexpr const char* kFormat = "relamp lights 1";
 constexpr size_t kLargestFile = size_t{16}
                                 << 20; // bytes; a thousand lights take a quarter of one MiB
 constexpr double kLargestNumber = 1e9; // of any unit; its square is still a float
+constexpr float kLargestShare = 1e6f;  // of a fixture; 1 is all of it
 constexpr float kDark = 1e-9f;         // intensity; what is less is switched off
 
 // ---- writing
@@ -51,14 +53,32 @@ ordered_json toJson(const Fixture& fixture, size_t id)
     return object;
 }
 
-ordered_json toJson(const PointLight& light)
+/// What part of its fixture's light a point sends, by channel; none for a light of its own.
+std::optional<glm::vec3> shareOf(const PointLight& light, const std::vector<Fixture>& fixtures)
+{
+    if (light.fixture < 0) return {};
+    const glm::vec3 whole = intensityOf(fixtures[static_cast<size_t>(light.fixture)]);
+    glm::vec3 share(0.0f);
+    for (int c = 0; c < 3; ++c) {
+        if (light.intensity[c] == 0.0f) continue;
+        share[c] = light.intensity[c] / whole[c];
+        if (!(share[c] <= kLargestShare)) return {}; // the fixture itself does not shine so
+    }
+    return share;
+}
+
+ordered_json toJson(const PointLight& light, const std::vector<Fixture>& fixtures)
 {
     ordered_json object{{"type", "point"},
                         {"position", toJson(light.position)},
                         {"normal", facingAsJson(light.normal)},
-                        {"intensity", toJson(light.intensity)},
                         {"radius", shortest(light.radius)}};
-    if (light.fixture >= 0) object["fixture"] = light.fixture;
+    if (const auto share = shareOf(light, fixtures)) {
+        object["fixture"] = light.fixture;
+        object["share"] = toJson(*share);
+    } else {
+        object["intensity"] = toJson(light.intensity);
+    }
     return object;
 }
 
@@ -156,33 +176,57 @@ Fixture fixtureFrom(const Item& item, std::vector<std::string>& warnings)
     return fixture;
 }
 
-PointLight lightFrom(const Item& item, size_t fixtures, std::vector<std::string>& warnings)
+int fixtureAt(const Item& item, size_t fixtures)
 {
-    warnOfUnknown(item, {"type", "position", "normal", "intensity", "radius", "fixture"}, warnings);
+    const json& value = *item.find("fixture");
+    if (!value.is_number_unsigned() || value.get<uint64_t>() >= fixtures)
+        malformed(item.what, fmt::format("\"fixture\" is {}; it must be the place of one of the {} "
+                                         "fixtures in their list, counted from 0",
+                                         printable(value), fixtures));
+    return value.get<int>();
+}
+
+/// What a light sends: a share of its fixture's, so that whoever edits the fixture edits it too, or
+/// an intensity of its own.
+void takeIntensity(const Item& item, const std::vector<Fixture>& fixtures, PointLight& light)
+{
+    if (item.find("fixture") == nullptr) {
+        if (item.find("share") != nullptr)
+            malformed(item.what, "\"share\" is that of a fixture; name it as \"fixture\"");
+        light.intensity = lightAt(item, "intensity");
+        return;
+    }
+    if (item.find("intensity") != nullptr)
+        malformed(item.what,
+                  "\"intensity\" is for lights without \"fixture\"; a light of a fixture "
+                  "has a \"share\" of it");
+    light.fixture = fixtureAt(item, fixtures.size());
+    light.intensity =
+        lightAt(item, "share") * intensityOf(fixtures[static_cast<size_t>(light.fixture)]);
+}
+
+PointLight lightFrom(const Item& item, const std::vector<Fixture>& fixtures,
+                     std::vector<std::string>& warnings)
+{
+    warnOfUnknown(item, {"type", "position", "normal", "intensity", "radius", "fixture", "share"},
+                  warnings);
     if (const json* type = item.find("type"); type != nullptr && *type != "point")
         malformed(item.what,
                   fmt::format("\"type\" is {}; this version knows \"point\"", printable(*type)));
     PointLight light;
     light.position = vectorAt(item, "position");
     light.normal = facingAt(item);
-    light.intensity = lightAt(item, "intensity");
     light.radius = sizeAt(item, "radius");
-    if (const json* fixture = item.find("fixture"); fixture != nullptr)
-        if (fixture->is_number_unsigned() && fixture->get<uint64_t>() < fixtures)
-            light.fixture = fixture->get<int>();
+    takeIntensity(item, fixtures, light);
     return light;
 }
 
-/// Lights that do not shine, by themselves or because their fixture is off, are none.
-void dropDark(Lights& lights)
+/// Lights that do not shine, say because their fixture is off, are none.
+void dropDark(std::vector<PointLight>& lights)
 {
-    const auto isDark = [&](const PointLight& light) {
-        const bool isOff =
-            light.fixture >= 0 &&
-            lights.fixtures[static_cast<size_t>(light.fixture)].radiance == glm::vec3(0.0f);
-        return isOff || std::max({light.intensity.r, light.intensity.g, light.intensity.b}) < kDark;
-    };
-    std::erase_if(lights.points, isDark);
+    std::erase_if(lights, [](const PointLight& light) {
+        return std::max({light.intensity.r, light.intensity.g, light.intensity.b}) < kDark;
+    });
 }
 
 /// Calls `take(item)` for every object of a list that the file may have.
@@ -199,6 +243,16 @@ void forEachItem(const Item& top, const char* key, const std::string& what, cons
     }
 }
 
+void addLightsOfWholeFixtures(Lights& lights)
+{
+    std::vector<bool> isTakenApart(lights.fixtures.size(), false);
+    for (const PointLight& light : lights.points)
+        if (light.fixture >= 0) isTakenApart[static_cast<size_t>(light.fixture)] = true;
+    for (size_t i = 0; i < lights.fixtures.size(); ++i)
+        if (!isTakenApart[i])
+            lights.points.push_back(pointLightOf(lights.fixtures[i], static_cast<int>(i)));
+}
+
 } // namespace
 
 std::string lightsAsJson(const Lights& lights)
@@ -211,7 +265,8 @@ std::string lightsAsJson(const Lights& lights)
     for (size_t i = 0; i < lights.fixtures.size(); ++i)
         document["fixtures"].push_back(toJson(lights.fixtures[i], i));
     document["lights"] = ordered_json::array();
-    for (const PointLight& light : lights.points) document["lights"].push_back(toJson(light));
+    for (const PointLight& light : lights.points)
+        document["lights"].push_back(toJson(light, lights.fixtures));
     document["ambient"] = toJson(lights.ambient);
     return document.dump(1, '\t') + "\n";
 }
@@ -232,12 +287,10 @@ Lights readLights(const std::filesystem::path& file, std::vector<std::string>& w
     forEachItem(top, "fixtures", name + ": fixture",
                 [&](const Item& item) { lights.fixtures.push_back(fixtureFrom(item, warnings)); });
     forEachItem(top, "lights", name + ": light", [&](const Item& item) {
-        lights.points.push_back(lightFrom(item, lights.fixtures.size(), warnings));
+        lights.points.push_back(lightFrom(item, lights.fixtures, warnings));
     });
-    if (top.find("lights") == nullptr)
-        for (size_t i = 0; i < lights.fixtures.size(); ++i)
-            lights.points.push_back(pointLightOf(lights.fixtures[i], static_cast<int>(i)));
-    dropDark(lights);
+    addLightsOfWholeFixtures(lights);
+    dropDark(lights.points);
     if (top.find("ambient") != nullptr) lights.ambient = lightAt(top, "ambient");
     if (lights.points.empty() && lights.ambient == glm::vec3(0.0f))
         malformed(name,

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,6 +14,7 @@ namespace relamp
 namespace
 {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -40,6 +42,12 @@ std::string refusal(const std::string& text)
 const std::string kLamp = R"({"centre": [1, 2, 3], "area": 2, "radiance": [4, 2, 0])";
 const std::string kPoint = R"({"position": [1, 2, 3], "intensity": [4, 2, 1])";
 
+std::string shareOf(int fixture, float share)
+{
+    return fmt::format(R"({{"position": [1, 2, 3], "fixture": {}, "share": [{}, {}, {}]}})",
+                       fixture, share, share, share);
+}
+
 } // namespace
 
 TEST(LightsFile, WhatWasWrittenIsReadAgain)
@@ -57,7 +65,8 @@ TEST(LightsFile, WhatWasWrittenIsReadAgain)
     for (size_t i = 0; i < 2; ++i) {
         EXPECT_EQ(again.points[i].position, lights.points[i].position);
         EXPECT_EQ(again.points[i].normal, lights.points[i].normal);
-        EXPECT_EQ(again.points[i].intensity, lights.points[i].intensity);
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(again.points[i].intensity[c], lights.points[i].intensity[c], 1e-7f);
         EXPECT_EQ(again.points[i].radius, lights.points[i].radius);
         EXPECT_EQ(again.points[i].fixture, lights.points[i].fixture);
     }
@@ -79,10 +88,39 @@ TEST(LightsFile, AFixtureThatIsOffTakesItsLightsAlong)
 {
     const std::string off = R"({"fixtures": [)" + kLamp + R"(, "on": false}, )" + kLamp + "}]";
     EXPECT_THAT(read(off + "}").points, SizeIs(1));
-    const Lights lights = read(off + R"(, "lights": [)" + kPoint + R"(, "fixture": 0}, )" + kPoint +
-                               R"(, "fixture": 1}]})");
+    const Lights lights =
+        read(off + R"(, "lights": [)" + shareOf(0, 1.0f) + ", " + shareOf(1, 1.0f) + "]}");
     ASSERT_THAT(lights.points, SizeIs(1));
     EXPECT_EQ(lights.points[0].fixture, 1);
+}
+
+// Half of the flux of a fixture of twice the radiance is all of what it was.
+TEST(LightsFile, LightsFollowTheRadianceOfTheirFixture)
+{
+    const std::string rest = R"(], "lights": [)" + shareOf(0, 0.5f) + "]}";
+    const std::string bright = R"({"centre": [1, 2, 3], "area": 2, "radiance": [8, 4, 0]})";
+    EXPECT_EQ(read(R"({"fixtures": [)" + kLamp + "}" + rest).points[0].intensity,
+              glm::vec3(1.0f, 0.5f, 0.0f));
+    EXPECT_EQ(read(R"({"fixtures": [)" + bright + rest).points[0].intensity,
+              glm::vec3(2.0f, 1.0f, 0.0f));
+}
+
+TEST(LightsFile, AFixtureThatIsAddedShinesBesideTheOthers)
+{
+    const Lights lights = read(R"({"fixtures": [)" + kLamp + "}, " + kLamp + R"(}], "lights": [)" +
+                               shareOf(0, 0.5f) + ", " + shareOf(0, 0.5f) + "]}");
+    ASSERT_THAT(lights.points, SizeIs(3));
+    EXPECT_EQ(lights.points[2].fixture, 1);
+    EXPECT_EQ(lights.points[2].intensity, glm::vec3(2, 1, 0));
+}
+
+// A share of nothing would lose it.
+TEST(LightsFile, ALightThatItsFixtureDoesNotExplainIsWrittenByItself)
+{
+    Lights lights;
+    lights.fixtures.push_back({{0, 2, 0}, {0, -1, 0}, 0.25f, {8, 0, 0}});
+    lights.points.push_back({{0, 2, 0}, {0, -1, 0}, {1, 1, 0}, 0.0f, 0});
+    EXPECT_EQ(read(lightsAsJson(lights)).points[0].intensity, glm::vec3(1, 1, 0));
 }
 
 TEST(LightsFile, DarkLightsAreNone)
@@ -105,13 +143,42 @@ TEST(LightsFile, NormalsAreMadeUnitAndOmniIsNone)
     EXPECT_EQ(lights.points[1].normal, glm::vec3(0.0f));
 }
 
-TEST(LightsFile, AFixtureThatIsNotThereIsNotReferredTo)
+TEST(LightsFile, AFixtureThatIsNotThereIsNamed)
 {
-    for (const char* index : {"0", "7", "-3", "1.5", "99999999999999999999", "\"a\""})
-        EXPECT_EQ(
-            read(R"({"lights": [)" + kPoint + R"(, "fixture": )" + index + "}]}").points[0].fixture,
-            -1)
+    for (const char* index : {"1", "7", "-3", "0.5", "1e+20", "\"a\"", "null"})
+        EXPECT_THAT(refusal(R"({"fixtures": [)" + kLamp +
+                            R"(}], "lights": [{"position": [1, 2, 3], )"
+                            R"("share": [1, 1, 1], "fixture": )" +
+                            index + "}]}"),
+                    HasSubstr("lights.json: light 0: \"fixture\" is " + std::string(index)))
             << index;
+    EXPECT_THAT(refusal(R"({"fixtures": [)" + kLamp + R"(}], "lights": [)" + kPoint +
+                        R"(, "fixture": 0}]})"),
+                HasSubstr("light 0: \"intensity\" is for lights without \"fixture\""));
+    EXPECT_THAT(refusal(R"({"lights": [)" + kPoint + R"(, "share": [1, 1, 1]}]})"),
+                HasSubstr("light 0: \"share\" is that of a fixture"));
+}
+
+// What is no list, no object, no text or no truth value is refused wherever it stands.
+TEST(LightsFile, ValuesOfAnotherKindAreRefusedByFileAndKey)
+{
+    const auto inTop = [](const std::string& key, const std::string& value) {
+        return refusal("{\"" + key + "\": " + value + "}");
+    };
+    for (const char* key : {"fixtures", "lights"})
+        for (const char* value : {"{}", "null", "7", "\"none\"", "true"})
+            EXPECT_THAT(inTop(key, value), AllOf(HasSubstr("lights.json: "), HasSubstr(key)))
+                << key << value;
+    for (const char* value : {"{}", "null", "7", "[]", "true"}) {
+        EXPECT_THAT(inTop("format", value), HasSubstr("lights.json: its format is")) << value;
+        EXPECT_THAT(inTop("ambient", value), HasSubstr("\"ambient\"")) << value;
+        EXPECT_THAT(refusal(R"({"fixtures": [)" + kLamp + R"(, "normal": )" + value + "}]}"),
+                    HasSubstr("lights.json: fixture 0: \"normal\""))
+            << value;
+        EXPECT_THAT(refusal(R"({"lights": [)" + kPoint + R"(, "type": )" + value + "}]}"),
+                    HasSubstr("lights.json: light 0: \"type\" is"))
+            << value;
+    }
 }
 
 TEST(LightsFile, UnknownKeysAreSaid)

@@ -1,6 +1,6 @@
 #include "lights/surfel_radiance.h"
 
-#include "lights/burnt_out.shared.h"
+#include "image/burnt_out.shared.h"
 
 #include <algorithm>
 

@@ -81,6 +81,7 @@ public:
 private:
     void writePage(size_t page, PageLayers layers);
     void writeAlbedo(size_t page, const PageLayers& layers);
+    PreviewPicture preview();
     [[nodiscard]] std::filesystem::path file(const char* layer, size_t page,
                                              const char* ending) const
     {
@@ -120,8 +121,9 @@ void ResultWriter::writeAlbedo(size_t page, const PageLayers& layers)
 void ResultWriter::writePage(size_t page, PageLayers layers)
 {
     const Size size{layers.width, layers.height};
+    Progress::Stage stage(progress_, "write", 5);
     previews_.push_back(previewOf(scan_.pages[page], layers));
-    Progress::Stage stage(progress_, "write", 4);
+    stage.advance();
     tbb::parallel_invoke(
         [&] {
             writeAlbedo(page, layers);
@@ -149,15 +151,19 @@ void ResultWriter::writePages()
         writePage(page, result_.layers(page, progress_));
 }
 
+PreviewPicture ResultWriter::preview()
+{
+    const Progress::Stage stage(progress_, "preview");
+    const Decomposition::State& state = result_.state();
+    const std::vector<Camera> cameras = chooseViewpoints(scan_, state.scene, kViewpoints);
+    return renderPreview(state.texels, state.scene, previews_, cameras, progress_);
+}
+
 void ResultWriter::writeWhole()
 {
-    const Decomposition::State& state = result_.state();
-    progress_.check();
-    const std::vector<Camera> cameras = chooseViewpoints(scan_, state.scene, kViewpoints);
-    const PreviewPicture preview =
-        renderPreview(state.texels, state.scene, previews_, cameras, progress_);
+    const PreviewPicture picture = preview();
     Progress::Stage stage(progress_, "write", 2);
-    const auto png = encodePng(preview.rgb, preview.size, 3);
+    const auto png = encodePng(picture.rgb, picture.size, 3);
     writeFile(folder_ / "preview.png", std::as_bytes(std::span(png)));
     stage.advance();
     writeFile(folder_ / (scan_.name + ".glb"), writeGlb(scan_, relit_, result_.mergedLights()));

@@ -70,6 +70,52 @@ struct PageSize
     int height;
 };
 
+using Polygon = std::vector<glm::dvec2>;
+
+/// Keeps what lies where sign * (coordinate `axis` - limit) <= 0 (Sutherland and Hodgman 1974).
+Polygon cutOff(const Polygon& polygon, int axis, double limit, double sign)
+{
+    Polygon kept;
+    for (size_t i = 0; i < polygon.size(); ++i) {
+        const glm::dvec2 a = polygon[i];
+        const glm::dvec2 b = polygon[(i + 1) % polygon.size()];
+        const double beyondA = sign * (a[axis] - limit);
+        const double beyondB = sign * (b[axis] - limit);
+        if (beyondA <= 0.0) kept.push_back(a);
+        if (beyondA * beyondB < 0.0) kept.push_back(a + beyondA / (beyondA - beyondB) * (b - a));
+    }
+    return kept;
+}
+
+double areaOf(const Polygon& polygon)
+{
+    double twice = 0.0;
+    for (size_t i = 2; i < polygon.size(); ++i) {
+        const glm::dvec2 e1 = polygon[i - 1] - polygon[0];
+        const glm::dvec2 e2 = polygon[i] - polygon[0];
+        twice += e1.x * e2.y - e1.y * e2.x;
+    }
+    return 0.5 * std::abs(twice);
+}
+
+/// Texels of a triangle that lie beyond the page, whose edge is half a pixel from the outermost
+/// centres.
+double areaOutside(const PixelTriangle& t, PageSize size)
+{
+    const glm::dvec2 high(size.width - 0.5, size.height - 0.5);
+    const auto isOnPage = [&](const glm::dvec2& p) {
+        return p.x >= -0.5 && p.y >= -0.5 && p.x <= high.x && p.y <= high.y;
+    };
+    if (std::all_of(std::begin(t.corner), std::end(t.corner), isOnPage)) return 0.0;
+    const Polygon whole(std::begin(t.corner), std::end(t.corner));
+    Polygon inside = whole;
+    for (int axis = 0; axis < 2; ++axis) {
+        inside = cutOff(inside, axis, -0.5, -1.0);
+        inside = cutOff(inside, axis, high[axis], 1.0);
+    }
+    return std::max(0.0, areaOf(whole) - areaOf(inside));
+}
+
 /// Rows that a facet may touch, on the page; empty where begin >= end.
 struct RowRange
 {
@@ -117,6 +163,7 @@ private:
     std::vector<Candidate> candidates_;
     std::vector<uint32_t> beginOfBand_; // into candidatesOfBand_
     std::vector<uint32_t> candidatesOfBand_;
+    double outside_ = 0.0;
 };
 
 PageRaster::PageRaster(const Scan& scan, const Facets& facets, uint32_t page)
@@ -135,6 +182,7 @@ void PageRaster::collect(const Facets& facets, uint32_t page)
             const auto facet = static_cast<uint32_t>(facets.firstOfMesh[m] + i);
             if (facets.facets[facet].texelArea <= 0.0f) continue;
             const PixelTriangle triangle = pixelTriangle(scan_, mesh, mesh.triangles[i]);
+            outside_ += areaOutside(triangle, size_);
             const RowRange rows = rowsOf(triangle, size_.height);
             if (rows.begin < rows.end) candidates_.push_back({facet, triangle, rows});
         }
@@ -176,9 +224,6 @@ void PageRaster::drawFacet(const Candidate& candidate, RowRange rows, std::vecto
             else if (x >= inner.begin && x <= inner.end)
                 ++coverage.contested;
         }
-        const double beyond =
-            std::max(0.0, -0.5 - row.begin) + std::max(0.0, row.end - (size_.width - 0.5));
-        if (row.end >= row.begin) coverage.outside += static_cast<uint64_t>(std::min(beyond, 1e6));
     }
 }
 
@@ -212,6 +257,7 @@ PageCoverage PageRaster::run()
     forEach(bands.size(), [&](size_t band) { drawBand(static_cast<int>(band), bands[band]); });
 
     PageCoverage whole;
+    whole.outside = outside_;
     size_t count = 0;
     for (const PageCoverage& band : bands) count += band.pixel.size();
     whole.pixel.reserve(count);
@@ -220,7 +266,6 @@ PageCoverage PageRaster::run()
         whole.pixel.insert(whole.pixel.end(), band.pixel.begin(), band.pixel.end());
         whole.facet.insert(whole.facet.end(), band.facet.begin(), band.facet.end());
         whole.contested += band.contested;
-        whole.outside += band.outside;
         band = {};
     }
     return whole;

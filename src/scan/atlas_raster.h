@@ -15,7 +15,7 @@ struct PageCoverage
     std::vector<uint32_t> facet; // of the same texel
     uint64_t contested =
         0;                // how often a second facet wanted the inside of a texel: overlapping UVs
-    uint64_t outside = 0; // texels of triangles that reach over the page's edge: tiled textures
+    double outside = 0.0; // area in texels of what triangles have beyond the page: tiled textures
 };
 
 /// Rasterises all facets of a page.

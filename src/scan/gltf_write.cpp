@@ -11,6 +11,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <set>
 #include <span>
 
 namespace relamp
@@ -60,6 +61,9 @@ private:
     [[nodiscard]] bool showsPage(const json& textureInfo) const;
 
     void separateInstances();
+    void separateOthers();
+    void keepPhotos(json& material);
+    size_t textureOfPhoto(size_t texture);
     void replaceImages();
     void replaceTextureSources();
     void relightMaterials();
@@ -76,6 +80,7 @@ private:
     std::vector<GltfSource::MeshOrigin> origins_;
     std::vector<Content> contentOfView_;
     std::map<size_t, size_t> emissionTextureOfPage_;
+    std::map<size_t, size_t> photoOfTexture_; // for what is left out of the scan
 };
 
 json& GlbWriter::section(const char* key)
@@ -125,11 +130,14 @@ bool GlbWriter::showsPage(const json& textureInfo) const
 /// A mesh that stands at several nodes has another light, and so other vertex colours, at each.
 void GlbWriter::separateInstances()
 {
+    std::set<int> colored; // meshes of which a primitive is coloured by its vertices
+    for (size_t m = 0; m < scan_.meshes.size(); ++m)
+        if (pageOf(m).ofVertices) colored.insert(origins_[m].mesh);
     std::map<int, int> ownerOf;                 // mesh -> node that keeps it
     std::map<std::pair<int, int>, int> copyFor; // mesh and another node -> its copy
     for (size_t m = 0; m < scan_.meshes.size(); ++m) {
         GltfSource::MeshOrigin& origin = origins_[m];
-        if (!pageOf(m).ofVertices ||
+        if (!colored.contains(origin.mesh) ||
             ownerOf.try_emplace(origin.mesh, origin.node).first->second == origin.node)
             continue;
         const auto [copy, isNew] = copyFor.try_emplace({origin.mesh, origin.node}, -1);
@@ -139,6 +147,61 @@ void GlbWriter::separateInstances()
         document_["nodes"][static_cast<size_t>(origin.node)]["mesh"] = copy->second;
         origin.mesh = copy->second;
     }
+}
+
+/// What was left out of the scan, say with --skip-mesh, stays as it came: of materials and pictures
+/// that it shares with the scan it gets its own.
+void GlbWriter::separateOthers()
+{
+    std::set<std::pair<int, int>> ours; // mesh and primitive
+    std::set<size_t> relit;             // materials
+    for (size_t m = 0; m < origins_.size(); ++m) {
+        ours.emplace(origins_[m].mesh, origins_[m].primitive);
+        relit.insert(primitiveOf(m).value("material", ~size_t{0}));
+    }
+    std::map<size_t, size_t> ownMaterial; // of the others, by what they came with
+    json& meshes = section("meshes");
+    for (size_t mesh = 0; mesh < meshes.size(); ++mesh) {
+        json& primitives = meshes[mesh]["primitives"];
+        for (size_t i = 0; i < primitives.size(); ++i) {
+            const size_t material = primitives[i].value("material", ~size_t{0});
+            if (ours.contains({static_cast<int>(mesh), static_cast<int>(i)}) ||
+                material >= section("materials").size())
+                continue;
+            const auto [own, isNew] = ownMaterial.try_emplace(material, material);
+            if (isNew && relit.contains(material))
+                own->second = append("materials", section("materials")[material]);
+            if (isNew) keepPhotos(section("materials")[own->second]);
+            primitives[i]["material"] = own->second;
+        }
+    }
+}
+
+/// Lets all textures of a material show the pictures that pages came with.
+void GlbWriter::keepPhotos(json& material)
+{
+    for (const auto& [key, value] : material.items()) {
+        if (!value.is_object()) continue;
+        if (key.ends_with("Texture") && showsPage(value))
+            value["index"] = textureOfPhoto(value["index"].get<size_t>());
+        else
+            keepPhotos(value);
+    }
+}
+
+/// A copy of a page's texture; its image still has the old content when the page's is replaced.
+size_t GlbWriter::textureOfPhoto(size_t texture)
+{
+    const auto [found, isNew] = photoOfTexture_.try_emplace(texture, 0);
+    if (!isNew) return found->second;
+    const int image = source_->imageOfTexture[texture];
+    const size_t photo = append("images", section("images")[static_cast<size_t>(image)]);
+    json copy = section("textures")[texture];
+    if (copy.value("source", -1) == image) copy["source"] = photo;
+    const json extensions = copy.value("extensions", json::object());
+    for (const auto& [name, extension] : extensions.items())
+        if (extension.value("source", -1) == image) copy["extensions"][name]["source"] = photo;
+    return found->second = append("textures", std::move(copy));
 }
 
 void GlbWriter::replaceImages()
@@ -165,7 +228,7 @@ void GlbWriter::replaceImages()
 void GlbWriter::replaceTextureSources()
 {
     json& textures = section("textures");
-    for (size_t t = 0; t < textures.size(); ++t) {
+    for (size_t t = 0; t < source_->imageOfTexture.size(); ++t) {
         json& texture = textures[t];
         if (!isPage(source_->imageOfTexture[t])) continue;
         texture["source"] = source_->imageOfTexture[t];
@@ -218,7 +281,6 @@ void GlbWriter::relightMaterial(json& material) const
     pbr["roughnessFactor"] = 1.0;
 }
 
-/// Relights what the scan shows; what was left out of it, say with --skip-mesh, stays as it came.
 void GlbWriter::relightMaterials()
 {
     std::map<size_t, size_t> pageOfMaterial;
@@ -312,6 +374,7 @@ std::string GlbWriter::assemble()
 std::string GlbWriter::write(const std::vector<PointLight>& lights)
 {
     separateInstances();
+    separateOthers();
     replaceImages();
     replaceTextureSources();
     relightMaterials();

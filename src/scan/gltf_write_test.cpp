@@ -156,6 +156,27 @@ TEST(GltfWrite, WhatWasLeftOutOfTheScanStaysAsItCame)
     EXPECT_THAT(written.document["extensionsUsed"], ElementsAre("KHR_materials_unlit"));
 }
 
+// One material on all: the ceiling that was left out keeps its photo and its factor.
+TEST(GltfWrite, WhatWasLeftOutKeepsWhatItSharedWithTheScan)
+{
+    GltfFile file = scenes::texturedSquare();
+    file.material()["pbrMetallicRoughness"]["baseColorFactor"] = {0.25, 0.5, 0.75, 1};
+    json ceiling = file.document["meshes"][0];
+    ceiling["name"] = "ceiling";
+    file.document["meshes"].push_back(ceiling);
+    file.addNode({{"mesh", 1}});
+    const Scan before = scenes::read(file.glb(), {.skipMeshes = {"square"}});
+    const Written written = rewrite(file, {}, {.skipMeshes = {"ceiling"}});
+    ASSERT_THAT(written.scan.meshes, SizeIs(2));
+    const auto pageOf = [&](size_t mesh) {
+        return written.scan.pages.at(static_cast<size_t>(written.scan.meshes[mesh].page));
+    };
+    EXPECT_THAT(pageOf(0).image.encoded, Each(kGreyByte));
+    EXPECT_EQ(written.scan.meshes[0].factor, glm::vec3(1.0f));
+    EXPECT_EQ(pageOf(1).image.encoded, before.pages[0].image.encoded);
+    EXPECT_EQ(written.scan.meshes[1].factor, glm::vec3(0.25f, 0.5f, 0.75f));
+}
+
 TEST(GltfWrite, SurfacesAreLitMatteAndOfNoOtherColourThanTheirAlbedo)
 {
     GltfFile file = scenes::texturedSquare();
@@ -288,6 +309,26 @@ TEST(GltfWrite, InstancesOfAColouredMeshArePaintedEachByItself)
     const Radiance radiance(written.scan.pages[0].image);
     EXPECT_EQ(radiance[written.scan.meshes[0].firstPixel].r, 0.5f);
     EXPECT_EQ(radiance[written.scan.meshes[1].firstPixel].r, 0.25f);
+}
+
+// A textured part beside the coloured one goes along with it to each node.
+TEST(GltfWrite, InstancesOfAMeshThatIsColouredInPartAreRelitAsAWhole)
+{
+    GltfFile file = scenes::texturedSquare();
+    json colored = file.primitive();
+    colored.erase("material");
+    colored["attributes"]["COLOR_0"] =
+        file.addAccessor(bytesOf(std::vector<glm::vec3>(4, glm::vec3(0.5f))), 4, {});
+    file.primitive()["attributes"]["COLOR_0"] = colored["attributes"]["COLOR_0"];
+    file.document["meshes"][0]["primitives"].push_back(colored);
+    file.addNode({{"mesh", 0}, {"translation", {0, 0, 3}}});
+    const Written written = rewrite(file);
+    ASSERT_THAT(written.scan.meshes, SizeIs(4));
+    ASSERT_THAT(written.document["meshes"], SizeIs(2));
+    for (const json& mesh : written.document["meshes"]) {
+        EXPECT_FALSE(mesh["primitives"][0]["attributes"].contains("COLOR_0"));
+        EXPECT_TRUE(mesh["primitives"][1].contains("material"));
+    }
 }
 
 TEST(GltfWrite, OldPicturesAreGoneFromTheFile)

@@ -1,6 +1,7 @@
 #include "relamp/inspect.h"
 
 #include "base/disjoint_sets.h"
+#include "image/burnt_out.shared.h"
 #include "scan/texels.h"
 
 #include <algorithm>
@@ -15,7 +16,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kClipped = 0.97f; // of white
 constexpr double kMuchClipped = 0.25;
 constexpr double kFewTexels = 0.10;
 constexpr float kSmallestRoom = 1.0f; // m
@@ -24,6 +24,7 @@ constexpr float kLargestRoom = 100.0f;
 double clippedShare(const Texels& texels, size_t page)
 {
     const TexelLoader loader(texels, page);
+    const bool clips = texels.scan->pages[page].image.clipsAtWhite;
     const size_t count = texels.pages[page].count();
     std::vector<size_t> clipped(count / TexelBlock::kCapacity + 1, 0);
     forEachBlock(texels.pages[page], [&](size_t begin, size_t blockCount) {
@@ -31,8 +32,7 @@ double clippedShare(const Texels& texels, size_t page)
         loader.loadRadiance(begin, blockCount, block);
         size_t& sum = clipped[begin / TexelBlock::kCapacity];
         for (size_t i = 0; i < blockCount; ++i)
-            sum +=
-                std::max({block.r[i], block.g[i], block.b[i]}) >= kClipped ? size_t{1} : size_t{0};
+            sum += isBurntOut({block.r[i], block.g[i], block.b[i]}, clips) ? size_t{1} : size_t{0};
     });
     size_t sum = 0;
     for (const size_t c : clipped) sum += c;
@@ -79,7 +79,7 @@ PageInspection inspectPage(const Scan& scan, const Texels& texels, size_t index)
     return result;
 }
 
-void findProblems(Inspection& result)
+void findProblems(const Scan& scan, Inspection& result)
 {
     auto& problems = result.problems;
     const glm::vec3 extent = result.bounds.extent();
@@ -110,7 +110,8 @@ void findProblems(Inspection& result)
             "{:.0f} % of a page is burnt out. Albedo cannot be recovered there; scan with "
             "a shorter exposure",
             100.0 * clipped));
-    if (clipped == 0.0)
+    const auto clips = [](const Page& page) { return page.image.clipsAtWhite; };
+    if (clipped == 0.0 && std::any_of(scan.pages.begin(), scan.pages.end(), clips))
         problems.emplace_back(
             "nothing is burnt out, so no lamp or window shows itself. Name the lights with "
             "--lights");
@@ -135,7 +136,7 @@ Inspection inspect(const Scan& scan, Progress& progress)
         stage.advance();
     }
     result.problems = scan.warnings;
-    findProblems(result);
+    findProblems(scan, result);
     return result;
 }
 

@@ -222,11 +222,11 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions&
     texels.facets = buildFacets(scan);
 
     std::vector<PageCoverage> coverages(pages);
-    uint64_t contested = 0;
+    double ambiguous = 0.0; // texels
     for (size_t p = 0; p < pages; ++p) {
         coverages[p] = rasterizePage(scan, texels.facets, static_cast<uint32_t>(p));
         texels.area += areaOf(texels, coverages[p]);
-        contested += coverages[p].contested + coverages[p].outside;
+        ambiguous += static_cast<double>(coverages[p].contested) + coverages[p].outside;
         stage.advance();
     }
 
@@ -257,8 +257,7 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions&
     connectNeighbors(texels.surfels);
 
     const auto covered = static_cast<double>(texels.count());
-    texels.overlapShare =
-        covered > 0.0 ? std::min(1.0, static_cast<double>(contested) / covered) : 0.0;
+    texels.overlapShare = covered > 0.0 ? std::min(1.0, ambiguous / covered) : 0.0;
     if (texels.count() == 0)
         fail(ErrorCode::unsupported, scan.name,
              "no texel lies on any triangle: its texture coordinates have no extent. Unwrap it "

@@ -181,6 +181,19 @@ TEST(Texels, TiledTexturesCountAsOverlapping)
     EXPECT_GT(rasterize(scan).overlapShare, 0.5);
 }
 
+// Each triangle is moved so that its centroid lies on the page; of its half a page, an eighth hangs
+// over the edge then. 1/4 beyond, 3/4 on it.
+TEST(Texels, WhatHangsOverAnyEdgeOfThePageIsAmbiguous)
+{
+    for (const glm::vec2 shift : {glm::vec2(0.5f, 0.0f), glm::vec2(0.0f, 0.5f)}) {
+        Scan scan = scenes::square(2.0f, 64, kGrey);
+        for (glm::vec2& uv : scan.meshes[0].uvs) uv += shift;
+        const Texels texels = rasterize(scan);
+        EXPECT_NEAR(static_cast<double>(texels.count()), 0.75 * 64 * 64, 64.0) << shift.x;
+        EXPECT_NEAR(texels.overlapShare, 1.0 / 3.0, 0.02) << shift.x;
+    }
+}
+
 TEST(Texels, UvsOnAnotherTileAreFoundByWrapping)
 {
     Scan scan =

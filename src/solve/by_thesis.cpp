@@ -22,8 +22,10 @@ EmitterOptions emitterOptions(const ThesisOptions& thesis)
 }
 
 /// The scan's own lights; `light` keeps only the emitters that belong to them.
-Lights findLights(SurfelLight& light, const Texels& texels, const ThesisOptions& thesis)
+Lights findLights(SurfelLight& light, const Texels& texels, const ThesisOptions& thesis,
+                  Progress& progress)
 {
+    const Progress::Stage stage(progress, "lights");
     Lights lights;
     const int count = joinFixtures(light, texels, emitterOptions(thesis));
     lights.fixtures = fixturesFrom(light.emitters, count);
@@ -42,8 +44,9 @@ glm::vec3 meanColor(const Lights& lights)
 
 /// Sets power and ambient as the options say, or from the scan where they leave them open.
 void setDials(ThesisShading& shading, const Texels& texels, const SurfelLight& light,
-              const Lights& lights)
+              const Lights& lights, Progress& progress)
 {
+    const Progress::Stage stage(progress, "dials");
     ThesisOptions& dials = shading.dials;
     if (!dials.useAmbient) dials.ambient = 0.0f;
     const std::optional<float> power = std::exchange(dials.power, 1.0f); // the samples want it at 1
@@ -91,7 +94,7 @@ Solution solveByThesis(const Texels& texels, const RayScene& scene, const Deligh
     checkAttenuation(options.thesis);
     Solution solution{.options = options};
     SurfelLight light = collectLight(texels, emitterOptions(options.thesis), progress);
-    const Lights found = findLights(light, texels, options.thesis);
+    const Lights found = findLights(light, texels, options.thesis, progress);
     const Lights& lights = options.lights ? *options.lights : found;
     if (lights.points.empty() && !options.lights)
         solution.warnings.emplace_back(
@@ -101,7 +104,7 @@ Solution solveByThesis(const Texels& texels, const RayScene& scene, const Deligh
     const ThesisOptions dials = options.lights ? dialsFor(lights, options.thesis) : options.thesis;
     const auto shading =
         std::make_shared<ThesisShading>(solveThesis(texels, scene, lights, dials, progress));
-    setDials(*shading, texels, light, lights);
+    setDials(*shading, texels, light, lights, progress);
     {
         const Progress::Stage stage(progress, "closure");
         solution.closure =

@@ -95,7 +95,11 @@ TEST(DelightProgram, JsonIsAllThatJsonPrints)
     EXPECT_EQ(run.err, "");
     const auto report = nlohmann::json::parse(run.out);
     EXPECT_EQ(report["options"]["solver"], "thesis");
-    EXPECT_GT(report["seconds"]["total"], 0.0);
+    double seconds = 0.0;
+    for (const auto& stage : report["seconds"]["stages"]) seconds += stage.get<double>();
+    const double total = report["seconds"]["total"];
+    EXPECT_LE(seconds, total + 0.01);
+    EXPECT_GE(seconds, 0.95 * total);
 }
 
 TEST(DelightProgram, QuietIsQuiet)
@@ -127,7 +131,7 @@ TEST(DelightProgram, ItsLightsCanBeReadAgain)
     std::vector<std::string> warnings;
     const Lights lights = readLights(folder / "out/lights.json", warnings);
     EXPECT_TRUE(warnings.empty());
-    EXPECT_EQ(lights.points.size(), 64u);
+    EXPECT_GE(lights.points.size(), 64u);
     const Outcome again = runRelamp(
         {"delight", kScan, "-o", folder / "again", "--lights", folder / "out/lights.json"});
     EXPECT_EQ(again.exitCode, 0) << again.err;

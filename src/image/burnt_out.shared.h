@@ -13,4 +13,10 @@ SHARED_FN float brightestChannel(vec3 rgb)
     return max(rgb.x, max(rgb.y, rgb.z));
 }
 
+// Whether a texel may have been brighter than it says. `clips`: Image::clipsAtWhite.
+SHARED_FN bool isBurntOut(vec3 rgb, bool clips)
+{
+    return clips && brightestChannel(rgb) >= kBurntOut;
+}
+
 SHARED_END
