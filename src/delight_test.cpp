@@ -46,9 +46,14 @@ scenes::Paint litBy(const Lights& lights)
     };
 }
 
+DelightOptions thesis()
+{
+    return {.solver = Solver::thesis};
+}
+
 DelightOptions thesisOf(const Lights& lights)
 {
-    DelightOptions options;
+    DelightOptions options = thesis();
     options.lights = lights;
     options.thesis.useLpv = false;
     options.thesis.attenuation = glm::vec3(0.0f, 0.0f, 1.0f);
@@ -106,7 +111,7 @@ TEST(Delight, RoundTripGivesThePaperBack)
 TEST(Delight, FurnaceIsUniform)
 {
     const Scan scan = scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f)));
-    const Worked worked = work(scan, {});
+    const Worked worked = work(scan, thesis());
     const auto error = [](glm::vec3, glm::vec3, glm::vec3 albedo) {
         return std::abs(albedo.g - 0.9f);
     };
@@ -117,8 +122,10 @@ TEST(Delight, SaysSoWhereNothingShines)
 {
     const Scan scan = scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f)));
     Progress progress;
-    EXPECT_THAT(delight(scan, {}, progress).warnings(),
+    EXPECT_THAT(delight(scan, thesis(), progress).warnings(),
                 testing::ElementsAre(testing::HasSubstr("no light was found")));
+    EXPECT_THAT(delight(scan, {}, progress).warnings(),
+                testing::ElementsAre(testing::HasSubstr("no lamp was found")));
 }
 
 /// A grey room lit from a burnt-out panel in its ceiling.
@@ -135,7 +142,7 @@ Scan panelRoom()
 TEST(Delight, TakesMostOfAPanelsLightOff)
 {
     const Scan scan = panelRoom();
-    const Worked worked = work(scan, {});
+    const Worked worked = work(scan, thesis());
     double before = 0.0;
     double after = 0.0;
     double count = 0.0;
@@ -161,7 +168,7 @@ TEST(Delight, TakesMostOfAPanelsLightOff)
 TEST(Delight, EmittingTexelsGoToTheEmissionAndAreNoAlbedo)
 {
     const Scan scan = panelRoom();
-    const PageLayers layers = work(scan, {}).layers;
+    const PageLayers layers = work(scan, thesis()).layers;
     const Radiance radiance(scan.pages[0].image);
     ASSERT_FALSE(layers.emission.empty());
     size_t shining = 0;
@@ -177,21 +184,23 @@ TEST(Delight, EmittingTexelsGoToTheEmissionAndAreNoAlbedo)
 TEST(Delight, IsTheSameOnOneThreadAndOnEight)
 {
     const Scan scan = panelRoom();
-    const auto run = [&](int threads) {
+    const auto run = [&](int threads, Solver solver) {
         const ThreadLimit limit(threads);
-        return work(scan, {}).layers;
+        return work(scan, {.solver = solver}).layers;
     };
-    const PageLayers one = run(1);
-    const PageLayers eight = run(8);
-    EXPECT_EQ(one.albedo, eight.albedo);
-    EXPECT_EQ(one.direct, eight.direct);
-    EXPECT_EQ(one.indirect, eight.indirect);
-    EXPECT_EQ(one.confidence, eight.confidence);
+    for (const Solver solver : {Solver::gather, Solver::thesis}) {
+        const PageLayers one = run(1, solver);
+        const PageLayers eight = run(8, solver);
+        EXPECT_EQ(one.albedo, eight.albedo);
+        EXPECT_EQ(one.direct, eight.direct);
+        EXPECT_EQ(one.indirect, eight.indirect);
+        EXPECT_EQ(one.confidence, eight.confidence);
+    }
 }
 
 TEST(Delight, WithoutLpvAndAmbientOnlyDirectLightIsLeft)
 {
-    DelightOptions options;
+    DelightOptions options = thesis();
     options.thesis.useLpv = false;
     options.thesis.useAmbient = false;
     const PageLayers layers = work(panelRoom(), options).layers;
@@ -216,15 +225,17 @@ TEST(Delight, ItsOwnLightsGivenBackChangeNothing)
 {
     const Scan scan = panelRoom();
     Progress progress;
-    const Decomposition first = delight(scan, {}, progress);
-    DelightOptions options;
-    options.lights = first.lights();
-    const Decomposition second = delight(scan, options, progress);
-    const PageLayers a = first.layers(0, progress);
-    const PageLayers b = second.layers(0, progress);
-    for (size_t i = 0; i < a.albedo.size(); i += 97)
-        ASSERT_NEAR(floatFromHalf(b.albedo[i]), floatFromHalf(a.albedo[i]),
-                    0.01f * floatFromHalf(a.albedo[i]) + 1e-4f);
+    for (const Solver solver : {Solver::gather, Solver::thesis}) {
+        DelightOptions options{.solver = solver};
+        const Decomposition first = delight(scan, options, progress);
+        options.lights = first.lights();
+        const Decomposition second = delight(scan, options, progress);
+        const PageLayers a = first.layers(0, progress);
+        const PageLayers b = second.layers(0, progress);
+        for (size_t i = 0; i < a.albedo.size(); i += 97)
+            ASSERT_NEAR(floatFromHalf(b.albedo[i]), floatFromHalf(a.albedo[i]),
+                        0.01f * floatFromHalf(a.albedo[i]) + 1e-4f);
+    }
 }
 
 } // namespace relamp

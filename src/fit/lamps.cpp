@@ -325,11 +325,12 @@ FoundLamps LampSearch::run()
     found.warnings = std::move(warnings_);
     if (places_.size() < 2) return found;
     fit(kPairsFirst, true);
-    dropWalls();
+    auto dump=[&](const char*w){ if(!getenv("DEBUG")) return; float q[3]; sscanf(getenv("DEBUG"),"%f,%f,%f",q,q+1,q+2); printf("%s\n",w); for(auto&s:suspects_) if(glm::distance(s.candidate.centre,glm::vec3(q[0],q[1],q[2]))<1.0f) printf("   c %.2f %.2f %.2f n %.2f %.2f %.2f A %.3f L %.2f\n",s.candidate.centre.x,s.candidate.centre.y,s.candidate.centre.z,s.candidate.normal.x,s.candidate.normal.y,s.candidate.normal.z,s.candidate.area,luminance(s.radiance)); };
+    dump("first"); dropWalls();
     for (Suspect& suspect : suspects_) look(suspect, kRaysPerOrigin);
     stage_.advance();
     for (int round = 0; round < kMostRounds; ++round) {
-        fit(kPairs, false);
+        fit(kPairs, false); dump("round");
         if (dropWalls() + dropExplained() == 0) break;
     }
     debug();
