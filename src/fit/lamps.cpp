@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -23,17 +24,22 @@ constexpr size_t kPlaces = 6000;
 constexpr size_t kPairsFirst = 3; // a place, for the first look at all candidates
 constexpr size_t kPairs = 8;
 constexpr size_t kRaysPerOrigin = 8; // at a place, to those that remain: noise would make them weak
-constexpr float kAboutWhite = 2.0f;   // luminance; a wall lights its surroundings as little as this
-constexpr float kLeastPower = 0.003f; // share of the room's; below, a lamp does not matter
-constexpr float kBrightWall = 0.75f;  // albedo of what burns out first
-constexpr float kExplained = 0.8f;    // of white
+constexpr float kAboutWhite = 2.0f;  // luminance; a wall lights its surroundings as little as this
+constexpr float kLeastPower = 0.003f;   // share of the room's; below, a lamp does not matter
+constexpr float kBrightWall = 0.75f;    // albedo of what burns out first
+constexpr float kExplained = 0.8f;      // of white
 constexpr size_t kPatchesLookedAt = 16; // of a candidate, to see what lights it
 constexpr size_t kSamplesAPatch = 16;
 constexpr float kAround = 1.6f; // surfel sizes
 constexpr int kMostRounds = 6;
-constexpr float kTouching = 0.12f;  // m between pieces of one lamp
-constexpr float kPointedAt = 0.3f;  // m around a place that a person names
-constexpr float kAboutEqual = 3.0f; // ratio of their radiances
+constexpr size_t kPairsOfTrial = 4;
+constexpr float kPieceMissed =
+    0.008f; // rise of the fit's loss; a lamp that lights 1 % of the pairs
+constexpr float kLampMissed = 0.02f;
+constexpr float kHardlyMissed = 0.3f; // of these
+constexpr float kTouching = 0.12f;    // m between pieces of one lamp
+constexpr float kPointedAt = 0.3f;    // m around a place that a person names
+constexpr float kAboutEqual = 3.0f;   // ratio of their radiances
 
 /// One lamp to be, with what it does at all places at radiance 1.
 struct Suspect
@@ -62,9 +68,10 @@ private:
     void look(Suspect& suspect, size_t raysPerOrigin) const;
     void fit(size_t pairsPerPlace, bool oneChannel);
     void updateField();
-    void debug();
     size_t dropWalls();
     size_t dropExplained();
+    void dropNeedless(float missed);
+    [[nodiscard]] std::vector<float> rises() const;
     void joinPieces();
     [[nodiscard]] bool isExplained(size_t suspect) const;
     [[nodiscard]] FitData dataFor() const;
@@ -313,11 +320,54 @@ void LampSearch::updateField()
             directOfLists(texels_, scene_, hits_, AreaLight(suspect.candidate.patches));
         addDirect(suspect.onSides, suspect.radiance, direct);
     }
-    field_ = lightSides(texels_, hits_, radiance_, std::move(direct), field_.shines, powers_.ambient)
-                 .field;
+    field_ =
+        lightSides(texels_, hits_, radiance_, std::move(direct), field_.shines, powers_.ambient)
+            .field;
 }
 
-void LampSearch::debug(){ if(!getenv("DEBUG")) return; FitData data=dataFor(); auto pairs=drawPairs(data,places_,texels_.surfels,4); std::vector<glm::vec3> all=powers_.radiance; all.push_back(powers_.ambient); PowersOptions o{.firstScale=.08,.oneChannel=true,.start=all}; auto t0=std::chrono::steady_clock::now(); float base=fitPowers(data,pairs,o).loss; for(size_t f=0;f<data.lamps;++f){ FitData d=data; d.lamps--; d.direct.clear(); for(size_t i=0;i<d.places();++i) for(size_t g=0;g<data.lamps;++g) if(g!=f) d.direct.push_back(data.direct[i*data.lamps+g]); auto st=all; st.erase(st.begin()+(long)f); o.start=st; float l=fitPowers(d,pairs,o).loss; auto&s=suspects_[f]; printf("  %2zu c %.2f %.2f %.2f A %.3f L %.2f P %.2f  rise %.5f of %.4f\n",f,s.candidate.centre.x,s.candidate.centre.y,s.candidate.centre.z,s.candidate.area,luminance(s.radiance),s.power(),l-base,base);} printf("  %.3f s\n",std::chrono::duration<double>(std::chrono::steady_clock::now()-t0).count()); }
+FitData withoutLamp(const FitData& data, size_t lamp)
+{
+    FitData less = data;
+    --less.lamps;
+    less.direct.clear();
+    for (size_t i = 0; i < data.direct.size(); ++i)
+        if (i % data.lamps != lamp) less.direct.push_back(data.direct[i]);
+    return less;
+}
+
+/// How much worse the pairs agree without one lamp, the others free to take its part.
+std::vector<float> LampSearch::rises() const
+{
+    const FitData data = dataFor();
+    const auto pairs = drawPairs(data, places_, texels_.surfels, kPairsOfTrial);
+    PowersOptions options{.firstScale = PowersOptions{}.lastScale, .oneChannel = true};
+    options.start = powers_.radiance;
+    options.start.push_back(powers_.ambient);
+    const float loss = fitPowers(data, pairs, options).loss;
+    std::vector<float> rises(suspects_.size());
+    forEach(suspects_.size(), [&](size_t f) {
+        PowersOptions without = options;
+        without.start.erase(without.start.begin() + static_cast<ptrdiff_t>(f));
+        rises[f] = fitPowers(withoutLamp(data, f), pairs, without).loss - loss;
+    });
+    return rises;
+}
+
+/// The least missed go first, and those that are hardly missed all at once.
+void LampSearch::dropNeedless(float missed)
+{
+    while (suspects_.size() > 1) {
+        std::vector<float> rise = rises();
+        for (size_t f = 0; f < rise.size(); ++f)
+            if (suspects_[f].isGiven) rise[f] = std::numeric_limits<float>::max();
+        const float least = *std::min_element(rise.begin(), rise.end());
+        if (least > missed) break;
+        const float limit = std::max(least, kHardlyMissed * missed);
+        size_t f = 0;
+        std::erase_if(suspects_, [&](const Suspect&) { return rise[f++] <= limit; });
+        fit(kPairs, true);
+    }
+}
 
 FoundLamps LampSearch::run()
 {
@@ -325,18 +375,18 @@ FoundLamps LampSearch::run()
     found.warnings = std::move(warnings_);
     if (places_.size() < 2) return found;
     fit(kPairsFirst, true);
-    auto dump=[&](const char*w){ if(!getenv("DEBUG")) return; float q[3]; sscanf(getenv("DEBUG"),"%f,%f,%f",q,q+1,q+2); printf("%s\n",w); for(auto&s:suspects_) if(glm::distance(s.candidate.centre,glm::vec3(q[0],q[1],q[2]))<1.0f) printf("   c %.2f %.2f %.2f n %.2f %.2f %.2f A %.3f L %.2f\n",s.candidate.centre.x,s.candidate.centre.y,s.candidate.centre.z,s.candidate.normal.x,s.candidate.normal.y,s.candidate.normal.z,s.candidate.area,luminance(s.radiance)); };
-    dump("first"); dropWalls();
+    dropWalls();
     for (Suspect& suspect : suspects_) look(suspect, kRaysPerOrigin);
     stage_.advance();
     for (int round = 0; round < kMostRounds; ++round) {
-        fit(kPairs, false); dump("round");
+        fit(kPairs, true);
         if (dropWalls() + dropExplained() == 0) break;
     }
-    debug();
+    dropNeedless(kPieceMissed);
     joinPieces();
+    fit(kPairs, true);
+    dropNeedless(kLampMissed);
     fit(kPairs, false);
-    debug();
     stage_.advance();
     updateField();
     fit(kPairs, false);
