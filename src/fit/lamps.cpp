@@ -36,6 +36,7 @@ constexpr size_t kPairsOfTrial = 4;
 constexpr float kPieceMissed =
     0.008f; // rise of the fit's loss; a lamp that lights 1 % of the pairs
 constexpr float kLampMissed = 0.02f;
+constexpr float kBurntWallMissed = 0.06f; // what would be burnt out anyway
 constexpr float kHardlyMissed = 0.3f; // of these
 constexpr float kTouching = 0.12f;    // m between pieces of one lamp
 constexpr float kPointedAt = 0.3f;    // m around a place that a person names
@@ -70,9 +71,10 @@ private:
     void updateField();
     size_t dropWalls();
     size_t dropExplained();
-    void dropNeedless(float missed);
+    void dropNeedless(float missed, float missedIfWall);
     [[nodiscard]] std::vector<float> rises() const;
     void joinPieces();
+    [[nodiscard]] float brightnessOfWallAt(size_t suspect) const;
     [[nodiscard]] bool isExplained(size_t suspect) const;
     [[nodiscard]] FitData dataFor() const;
     void addGathered(const Gathered& gathered, uint32_t place, FitData& data) const;
@@ -222,8 +224,8 @@ size_t LampSearch::dropWalls()
     });
 }
 
-/// Whether a white wall in its place would burn out by the light of the others.
-bool LampSearch::isExplained(size_t f) const
+/// Radiance that a bright wall in its place would have by the light of the others.
+float LampSearch::brightnessOfWallAt(size_t f) const
 {
     const auto& patches = suspects_[f].candidate.patches;
     const size_t looks = std::min(kPatchesLookedAt, patches.size());
@@ -245,9 +247,15 @@ bool LampSearch::isExplained(size_t f) const
     }
     std::nth_element(expected.begin(), expected.begin() + static_cast<ptrdiff_t>(looks / 2),
                      expected.end());
-    const float median = expected[looks / 2];
-    const float above = std::log(luminance(suspects_[f].radiance) / std::max(median, 1.0f));
-    return median > kExplained && above < 0.7f + 2.0f * suspects_[f].logError.g;
+    return expected[looks / 2];
+}
+
+/// Whether a wall in its place would be burnt out, and it is hardly brighter than that wall.
+bool LampSearch::isExplained(size_t f) const
+{
+    const float wall = brightnessOfWallAt(f);
+    const float above = std::log(luminance(suspects_[f].radiance) / std::max(wall, 1.0f));
+    return wall > kExplained && above < 0.7f + 2.0f * suspects_[f].logError.g;
 }
 
 /// The weakest that is explained goes first: what it was thought to do falls to the others.
@@ -354,17 +362,19 @@ std::vector<float> LampSearch::rises() const
 }
 
 /// The least missed go first, and those that are hardly missed all at once.
-void LampSearch::dropNeedless(float missed)
+void LampSearch::dropNeedless(float missed, float missedIfWall)
 {
     while (suspects_.size() > 1) {
-        std::vector<float> rise = rises();
-        for (size_t f = 0; f < rise.size(); ++f)
-            if (suspects_[f].isGiven) rise[f] = std::numeric_limits<float>::max();
-        const float least = *std::min_element(rise.begin(), rise.end());
-        if (least > missed) break;
-        const float limit = std::max(least, kHardlyMissed * missed);
+        std::vector<float> need = rises();
+        for (size_t f = 0; f < need.size(); ++f) {
+            need[f] /= brightnessOfWallAt(f) > kExplained ? missedIfWall : missed;
+            if (suspects_[f].isGiven) need[f] = std::numeric_limits<float>::max();
+        }
+        const float least = *std::min_element(need.begin(), need.end());
+        if (least > 1.0f) break;
+        const float limit = std::max(least, kHardlyMissed);
         size_t f = 0;
-        std::erase_if(suspects_, [&](const Suspect&) { return rise[f++] <= limit; });
+        std::erase_if(suspects_, [&](const Suspect&) { return need[f++] <= limit; });
         fit(kPairs, true);
     }
 }
@@ -382,10 +392,10 @@ FoundLamps LampSearch::run()
         fit(kPairs, true);
         if (dropWalls() + dropExplained() == 0) break;
     }
-    dropNeedless(kPieceMissed);
+    dropNeedless(kPieceMissed, kPieceMissed);
     joinPieces();
     fit(kPairs, true);
-    dropNeedless(kLampMissed);
+    dropNeedless(kLampMissed, kBurntWallMissed);
     fit(kPairs, false);
     stage_.advance();
     updateField();
