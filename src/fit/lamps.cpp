@@ -367,9 +367,11 @@ void LampSearch::dropNeedless(float missed, float missedIfWall)
     while (suspects_.size() > 1) {
         std::vector<float> need = rises();
         for (size_t f = 0; f < need.size(); ++f) {
+            if(getenv("DEBUG")) printf("  c %.2f %.2f %.2f A %.3f L %.2f  rise %.5f wall %.2f\n",suspects_[f].candidate.centre.x,suspects_[f].candidate.centre.y,suspects_[f].candidate.centre.z,suspects_[f].candidate.area,luminance(suspects_[f].radiance),need[f],brightnessOfWallAt(f));
             need[f] /= brightnessOfWallAt(f) > kExplained ? missedIfWall : missed;
             if (suspects_[f].isGiven) need[f] = std::numeric_limits<float>::max();
         }
+        if(getenv("DEBUG")) printf("--\n");
         const float least = *std::min_element(need.begin(), need.end());
         if (least > 1.0f) break;
         const float limit = std::max(least, kHardlyMissed);
@@ -392,10 +394,10 @@ FoundLamps LampSearch::run()
         fit(kPairs, true);
         if (dropWalls() + dropExplained() == 0) break;
     }
-    dropNeedless(kPieceMissed, kPieceMissed);
+    dropNeedless(kPieceMissed, kLampMissed);
     joinPieces();
     fit(kPairs, true);
-    dropNeedless(kLampMissed, kBurntWallMissed);
+    dropNeedless(kPieceMissed, kBurntWallMissed);
     fit(kPairs, false);
     stage_.advance();
     updateField();

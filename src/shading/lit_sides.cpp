@@ -12,8 +12,9 @@ namespace
 {
 
 constexpr float kPi = 3.14159265f;
-constexpr size_t kOrigins = 4;         // texels of a surfel that a lamp is looked for from
+constexpr size_t kOrigins = 4; // texels of a surfel that a lamp is looked for from
 constexpr int kRounds = 4;
+constexpr int kSmoothings = 3;
 constexpr float kLeastIrradiance = 1e-4f;
 constexpr float kDarkestAlbedo = 0.02f;
 constexpr float kBrightestAlbedo = 0.95f;
@@ -49,6 +50,20 @@ std::vector<glm::vec3> albedoOf(const Texels& texels, const SurfelRadiance& radi
     return albedo;
 }
 
+std::vector<glm::vec3> meanOfNeighbors(const Surfels& surfels, std::span<const glm::vec3> values)
+{
+    std::vector<glm::vec3> means(values.size());
+    forEachChunk(means.size(), 1024, [&](size_t begin, size_t end) {
+        for (size_t s = begin; s < end; ++s) {
+            const std::span around = surfels.neighborsOf(s); // with itself
+            glm::vec3 sum(0.0f);
+            for (const uint32_t n : around) sum += values[n];
+            means[s] = sum / static_cast<float>(around.size());
+        }
+    });
+    return means;
+}
+
 } // namespace
 
 std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scene,
@@ -65,8 +80,8 @@ std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scen
                 const glm::vec3 normal = side.isBack() ? -site.normal : site.normal;
                 // The origins share one even sequence over the lamp.
                 const float shift = (static_cast<float>(k) + hashedShift(side.index, 0)) / kOrigins;
-                const AreaSample sample = sampleAreaLight(scene, light, site.position, normal,
-                                                          raysPerOrigin, shift);
+                const AreaSample sample =
+                    sampleAreaLight(scene, light, site.position, normal, raysPerOrigin, shift);
                 direct[i].open += sample.open / kOrigins;
                 direct[i].visible += sample.visible / kOrigins;
             }
@@ -106,14 +121,19 @@ LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadi
     return sides;
 }
 
-std::vector<glm::vec3> indirectOfFronts(const LitSides& sides, const HitLists& hits,
-                                        glm::vec3 ambient)
+std::vector<glm::vec3> indirectOfFronts(const Surfels& surfels, const HitLists& hits,
+                                        const LitSides& sides, glm::vec3 ambient)
 {
-    std::vector<glm::vec3> indirect(hits.listOfSide.size() / 2);
-    for (size_t s = 0; s < indirect.size(); ++s) {
-        const auto list = static_cast<size_t>(hits.listOfSide[2 * s]);
-        indirect[s] = sides.gathered.irradiance[list] + ambient * sides.gathered.missed[list];
-    }
+    RadianceField plain = sides.field;
+    for (glm::vec3& radiance : plain.clipped) radiance = glm::min(radiance, glm::vec3(1.0f));
+    const Gathered even = gather(hits, plain);
+    std::vector<glm::vec3> excess(surfels.count());
+    for (size_t s = 0; s < excess.size(); ++s)
+        excess[s] = sides.gathered.irradiance[s] - even.irradiance[s];
+    for (int pass = 0; pass < kSmoothings; ++pass) excess = meanOfNeighbors(surfels, excess);
+    std::vector<glm::vec3> indirect(surfels.count());
+    for (size_t s = 0; s < indirect.size(); ++s)
+        indirect[s] = even.irradiance[s] + excess[s] + ambient * even.missed[s];
     return indirect;
 }
 

@@ -86,8 +86,8 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
 {
     Solution solution{.options = options};
     const SurfelRadiance radiance = collectRadiance(texels, progress);
-    const HitLists hits = castHitLists(texels, scene, radiance, static_cast<size_t>(options.gather.rays),
-                                       progress);
+    const HitLists hits =
+        castHitLists(texels, scene, radiance, static_cast<size_t>(options.gather.rays), progress);
     FoundLamps found = findLamps(texels, scene, hits, radiance, options.gather, progress);
     solution.warnings = found.warnings;
     if (options.lights) found = asGiven(*options.lights, found);
@@ -102,7 +102,8 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     solution.closure = closeLoop(hits, radiance, sides, found.ambient);
     solution.shade =
         shadingOf(texels, lightOf(texels, scene, found,
-                                  indirectOfFronts(sides, hits, found.ambient), options.gather));
+                                  indirectOfFronts(texels.surfels, hits, sides, found.ambient),
+                                  options.gather));
     solution.lights = lightsOf(found);
     solution.merged = solution.lights.points;
     return solution;
