@@ -1,6 +1,7 @@
 #include "shading/lit_sides.h"
 
 #include "base/parallel.h"
+#include "lights/expand.shared.h"
 #include "shading/sampling.shared.h"
 
 #include <algorithm>
@@ -62,6 +63,20 @@ std::vector<glm::vec3> meanOfNeighbors(const Surfels& surfels, std::span<const g
         }
     });
     return means;
+}
+
+/// Draws every value towards the mean around it, all the way where their difference may be noise.
+std::vector<glm::vec3> withoutNoise(const Surfels& surfels, std::span<const glm::vec3> values,
+                                    std::span<const float> noise)
+{
+    std::vector<glm::vec3> result = meanOfNeighbors(surfels, values);
+    for (size_t s = 0; s < result.size(); ++s) {
+        const float step = luminance(result[s]) - luminance(values[s]);
+        const float variance = noise[s] * noise[s];
+        const float share = variance / std::max(step * step, variance + 1e-12f);
+        result[s] = values[s] + share * (result[s] - values[s]);
+    }
+    return result;
 }
 
 } // namespace
@@ -133,7 +148,9 @@ std::vector<glm::vec3> indirectOfFronts(const Surfels& surfels, const HitLists& 
     for (int pass = 0; pass < kSmoothings; ++pass) excess = meanOfNeighbors(surfels, excess);
     std::vector<glm::vec3> indirect(surfels.count());
     for (size_t s = 0; s < indirect.size(); ++s)
-        indirect[s] = even.irradiance[s] + excess[s] + ambient * even.missed[s];
+        indirect[s] = even.irradiance[s] + ambient * even.missed[s];
+    indirect = withoutNoise(surfels, indirect, even.noise);
+    for (size_t s = 0; s < indirect.size(); ++s) indirect[s] += excess[s];
     return indirect;
 }
 
