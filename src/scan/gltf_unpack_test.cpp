@@ -96,8 +96,10 @@ TEST(GltfUnpack, AMissingBufferIsNamed)
 
 TEST(GltfUnpack, AMissingPictureIsNamedWhereItIsNeeded)
 {
-    EXPECT_THAT(scenes::refusal(squareShowing("gone.png").glb()),
-                HasSubstr("room.glb: image 0 \"wall\": the picture file that it names is missing"));
+    EXPECT_THAT(
+        scenes::refusal(squareShowing("gone.png").glb()),
+        HasSubstr("room.glb: image 0 \"wall\": the picture file that it names is missing or "
+                  "unreadable: gone.png"));
 }
 
 TEST(GltfUnpack, AMissingPictureThatShowsNoColourIsOnlyWarnedOf)
