@@ -59,7 +59,8 @@ GltfFile richSquare()
     file.document["textures"][0]["sampler"] = 0;
     file.document["extensionsUsed"] = {"KHR_materials_unlit", "KHR_texture_transform",
                                        "KHR_lights_punctual"};
-    file.document["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "spot"}}};
+    file.document["extensions"]["KHR_lights_punctual"]["lights"] = {
+        {{"type", "spot"}, {"spot", nlohmann::json::object()}}};
     return file;
 }
 

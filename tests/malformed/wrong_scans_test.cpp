@@ -6,6 +6,8 @@
 
 #include <limits>
 
+#include <gmock/gmock.h>
+
 namespace relamp::malformed
 {
 namespace
@@ -25,6 +27,11 @@ protected:
     {
         write("room.glb", file.glb());
         RunInFolder::expectRefused("room.glb", words);
+    }
+    /// The same of the reader alone, in this process, which is much faster.
+    static void expectReaderRefuses(const GltfFile& file)
+    {
+        EXPECT_THAT(scenes::refusal(file.glb()), testing::StartsWith("room.glb: "));
     }
     void expectTaken(const GltfFile& file, const std::string& words) const
     {
@@ -60,32 +67,39 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 TEST_F(WrongGlb, AbsurdCountsAreRefused)
 {
-    for (const char* key : {"count", "byteOffset", "bufferView"}) {
+    GltfFile vertices = scenes::texturedSquare();
+    vertices.accessorOf("POSITION")["count"] = kAbsurd;
+    expectRefused(vertices, "");
+
+    for (const char* key : {"byteOffset", "bufferView"}) {
         GltfFile file = scenes::texturedSquare();
         file.accessorOf("POSITION")[key] = kAbsurd;
-        expectRefused(file, "");
+        expectReaderRefuses(file);
     }
     for (const char* key : {"byteLength", "byteOffset", "buffer"}) {
         GltfFile file = scenes::texturedSquare();
         file.document["bufferViews"][1][key] = kAbsurd;
-        expectRefused(file, "");
+        expectReaderRefuses(file);
     }
     GltfFile sparse = scenes::texturedSquare();
     sparse.accessorOf("POSITION")["sparse"] = {
         {"count", kAbsurd},
         {"indices", {{"bufferView", 0}, {"componentType", 5123}}},
         {"values", {{"bufferView", 0}}}};
-    expectRefused(sparse, "");
+    expectReaderRefuses(sparse);
 }
 
-TEST_F(WrongGlb, IndicesOutOfRangeAreRefused)
+TEST_F(WrongGlb, VerticesThatAreNotThereAreRefused)
 {
-    GltfFile vertices = scenes::texturedSquare();
-    json& indices = vertices.document["accessors"][vertices.primitive()["indices"].get<size_t>()];
+    GltfFile file = scenes::texturedSquare();
+    json& indices = file.document["accessors"][file.primitive()["indices"].get<size_t>()];
     indices["bufferView"] =
-        vertices.addView(scenes::bytesOf(std::vector<uint16_t>{0, 1, 2, 2, 1, 60000}));
-    expectRefused(vertices, "refers to vertex 60000, and it has 4");
+        file.addView(scenes::bytesOf(std::vector<uint16_t>{0, 1, 2, 2, 1, 60000}));
+    expectRefused(file, "refers to vertex 60000, and it has 4");
+}
 
+TEST_F(WrongGlb, PartsThatAreNotThereAreRefused)
+{
     for (const char* pointer :
          {"/nodes/0/mesh", "/meshes/0/primitives/0/material", "/meshes/0/primitives/0/indices",
           "/meshes/0/primitives/0/attributes/POSITION", "/images/0/bufferView",
@@ -94,8 +108,11 @@ TEST_F(WrongGlb, IndicesOutOfRangeAreRefused)
         SCOPED_TRACE(pointer);
         GltfFile file = scenes::texturedSquare();
         file.document[json::json_pointer(pointer)] = 1000;
-        expectRefused(file, "");
+        expectReaderRefuses(file);
     }
+    GltfFile mesh = scenes::texturedSquare();
+    mesh.document["nodes"][0]["mesh"] = 1000;
+    expectRefused(mesh, "refers to mesh 1000, which is not there");
 }
 
 TEST_F(WrongGlb, NodesThatAreNoTreeAreRefused)
@@ -139,7 +156,7 @@ TEST_F(WrongGlb, ASurfaceWithoutAreaIsRefused)
 
 TEST_F(WrongGlb, VerticesThatAreNoPlaceAreLeftOut)
 {
-    for (const float bad : {kNan, kInfinity, -kInfinity, 3e38f}) {
+    for (const float bad : {kNan, 3e38f}) {
         std::vector<glm::vec3> positions = scenes::squarePositions();
         positions[3].y = bad;
         expectTaken(squareWith("POSITION", positions), "1 triangles have a vertex that is not");
@@ -150,7 +167,7 @@ TEST_F(WrongGlb, VerticesThatAreNoPlaceAreLeftOut)
 
 TEST_F(WrongGlb, TextureCoordinatesThatAreNoNumbersAreLeftOut)
 {
-    for (const float bad : {kNan, kInfinity}) {
+    for (const float bad : {kNan, -kInfinity}) {
         std::vector<glm::vec2> uvs = scenes::squareUvs();
         uvs[3].y = bad;
         expectTaken(squareWith("TEXCOORD_0", uvs), "1 triangles have a vertex that is not");
@@ -228,7 +245,7 @@ TEST_F(WrongPly, IndicesOutOfRangeAreRefused)
 
 TEST_F(WrongPly, VerticesThatAreNoPlaceAreLeftOut)
 {
-    for (const char* bad : {"nan 0 0", "inf 0 0", "-inf 0 0", "1e300 0 0"}) {
+    for (const char* bad : {"nan 0 0", "-1e300 0 0"}) {
         write("room.ply", replaced(smallTextPly().bytes, "1 1 0", bad));
         expectTaken("room.ply", "1 triangles have a vertex that is not");
         write("room.ply", replaced(smallTextPly().bytes, "1 0 0", bad));
