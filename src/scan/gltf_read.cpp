@@ -283,10 +283,8 @@ void GltfReader::visitScene()
         for (const int node : rootNodes(source_->document)) visitNode(node, scan_.worldFromFile);
         return;
     }
-    const int scene = std::max(model_.defaultScene, 0);
-    if (static_cast<size_t>(scene) >= model_.scenes.size())
-        malformed(name_, fmt::format("refers to scene {}, which is not there", scene));
-    for (const int node : model_.scenes[static_cast<size_t>(scene)].nodes)
+    for (const int node :
+         model_.scenes.at(static_cast<size_t>(std::max(model_.defaultScene, 0))).nodes)
         visitNode(node, scan_.worldFromFile);
 }
 

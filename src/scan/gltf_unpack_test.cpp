@@ -173,6 +173,26 @@ TEST(GltfUnpack, CountsThatNoStreamCouldHoldAreRefusedBeforeThereIsRoomForThem)
     EXPECT_THAT(scenes::refusal(file.glb()), HasSubstr("breaks the rules"));
 }
 
+TEST(GltfUnpack, ScenesThatAreNotThereAreRefused)
+{
+    for (const nlohmann::json& scene :
+         {nlohmann::json(-1), nlohmann::json(1), nlohmann::json(4294967296), nlohmann::json(1e10),
+          nlohmann::json(18446744073709551615u), nlohmann::json("0")}) {
+        GltfFile file = scenes::texturedSquare();
+        file.document["scene"] = scene;
+        EXPECT_THAT(scenes::refusal(file.glb()), HasSubstr("scene")) << scene;
+    }
+}
+
+// Found by the fuzzer: without scenes the nodes themselves are looked through for roots.
+TEST(GltfUnpack, NodesThatAreNoListAreRefused)
+{
+    GltfFile file = scenes::texturedSquare();
+    file.document.erase("scenes");
+    file.document["nodes"] = 0;
+    EXPECT_THAT(scenes::refusal(file.glb()), HasSubstr("\"nodes\" is not a list"));
+}
+
 TEST(GltfUnpack, OlderVersionsAreNamed)
 {
     GltfFile file = scenes::texturedSquare();
