@@ -1,7 +1,6 @@
 #include "scan/gltf_write.h"
 
 #include "relamp/error.h"
-
 #include "scan/gltf_json.h"
 #include "scenes/gltf_files.h"
 #include "scenes/pictures.h"
