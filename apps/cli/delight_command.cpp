@@ -31,11 +31,6 @@ struct DelightArguments
     bool json = false;
 };
 
-CLI::Validator between(double low, double high)
-{
-    return CLI::Range(low, high).description("");
-}
-
 void addDials(CLI::App& command, DelightArguments& arguments)
 {
     relamp::ThesisOptions& dials = arguments.options.thesis;
