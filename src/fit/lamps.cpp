@@ -37,10 +37,10 @@ constexpr float kPieceMissed =
     0.008f; // rise of the fit's loss; a lamp that lights 1 % of the pairs
 constexpr float kLampMissed = 0.02f;
 constexpr float kBurntWallMissed = 0.06f; // what would be burnt out anyway
-constexpr float kHardlyMissed = 0.3f; // of these
-constexpr float kTouching = 0.12f;    // m between pieces of one lamp
-constexpr float kPointedAt = 0.3f;    // m around a place that a person names
-constexpr float kAboutEqual = 3.0f;   // ratio of their radiances
+constexpr float kHardlyMissed = 0.3f;     // of these
+constexpr float kTouching = 0.12f;        // m between pieces of one lamp
+constexpr float kPointedAt = 0.3f;        // m around a place that a person names
+constexpr float kAboutEqual = 3.0f;       // ratio of their radiances
 
 /// One lamp to be, with what it does at all places at radiance 1.
 struct Suspect
@@ -367,11 +367,15 @@ void LampSearch::dropNeedless(float missed, float missedIfWall)
     while (suspects_.size() > 1) {
         std::vector<float> need = rises();
         for (size_t f = 0; f < need.size(); ++f) {
-            if(getenv("DEBUG")) printf("  c %.2f %.2f %.2f A %.3f L %.2f  rise %.5f wall %.2f\n",suspects_[f].candidate.centre.x,suspects_[f].candidate.centre.y,suspects_[f].candidate.centre.z,suspects_[f].candidate.area,luminance(suspects_[f].radiance),need[f],brightnessOfWallAt(f));
+            if (getenv("DEBUG"))
+                printf("  c %.2f %.2f %.2f A %.3f L %.2f  rise %.5f wall %.2f\n",
+                       suspects_[f].candidate.centre.x, suspects_[f].candidate.centre.y,
+                       suspects_[f].candidate.centre.z, suspects_[f].candidate.area,
+                       luminance(suspects_[f].radiance), need[f], brightnessOfWallAt(f));
             need[f] /= brightnessOfWallAt(f) > kExplained ? missedIfWall : missed;
             if (suspects_[f].isGiven) need[f] = std::numeric_limits<float>::max();
         }
-        if(getenv("DEBUG")) printf("--\n");
+        if (getenv("DEBUG")) printf("--\n");
         const float least = *std::min_element(need.begin(), need.end());
         if (least > 1.0f) break;
         const float limit = std::max(least, kHardlyMissed);
