@@ -138,6 +138,39 @@ private:
     double b_;
 };
 
+/// Pulls lamps that look alike towards one radiance.
+class AlikeCost : public ceres::CostFunction
+{
+public:
+    AlikeCost(const std::vector<std::pair<uint32_t, uint32_t>>& alike, size_t count, double weight)
+        : alike_(alike), count_(count), weight_(weight)
+    {
+        set_num_residuals(static_cast<int>(alike.size()));
+        mutable_parameter_block_sizes()->push_back(static_cast<int32_t>(count));
+    }
+
+    bool Evaluate(double const* const* parameters, double* residuals,
+                  double** jacobians) const override
+    {
+        const double* log = parameters[0];
+        double* jacobian = jacobians == nullptr ? nullptr : jacobians[0];
+        if (jacobian != nullptr) std::fill_n(jacobian, alike_.size() * count_, 0.0);
+        for (size_t i = 0; i < alike_.size(); ++i) {
+            const auto [a, b] = alike_[i];
+            residuals[i] = weight_ * (log[a] - log[b]);
+            if (jacobian == nullptr) continue;
+            jacobian[i * count_ + a] = weight_;
+            jacobian[i * count_ + b] = -weight_;
+        }
+        return true;
+    }
+
+private:
+    const std::vector<std::pair<uint32_t, uint32_t>>& alike_;
+    size_t count_;
+    double weight_;
+};
+
 /// Pulls every unknown a little towards where it is without evidence.
 class PriorCost : public ceres::CostFunction
 {
@@ -217,6 +250,11 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, 
         if (!pairs.empty())
             problem.AddResidualBlock(new PairsCost(channel, pairs, scale), nullptr,
                                      channel.unknowns());
+        if (!options.alike.empty())
+            problem.AddResidualBlock(
+                new AlikeCost(options.alike, channel.count(),
+                              std::sqrt(options.alikeWeight * static_cast<double>(pairs.size()))),
+                nullptr, channel.unknowns());
         problem.AddResidualBlock(new PriorCost(channel.wanted(), prior), nullptr,
                                  channel.unknowns());
         ceres::Solver::Options solver;
