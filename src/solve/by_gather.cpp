@@ -15,9 +15,18 @@ namespace relamp
 namespace
 {
 
+constexpr size_t kRaysOfScan = 2'500'000; // more would not be seen beside the noise of a photo
+constexpr size_t kFewestRays = 16;        // of a surfel
+constexpr size_t kMostRays = 64;
 constexpr float kPi = 3.14159265f;
 constexpr size_t kPatchesOfLamp = 32;
 constexpr float kNoFacing = 0.3f; // length of a mean normal below which a lamp shines all around
+
+int raysOfSurfel(size_t surfels)
+{
+    return static_cast<int>(
+        std::clamp(kRaysOfScan / std::max<size_t>(surfels, 1), kFewestRays, kMostRays));
+}
 
 Fixture fixtureOf(const FoundLamp& lamp)
 {
@@ -85,9 +94,11 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
                        Progress& progress)
 {
     Solution solution{.options = options};
+    int& rays = solution.options.gather.rays;
+    if (rays == 0) rays = raysOfSurfel(texels.surfels.count());
     const SurfelRadiance radiance = collectRadiance(texels, progress);
     const HitLists hits =
-        castHitLists(texels, scene, radiance, static_cast<size_t>(options.gather.rays), progress);
+        castHitLists(texels, scene, radiance, static_cast<size_t>(rays), progress);
     FoundLamps found = findLamps(texels, scene, hits, radiance, options.gather, progress);
     solution.warnings = found.warnings;
     if (options.lights) found = asGiven(*options.lights, found);
