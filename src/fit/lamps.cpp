@@ -22,7 +22,7 @@ constexpr float kPi = 3.14159265f;
 constexpr size_t kMostCandidates = 64;
 constexpr size_t kPlaces = 6000;
 constexpr size_t kPairsFirst = 3; // a place, for the first look at all candidates
-constexpr size_t kPairs = 8;
+constexpr size_t kPairs = 6;
 constexpr size_t kRaysPerOrigin = 8; // at a place, to those that remain: noise would make them weak
 constexpr float kAboutWhite = 2.0f;  // luminance; a wall lights its surroundings as little as this
 constexpr float kLeastPower = 0.003f;   // share of the room's; below, a lamp does not matter
@@ -94,6 +94,7 @@ private:
     std::vector<std::string> warnings_;
     RadianceField field_;
     Powers powers_;
+    bool isFitted_ = false;
 };
 
 LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
@@ -235,7 +236,14 @@ void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
         for (const ClippedPatch& patch : suspect.candidate.patches) field_.shines[patch.surfel] = 1;
     const FitData data = dataFor();
     const auto pairs = drawPairs(data, places_, texels_.surfels, pairsPerPlace);
-    powers_ = fitPowers(data, pairs, {.oneChannel = oneChannel, .alike = alikes()});
+    PowersOptions options{.oneChannel = oneChannel, .alike = alikes()};
+    if (isFitted_) { // most of it is known; a narrower loss finds the rest
+        options.firstScale = 2.0 * options.lastScale;
+        for (const Suspect& suspect : suspects_) options.start.push_back(suspect.radiance);
+        options.start.push_back(powers_.ambient);
+    }
+    isFitted_ = true;
+    powers_ = fitPowers(data, pairs, options);
     for (size_t f = 0; f < suspects_.size(); ++f) {
         suspects_[f].radiance = powers_.radiance[f];
         suspects_[f].logError = powers_.logError[f];

@@ -40,7 +40,7 @@ public:
             gathered_.push_back(pick(data.gathered[i]));
         }
         log_ = wanted();
-        irradiance_.resize(data.places());
+        logIrradiance_.resize(data.places());
         share_.resize(data.places() * unknowns_);
     }
 
@@ -70,7 +70,7 @@ public:
     [[nodiscard]] double residual(MaterialPair pair) const
     {
         return logRadiance_[pair.p] - logRadiance_[pair.q] -
-               std::log(irradiance_[pair.p] / irradiance_[pair.q]);
+               logIrradiance_[pair.p] + logIrradiance_[pair.q];
     }
     /// d log E / d unknown at a place: the share of the irradiance that comes from it.
     [[nodiscard]] const double* shares(uint32_t place) const { return &share_[place * unknowns_]; }
@@ -83,7 +83,7 @@ private:
         for (size_t f = 0; f < data_.lamps; ++f)
             sum += share[f] = value[f] * static_cast<double>(data_.direct[i * data_.lamps + f]);
         sum += share[data_.lamps] = value[data_.lamps] * static_cast<double>(data_.missed[i]);
-        irradiance_[i] = sum;
+        logIrradiance_[i] = std::log(sum);
         for (size_t f = 0; f < unknowns_; ++f) share[f] /= sum;
     }
 
@@ -93,7 +93,7 @@ private:
     std::vector<double> log_; // of lamps, then of ambient
     std::vector<double> logRadiance_;
     std::vector<double> gathered_;
-    std::vector<double> irradiance_;
+    std::vector<double> logIrradiance_;
     std::vector<double> share_;
 };
 
@@ -123,7 +123,7 @@ private:
     void evaluate(size_t i, double* residuals, double* jacobian) const
     {
         const double r = channel_.residual(pairs_[i]);
-        const double size = std::sqrt(b_ * std::log1p(r * r / b_));
+        const double size = std::sqrt(b_ * std::log(1.0 + r * r / b_));
         residuals[i] = std::copysign(size, r);
         if (jacobian == nullptr) return;
         const double slope = size > 1e-9 ? std::abs(r) / ((1.0 + r * r / b_) * size) : 1.0;

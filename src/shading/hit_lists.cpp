@@ -31,6 +31,7 @@ public:
 
 private:
     [[nodiscard]] Ray rayOf(Side side, size_t i) const;
+    [[nodiscard]] PixelAt texelAt(const Hit& hit) const;
     [[nodiscard]] HitTarget targetOf(const Ray& ray, const Hit& hit) const;
 
     const Texels& texels_;
@@ -64,17 +65,33 @@ Ray Caster::rayOf(Side side, size_t i) const
             .direction = cosineDirection(normal, evenPoint(static_cast<float>(i), shift))};
 }
 
+/// The nearest texel; beyond a chart's rim, the nearest of those that a texture lookup would mix.
+PixelAt Caster::texelAt(const Hit& hit) const
+{
+    const PixelAt nearest = nearestPixelAt(texels_, hit);
+    if (surfelAt_[nearest.page][nearest.pixel] != Surfels::kNone) return nearest;
+    const PixelMix mix = pixelsAt(texels_, hit);
+    PixelAt best = nearest;
+    float most = 0.0f;
+    for (size_t i = 0; i < mix.pixel.size(); ++i)
+        if (mix.weight[i] > most && surfelAt_[mix.page][mix.pixel[i]] != Surfels::kNone) {
+            most = mix.weight[i];
+            best.pixel = mix.pixel[i];
+        }
+    return best;
+}
+
 HitTarget Caster::targetOf(const Ray& ray, const Hit& hit) const
 {
     if (hit.missed()) return HitTarget::nothing();
-    const auto [page, pixel] = nearestPixelAt(texels_, hit);
-    uint32_t surfel = surfelAt_[page][pixel];
-    if (surfel == Surfels::kNone) // between the texels of a chart's rim
+    const PixelAt at = texelAt(hit);
+    uint32_t surfel = surfelAt_[at.page][at.pixel];
+    if (surfel == Surfels::kNone)
         surfel =
             texels_.surfels.find(ray.origin + hit.distance * ray.direction, normalAt(texels_, hit));
     if (surfel == Surfels::kNone) return HitTarget::nothing();
     if (!hit.front) return HitTarget::of(Side::back(surfel), false);
-    return HitTarget::of(Side::front(surfel), radiance_.isClipped[page][pixel] != 0);
+    return HitTarget::of(Side::front(surfel), radiance_.isClipped[at.page][at.pixel] != 0);
 }
 
 void Caster::cast(Side side, size_t first, std::span<HitTarget> out) const
