@@ -13,6 +13,14 @@ namespace relamp
 namespace
 {
 
+/// The thesis filters within surfels, the gather solver looks about from each: it needs them small.
+SurfelOptions surfelsFor(const DelightOptions& options)
+{
+    const bool isCoarse =
+        options.solver == Solver::thesis || options.gather.quality == Quality::draft;
+    return {.texelsAcross = isCoarse ? 4.0 : 2.0};
+}
+
 std::unique_ptr<Decomposition::State> stateOf(const Scan& scan, Progress& progress)
 {
     const Progress::Stage stage(progress, "bvh");
@@ -24,11 +32,9 @@ std::unique_ptr<Decomposition::State> stateOf(const Scan& scan, Progress& progre
 Decomposition delight(const Scan& scan, const DelightOptions& options, Progress& progress)
 {
     auto state = stateOf(scan, progress);
-    const bool isThesis = options.solver == Solver::thesis;
-    state->texels = rasterizeAtlas(scan, progress,
-                                   isThesis ? SurfelOptions{} : SurfelOptions{.texelsAcross = 2.0});
+    state->texels = rasterizeAtlas(scan, progress, surfelsFor(options));
     checkOverlap(state->texels);
-    const auto solve = isThesis ? solveByThesis : solveByGather;
+    const auto solve = options.solver == Solver::thesis ? solveByThesis : solveByGather;
     state->solution = solve(state->texels, state->scene, options, progress);
     return Decomposition(std::move(state));
 }

@@ -126,15 +126,28 @@ void addGatherDials(CLI::App& command, DelightArguments& arguments)
 {
     relamp::GatherOptions& gather = arguments.options.gather;
     const std::string group = "Dials of the gather solver (it needs none)";
+    const std::map<std::string, relamp::Quality> qualities{{"draft", relamp::Quality::draft},
+                                                           {"standard", relamp::Quality::standard},
+                                                           {"high", relamp::Quality::high}};
+    command
+        .add_option("--quality", gather.quality,
+                    "draft for a first look, standard, or high: four times the rays [standard]")
+        ->transform(CLI::CheckedTransformer(qualities).description(""))
+        ->type_name("NAME")
+        ->group(group);
     addPlaces(command, "--light", arguments.lightsAt,
               "What is burnt out at this place is a light; may be given again");
     addPlaces(command, "--not-a-light", arguments.notLightsAt,
               "What is burnt out at this place is none; may be given again");
-    command.add_option("--rays", gather.rays, "Rays of a place that look for bounce light [16 .. 64, as the scan is fine]")
+    command
+        .add_option("--rays", gather.rays,
+                    "Rays of a place that look for bounce light [by quality]")
         ->check(between(4, 1024))
         ->type_name("N")
         ->group(group);
-    command.add_option("--shadow-rays", gather.shadowRays, "Rays of a place in a penumbra to each lamp [8]")
+    command
+        .add_option("--shadow-rays", gather.shadowRays,
+                    "Rays of a place in a penumbra to each lamp [by quality]")
         ->check(between(1, 1024))
         ->type_name("N")
         ->group(group);

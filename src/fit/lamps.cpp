@@ -21,6 +21,7 @@ namespace
 constexpr float kPi = 3.14159265f;
 constexpr size_t kMostCandidates = 64;
 constexpr size_t kPlaces = 6000;
+constexpr size_t kPlacesOfDraft = 2000;
 constexpr size_t kPairsFirst = 3; // a place, for the first look at all candidates
 constexpr size_t kPairs = 6;
 constexpr size_t kRaysPerOrigin = 8; // at a place, to those that remain: noise would make them weak
@@ -68,7 +69,7 @@ public:
     FoundLamps run();
 
 private:
-    void choosePlaces();
+    void choosePlaces(size_t most);
     void takeCandidates(const GatherOptions& options);
     void look(Suspect& suspect, size_t raysPerOrigin) const;
     [[nodiscard]] std::vector<std::pair<uint32_t, uint32_t>> alikes() const;
@@ -103,7 +104,7 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
     : texels_(texels), scene_(scene), hits_(hits), radiance_(radiance),
       stage_(progress, "lamps", kMostCandidates + 3), field_(fieldOf(radiance))
 {
-    choosePlaces();
+    choosePlaces(options.quality == Quality::draft ? kPlacesOfDraft : kPlaces);
     takeCandidates(options);
 }
 
@@ -161,14 +162,14 @@ void LampSearch::takeCandidates(const GatherOptions& options)
 }
 
 /// Evenly along the curve through space that surfels are sorted by.
-void LampSearch::choosePlaces()
+void LampSearch::choosePlaces(size_t most)
 {
     std::vector<uint32_t> good;
     for (uint32_t s = 0; s < texels_.surfels.count(); ++s)
         if (radiance_.plainArea[s] > 0.0f &&
             radiance_.clippedArea[s] < 0.02f * radiance_.plainArea[s])
             good.push_back(s);
-    const size_t count = std::min(kPlaces, good.size());
+    const size_t count = std::min(most, good.size());
     for (size_t i = 0; i < count; ++i) places_.push_back(good[i * good.size() / count]);
 }
 

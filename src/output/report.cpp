@@ -42,7 +42,10 @@ ordered_json scanAsJson(const Scan& scan, const Decomposition& result,
 
 ordered_json optionsAsJson(const GatherOptions& gather)
 {
-    return {{"rays", gather.rays}, {"shadowRays", gather.shadowRays}};
+    constexpr const char* kNames[] = {"draft", "standard", "high"};
+    return {{"quality", kNames[static_cast<size_t>(gather.quality)]},
+            {"rays", gather.rays},
+            {"shadowRays", gather.shadowRays}};
 }
 
 ordered_json optionsAsJson(const ThesisOptions& thesis)
@@ -66,8 +69,7 @@ ordered_json optionsAsJson(const ThesisOptions& thesis)
 ordered_json optionsAsJson(const DelightOptions& options)
 {
     const bool isThesis = options.solver == Solver::thesis;
-    ordered_json json =
-        isThesis ? optionsAsJson(options.thesis) : optionsAsJson(options.gather);
+    ordered_json json = isThesis ? optionsAsJson(options.thesis) : optionsAsJson(options.gather);
     json["solver"] = isThesis ? "thesis" : "gather";
     json["darkest"] = shortest(options.albedo.darkest);
     json["lightsFromFile"] = options.lights.has_value();

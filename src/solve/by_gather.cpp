@@ -15,17 +15,39 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kRaysOfScan = 2'500'000; // more would not be seen beside the noise of a photo
-constexpr size_t kFewestRays = 16;        // of a surfel
-constexpr size_t kMostRays = 64;
+/// Rays of a scan and of its places, by quality.
+struct Effort
+{
+    size_t raysOfScan; // for bounce light, of all surfels together
+    int fewestRays;    // of a surfel
+    int mostRays;
+    int shadowRays;
+};
+
 constexpr float kPi = 3.14159265f;
 constexpr size_t kPatchesOfLamp = 32;
 constexpr float kNoFacing = 0.3f; // length of a mean normal below which a lamp shines all around
 
-int raysOfSurfel(size_t surfels)
+Effort effortFor(Quality quality)
 {
-    return static_cast<int>(
-        std::clamp(kRaysOfScan / std::max<size_t>(surfels, 1), kFewestRays, kMostRays));
+    switch (quality) {
+    case Quality::draft:
+        return {500'000, 8, 32, 3};
+    case Quality::high:
+        return {10'000'000, 64, 256, 32};
+    case Quality::standard:
+        break;
+    }
+    return {2'500'000, 16, 64, 8}; // more would not be seen beside the noise of a photo
+}
+
+/// Fills in what was left open.
+void deriveRays(GatherOptions& options, size_t surfels)
+{
+    const Effort effort = effortFor(options.quality);
+    const auto share = static_cast<int>(effort.raysOfScan / std::max<size_t>(surfels, 1));
+    if (options.rays == 0) options.rays = std::clamp(share, effort.fewestRays, effort.mostRays);
+    if (options.shadowRays == 0) options.shadowRays = effort.shadowRays;
 }
 
 Fixture fixtureOf(const FoundLamp& lamp)
@@ -94,12 +116,12 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
                        Progress& progress)
 {
     Solution solution{.options = options};
-    int& rays = solution.options.gather.rays;
-    if (rays == 0) rays = raysOfSurfel(texels.surfels.count());
+    GatherOptions& gather = solution.options.gather;
+    deriveRays(gather, texels.surfels.count());
     const SurfelRadiance radiance = collectRadiance(texels, progress);
     const HitLists hits =
-        castHitLists(texels, scene, radiance, static_cast<size_t>(rays), progress);
-    FoundLamps found = findLamps(texels, scene, hits, radiance, options.gather, progress);
+        castHitLists(texels, scene, radiance, static_cast<size_t>(gather.rays), progress);
+    FoundLamps found = findLamps(texels, scene, hits, radiance, gather, progress);
     solution.warnings = found.warnings;
     if (options.lights) found = asGiven(*options.lights, found);
     if (found.lamps.empty())
@@ -114,7 +136,7 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     solution.shade =
         shadingOf(texels, lightOf(texels, scene, found,
                                   indirectOfFronts(texels.surfels, hits, sides, found.ambient),
-                                  options.gather));
+                                  gather));
     solution.lights = lightsOf(found);
     solution.merged = solution.lights.points;
     return solution;
