@@ -87,7 +87,7 @@ const Decomposition::State& Decomposition::state() const
 PageLayers Decomposition::layers(size_t page, Progress& progress) const
 {
     return makeLayers(state_->texels, page, state_->solution.shade, state_->solution.shining,
-                      state_->solution.options.albedo, progress);
+                      state_->solution.fill, state_->solution.options.albedo, progress);
 }
 
 } // namespace relamp

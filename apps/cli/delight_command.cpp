@@ -235,6 +235,8 @@ void addDelightCommand(CLI::App& app, Run& run)
                     "Shading below this is raised to it before dividing [0.02]")
         ->check(between(1e-6, 1.0))
         ->type_name("L");
+    command.add_flag("--fill", arguments->options.albedo.fill,
+                     "Give what is burnt out or unlit the albedo of the surface around it");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
     command.add_flag("--json", arguments->json, "Print the report as JSON and nothing else");
     addGatherDials(command, *arguments);

@@ -19,6 +19,7 @@ namespace relamp
 struct AlbedoOptions
 {
     float darkest = 0.02f; // radiance; a weaker shading is raised to this before dividing, > 0
+    bool fill = false;     // what is burnt out or unlit gets the albedo of the surface around it
 };
 
 enum class Solver

@@ -3,6 +3,7 @@
 #include "albedo/confidence.h"
 #include "albedo/divide.h"
 #include "base/half.h"
+#include "image/burnt_out.shared.h"
 #include "image/gutter.h"
 #include "image/transfer.h"
 #include "lights/emitters.h"
@@ -28,8 +29,8 @@ void storeRgb(std::vector<uint16_t>& layer, uint32_t pixel, const RgbBlock& bloc
 class LayerMaker
 {
 public:
-    LayerMaker(const Texels& texels, size_t page, const TexelShading& shade,
-               const Shining& shining, const AlbedoOptions& options);
+    LayerMaker(const Texels& texels, size_t page, const TexelShading& shade, const Shining& shining,
+               std::span<const glm::vec3> fill, const AlbedoOptions& options);
 
     PageLayers run(Progress::Stage& stage);
 
@@ -37,13 +38,15 @@ private:
     void makeBlock(size_t begin, size_t count);
     void storeTexel(const TexelBlock& block, const ShadingBlock& shade, const AlbedoBlock& albedo,
                     size_t i, uint32_t pixel);
-    void fill();
+    void fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around, uint16_t* rho) const;
+    void fillGutters();
 
     size_t page_;
     const PageTexels& texels_;
     TexelLoader loader_;
     const TexelShading& shade_;
     const Shining& shining_;
+    std::span<const glm::vec3> fill_;
     const AlbedoOptions& options_;
     PageLayers layers_;
     std::vector<uint8_t> covered_;
@@ -52,9 +55,11 @@ private:
 };
 
 LayerMaker::LayerMaker(const Texels& texels, size_t page, const TexelShading& shade,
-                       const Shining& shining, const AlbedoOptions& options)
+                       const Shining& shining, std::span<const glm::vec3> fill,
+                       const AlbedoOptions& options)
     : page_(page), texels_(texels.pages[page]), loader_(texels, page), shade_(shade),
-      shining_(shining), options_(options), ofVertices_(texels.scan->pages[page].ofVertices),
+      shining_(shining), fill_(fill), options_(options),
+      ofVertices_(texels.scan->pages[page].ofVertices),
       clips_(texels.scan->pages[page].image.clipsAtWhite)
 {
     const Image& image = texels.scan->pages[page].image;
@@ -65,6 +70,31 @@ LayerMaker::LayerMaker(const Texels& texels, size_t page, const TexelShading& sh
     layers_.emission.resize(3 * image.pixels());
     layers_.confidence.resize(image.pixels());
     covered_.resize(image.pixels());
+}
+
+/// Channels that are whole say how bright the texel is beside its surroundings, which then give the
+/// others. What is burnt out may be brighter than it seems, never darker; what is unlit may be
+/// anything.
+void LayerMaker::fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around,
+                              uint16_t* rho) const
+{
+    bool isUnlit[3];
+    bool isBurntOut[3];
+    float own = 0.0f;
+    float theirs = 0.0f;
+    for (int c = 0; c < 3; ++c) {
+        isUnlit[c] = shading[c] < options_.darkest;
+        isBurntOut[c] = clips_ && radiance[c] >= kBurntOut;
+        if (isUnlit[c] || isBurntOut[c]) continue;
+        own += floatFromHalf(rho[c]);
+        theirs += around[c];
+    }
+    const float scale = theirs > 0.0f ? own / theirs : 1.0f;
+    for (int c = 0; c < 3; ++c) {
+        if (!isUnlit[c] && !isBurntOut[c]) continue;
+        const float least = isUnlit[c] ? 0.0f : floatFromHalf(rho[c]);
+        rho[c] = halfFromFloat(std::max(std::min(scale * around[c], 1.0f), least));
+    }
 }
 
 void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
@@ -92,6 +122,7 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
                           shade.direct.b[i] + shade.indirect.b[i]);
     layers_.confidence[pixel] =
         confidenceByte(confidence(radiance, clips_, total, options_.darkest));
+    if (!fill_.empty()) fillChannels(radiance, total, fill_[block.surfel[i]], rho);
 }
 
 void LayerMaker::makeBlock(size_t begin, size_t count)
@@ -107,13 +138,13 @@ void LayerMaker::makeBlock(size_t begin, size_t count)
         storeTexel(block, shading, albedo, i, texels_.pixel[begin + i]);
 }
 
-void LayerMaker::fill()
+void LayerMaker::fillGutters()
 {
     if (ofVertices_) return; // its pixels have no neighbours
     for (auto* layer : {&layers_.albedo, &layers_.direct, &layers_.indirect})
-        fillGutters(std::span(*layer), covered_, layers_.width, layers_.height);
+        relamp::fillGutters(std::span(*layer), covered_, layers_.width, layers_.height);
     if (!layers_.emission.empty())
-        fillGutters(std::span(layers_.emission), covered_, layers_.width, layers_.height);
+        relamp::fillGutters(std::span(layers_.emission), covered_, layers_.width, layers_.height);
 }
 
 PageLayers LayerMaker::run(Progress::Stage& stage)
@@ -125,18 +156,18 @@ PageLayers LayerMaker::run(Progress::Stage& stage)
     const auto shines = [](uint8_t v) { return v != 0; };
     if (std::none_of(layers_.emission.begin(), layers_.emission.end(), shines))
         layers_.emission = {};
-    fill();
+    fillGutters();
     return std::move(layers_);
 }
 
 } // namespace
 
 PageLayers makeLayers(const Texels& texels, size_t page, const TexelShading& shade,
-                      const Shining& shining, const AlbedoOptions& options,
-                      Progress& progress)
+                      const Shining& shining, std::span<const glm::vec3> fill,
+                      const AlbedoOptions& options, Progress& progress)
 {
     Progress::Stage stage(progress, "divide", texels.pages[page].count());
-    return LayerMaker(texels, page, shade, shining, options).run(stage);
+    return LayerMaker(texels, page, shade, shining, fill, options).run(stage);
 }
 
 } // namespace relamp

@@ -72,6 +72,7 @@ ordered_json optionsAsJson(const DelightOptions& options)
     ordered_json json = isThesis ? optionsAsJson(options.thesis) : optionsAsJson(options.gather);
     json["solver"] = isThesis ? "thesis" : "gather";
     json["darkest"] = shortest(options.albedo.darkest);
+    json["fill"] = options.albedo.fill;
     json["lightsFromFile"] = options.lights.has_value();
     return json;
 }

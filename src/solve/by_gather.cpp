@@ -1,5 +1,6 @@
 #include "solve/by_gather.h"
 
+#include "albedo/fill.h"
 #include "albedo/gather_closure.h"
 #include "fit/given_lamps.h"
 #include "fit/lamps.h"
@@ -110,6 +111,16 @@ std::shared_ptr<GatheredLight> lightOf(const Texels& texels, const RayScene& sce
         GatheredLight{std::move(lamps), std::move(visibility), std::move(indirect)});
 }
 
+/// Surfels that are mostly burnt out do not know their own albedo.
+std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radiance,
+                              const LitSides& sides)
+{
+    std::vector<uint8_t> isKnown(surfels.count());
+    for (size_t s = 0; s < isKnown.size(); ++s)
+        isKnown[s] = radiance.plainArea[s] > radiance.clippedArea[s] ? 1 : 0;
+    return fillFromAround(surfels, sides.albedo, isKnown);
+}
+
 } // namespace
 
 Solution solveByGather(const Texels& texels, const RayScene& scene, const DelightOptions& options,
@@ -133,10 +144,10 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     const LitSides sides = lightSides(texels, hits, radiance, directOf(texels, scene, hits, found),
                                       solution.shining.surfels, found.ambient);
     solution.closure = closeLoop(hits, radiance, sides, found.ambient);
-    solution.shade =
-        shadingOf(texels, lightOf(texels, scene, found,
-                                  indirectOfFronts(texels.surfels, hits, sides, found.ambient),
-                                  gather));
+    solution.shade = shadingOf(
+        texels, lightOf(texels, scene, found,
+                        indirectOfFronts(texels.surfels, hits, sides, found.ambient), gather));
+    if (options.albedo.fill) solution.fill = fillOf(texels.surfels, radiance, sides);
     solution.lights = lightsOf(found);
     solution.merged = solution.lights.points;
     return solution;

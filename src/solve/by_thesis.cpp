@@ -1,6 +1,8 @@
 #include "solve/by_thesis.h"
 
 #include "albedo/closure.h"
+#include "albedo/divide.shared.h"
+#include "albedo/fill.h"
 #include "fit/dials.h"
 #include "lights/emitters.h"
 #include "lights/expand.shared.h"
@@ -86,6 +88,19 @@ void scalePower(Lights& lights, float power, glm::vec3 ambient)
     lights.ambient = ambient;
 }
 
+std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelLight& light,
+                              const ThesisShading& shading, float darkest)
+{
+    std::vector<glm::vec3> albedo = shadingOfSurfels(surfels, shading);
+    std::vector<uint8_t> isKnown(surfels.count());
+    for (size_t s = 0; s < albedo.size(); ++s) {
+        albedo[s] =
+            glm::min(dividedByShading(light.radiance[s], albedo[s], darkest), glm::vec3(1.0f));
+        isKnown[s] = light.area[s] > 0.5f * surfels.area[s] ? 1 : 0;
+    }
+    return fillFromAround(surfels, albedo, isKnown);
+}
+
 } // namespace
 
 Solution solveByThesis(const Texels& texels, const RayScene& scene, const DelightOptions& options,
@@ -111,6 +126,8 @@ Solution solveByThesis(const Texels& texels, const RayScene& scene, const Deligh
             closeLoop(texels, scene, light, lights, *shading, options.albedo.darkest);
     }
 
+    if (options.albedo.fill)
+        solution.fill = fillOf(texels.surfels, light, *shading, options.albedo.darkest);
     solution.options.thesis = shading->dials;
     solution.lights = lights;
     scalePower(solution.lights, *shading->dials.power, shading->ambient);

@@ -1,0 +1,48 @@
+#include "albedo/fill.h"
+
+#include <gmock/gmock.h>
+
+namespace relamp
+{
+
+/// Surfels in a row, each beside the next.
+Surfels row(uint32_t count)
+{
+    Surfels surfels;
+    surfels.position.resize(count);
+    surfels.firstNeighbor = {0};
+    for (uint32_t s = 0; s < count; ++s) {
+        surfels.neighbor.push_back(s);
+        if (s > 0) surfels.neighbor.push_back(s - 1);
+        if (s + 1 < count) surfels.neighbor.push_back(s + 1);
+        surfels.firstNeighbor.push_back(static_cast<uint32_t>(surfels.neighbor.size()));
+    }
+    return surfels;
+}
+
+TEST(Fill, CarriesTheRimInwardsAndKeepsWhatIsKnown)
+{
+    const std::vector<glm::vec3> albedo(7, glm::vec3(0.2f, 0.4f, 0.6f));
+    const std::vector<uint8_t> known{1, 0, 0, 0, 0, 0, 1};
+    for (const glm::vec3 rgb : fillFromAround(row(7), albedo, known))
+        EXPECT_LT(glm::distance(rgb, albedo[0]), 1e-6f);
+}
+
+TEST(Fill, ValuesMeetInTheMiddle)
+{
+    std::vector<glm::vec3> albedo(5, glm::vec3(0.0f));
+    albedo[4] = glm::vec3(1.0f);
+    const std::vector<uint8_t> known{1, 0, 0, 0, 1};
+    const auto filled = fillFromAround(row(5), albedo, known);
+    EXPECT_FLOAT_EQ(filled[2].g, 0.5f);
+    EXPECT_LE(filled[1].g, filled[3].g);
+}
+
+TEST(Fill, WhatNothingReachesIsGrey)
+{
+    const std::vector<uint8_t> known(3, 0);
+    for (const glm::vec3 rgb : fillFromAround(row(3), std::vector<glm::vec3>(3), known))
+        EXPECT_EQ(rgb, glm::vec3(0.5f));
+}
+
+} // namespace relamp
