@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <glm/geometric.hpp>
+
 namespace relamp
 {
 
