@@ -22,8 +22,7 @@ struct AlbedoOptions
     bool fill = false;     // what is burnt out or unlit gets the albedo of the surface around it
 };
 
-enum class Solver
-{
+enum class Solver {
     gather, // area lights with shadows, bounce light gathered from the scan itself
     thesis  // Choi 2018
 };

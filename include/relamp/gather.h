@@ -7,8 +7,7 @@
 namespace relamp
 {
 
-enum class Quality
-{
+enum class Quality {
     draft,    // coarse surfels, few rays: for a first look
     standard, // as exact as a photo texture deserves
     high      // four times the rays
@@ -18,9 +17,10 @@ enum class Quality
 struct GatherOptions
 {
     Quality quality = Quality::standard;
-    int rays = 0;        // of a surfel, that look for bounce light, 4..1024; 0: by quality and the number of surfels
-    int shadowRays = 0;  // of a place in a penumbra, to each lamp, 1..1024; 0: by quality
-    std::vector<glm::vec3> lights;    // places, m, whose burnt-out surface shines
+    int rays = 0; // of a surfel, that look for bounce light, 4..1024; 0: by quality and the number
+                  // of surfels
+    int shadowRays = 0;            // of a place in a penumbra, to each lamp, 1..1024; 0: by quality
+    std::vector<glm::vec3> lights; // places, m, whose burnt-out surface shines
     std::vector<glm::vec3> notLights; // places, m, whose burnt-out surface does not
 };
 

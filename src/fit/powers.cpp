@@ -69,8 +69,8 @@ public:
     }
     [[nodiscard]] double residual(MaterialPair pair) const
     {
-        return logRadiance_[pair.p] - logRadiance_[pair.q] -
-               logIrradiance_[pair.p] + logIrradiance_[pair.q];
+        return logRadiance_[pair.p] - logRadiance_[pair.q] - logIrradiance_[pair.p] +
+               logIrradiance_[pair.q];
     }
     /// d log E / d unknown at a place: the share of the irradiance that comes from it.
     [[nodiscard]] const double* shares(uint32_t place) const { return &share_[place * unknowns_]; }

@@ -18,7 +18,7 @@ struct Solution
     TexelShading shade;             // refers to the texels and the scene that were solved
     Shining shining;
     std::vector<glm::vec3> fill; // albedo of surfels, for texels that cannot be trusted; or none
-    DelightOptions options; // as given, and all that was derived
+    DelightOptions options;      // as given, and all that was derived
     Closure closure;
     std::vector<std::string> warnings;
 };
