@@ -1,0 +1,136 @@
+// The gather solver, stage by stage, on 2^20 texels of the sample room; rays beside Embree's own
+// rate on the same rays.
+
+#include "sample_room.h"
+
+#include "base/parallel.h"
+#include "fit/lamps.h"
+#include "shading/gathered_light.h"
+#include "shading/sampling.shared.h"
+
+#include <benchmark/benchmark.h>
+
+namespace relamp::bench
+{
+namespace
+{
+
+constexpr size_t kTexels = size_t{1} << 20;
+constexpr size_t kRays = 16;
+
+/// The room, and everything that the stages hand on.
+struct LampRoom
+{
+    LampRoom()
+        : scan(sampleRoom(kTexels)), scene(scan),
+          texels(rasterizeAtlas(scan, progress, {.texelsAcross = 2.0})),
+          radiance(collectRadiance(texels, progress)),
+          hits(castHitLists(texels, scene, radiance, kRays, progress)),
+          found(findLamps(texels, scene, hits, radiance, {}, progress))
+    {
+        for (const FoundLamp& lamp : found.lamps) {
+            areas.emplace_back(lamp.patches);
+            coarse.push_back(lamp.onSides);
+        }
+    }
+
+    Progress progress;
+    Scan scan;
+    RayScene scene;
+    Texels texels;
+    SurfelRadiance radiance;
+    HitLists hits;
+    FoundLamps found;
+    std::vector<AreaLight> areas;
+    std::vector<std::vector<AreaSample>> coarse;
+};
+
+LampRoom& room()
+{
+    static LampRoom room;
+    return room;
+}
+
+void countRays(benchmark::State& state, size_t rays)
+{
+    const double all = static_cast<double>(rays) * static_cast<double>(state.iterations());
+    state.counters["rays/s"] = benchmark::Counter(all, benchmark::Counter::kIsRate);
+}
+
+void hitLists(benchmark::State& state)
+{
+    LampRoom& r = room();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(castHitLists(r.texels, r.scene, r.radiance, kRays, r.progress));
+    countRays(state, r.hits.targets.size());
+}
+
+/// The first rays of every front's list, and nothing done with what they meet.
+void embreeAlone(benchmark::State& state)
+{
+    const LampRoom& r = room();
+    const SurfelSites sites(r.texels);
+    const auto surfels = static_cast<uint32_t>(r.texels.surfels.count());
+    std::vector<Ray> rays;
+    for (uint32_t s = 0; s < surfels; ++s)
+        for (size_t i = 0; i < kRays; ++i) {
+            const TexelSite site = sites.at(s, i);
+            const glm::vec2 shift(hashedShift(2 * s, 1), hashedShift(2 * s, 2));
+            rays.push_back({.origin = site.position + 2e-3f * site.normal,
+                            .direction = cosineDirection(site.normal,
+                                                         evenPoint(static_cast<float>(i), shift))});
+        }
+    for (auto _ : state)
+        forEachChunk(rays.size(), 1024, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i)
+                benchmark::DoNotOptimize(r.scene.intersect(rays[i]));
+        });
+    countRays(state, rays.size());
+}
+
+void lamps(benchmark::State& state)
+{
+    LampRoom& r = room();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(findLamps(r.texels, r.scene, r.hits, r.radiance, {}, r.progress));
+}
+
+void visibility(benchmark::State& state)
+{
+    const LampRoom& r = room();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(
+            Visibility(r.texels, r.scene, r.areas, r.coarse, {.raysPerProbe = 8}));
+}
+
+void shade(benchmark::State& state)
+{
+    const LampRoom& r = room();
+    std::vector<LitLamp> lit;
+    for (size_t l = 0; l < r.areas.size(); ++l)
+        lit.push_back({LampPatches(r.areas[l], 32), r.found.lamps[l].radiance});
+    const TexelShading shading = shadingOf(
+        r.texels,
+        std::make_shared<GatheredLight>(GatheredLight{
+            std::move(lit), Visibility(r.texels, r.scene, r.areas, r.coarse, {.raysPerProbe = 8}),
+            std::vector<glm::vec3>(r.texels.surfels.count(), glm::vec3(1.0f))}));
+    const TexelLoader loader(r.texels, 0);
+    for (auto _ : state)
+        forEachBlock(r.texels.pages[0], [&](size_t begin, size_t count) {
+            TexelBlock block;
+            ShadingBlock out;
+            loader.load(begin, count, block);
+            loader.loadSurfel(begin, count, block);
+            shading(0, begin, block, out);
+            benchmark::DoNotOptimize(out);
+        });
+}
+
+BENCHMARK(hitLists)->Name("gather/hit_lists")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(embreeAlone)->Name("gather/embree_alone")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(lamps)->Name("gather/lamps")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(visibility)->Name("gather/visibility")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(shade)->Name("gather/shade")->Unit(benchmark::kMillisecond)->UseRealTime();
+
+} // namespace
+} // namespace relamp::bench
