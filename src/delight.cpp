@@ -3,6 +3,7 @@
 #include "albedo/page_layers.h"
 #include "decomposition_state.h"
 #include "solve/by_gather.h"
+#include "solve/by_pathtrace.h"
 #include "solve/by_thesis.h"
 
 #include <utility>
@@ -19,6 +20,19 @@ std::unique_ptr<Decomposition::State> stateOf(const Scan& scan, Progress& progre
     return std::make_unique<Decomposition::State>(scan);
 }
 
+auto solverOf(Solver solver)
+{
+    switch (solver) {
+    case Solver::thesis:
+        return solveByThesis;
+    case Solver::pathtrace:
+        return solveByPathtrace;
+    case Solver::gather:
+        break;
+    }
+    return solveByGather;
+}
+
 } // namespace
 
 Decomposition delight(const Scan& scan, const DelightOptions& options, Progress& progress)
@@ -28,8 +42,7 @@ Decomposition delight(const Scan& scan, const DelightOptions& options, Progress&
     state->texels = rasterizeAtlas(scan, progress,
                                    isThesis ? SurfelOptions{} : SurfelOptions{.texelsAcross = 2.0});
     checkOverlap(state->texels);
-    const auto solve = isThesis ? solveByThesis : solveByGather;
-    state->solution = solve(state->texels, state->scene, options, progress);
+    state->solution = solverOf(options.solver)(state->texels, state->scene, options, progress);
     return Decomposition(std::move(state));
 }
 

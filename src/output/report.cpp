@@ -40,9 +40,27 @@ ordered_json scanAsJson(const Scan& scan, const Decomposition& result,
             {"extent", toJson(boundsOf(scan).extent())}};
 }
 
+ordered_json placesAsJson(const std::vector<glm::vec3>& places)
+{
+    ordered_json list = ordered_json::array();
+    for (const glm::vec3 place : places) list.push_back(toJson(place));
+    return list;
+}
+
 ordered_json optionsAsJson(const GatherOptions& gather)
 {
-    return {{"rays", gather.rays}, {"shadowRays", gather.shadowRays}};
+    return {{"rays", gather.rays},
+            {"shadowRays", gather.shadowRays},
+            {"lights", placesAsJson(gather.lights)},
+            {"notLights", placesAsJson(gather.notLights)}};
+}
+
+ordered_json optionsOfPathtrace(const DelightOptions& options)
+{
+    ordered_json json = optionsAsJson(options.gather);
+    json["samples"] = options.pathtrace.samples;
+    json["seed"] = options.pathtrace.seed;
+    return json;
 }
 
 ordered_json optionsAsJson(const ThesisOptions& thesis)
@@ -63,12 +81,25 @@ ordered_json optionsAsJson(const ThesisOptions& thesis)
             {"ambientLight", thesis.useAmbient}};
 }
 
+const char* nameOf(Solver solver)
+{
+    switch (solver) {
+    case Solver::thesis:
+        return "thesis";
+    case Solver::pathtrace:
+        return "pathtrace";
+    case Solver::gather:
+        break;
+    }
+    return "gather";
+}
+
 ordered_json optionsAsJson(const DelightOptions& options)
 {
-    const bool isThesis = options.solver == Solver::thesis;
-    ordered_json json =
-        isThesis ? optionsAsJson(options.thesis) : optionsAsJson(options.gather);
-    json["solver"] = isThesis ? "thesis" : "gather";
+    ordered_json json = options.solver == Solver::thesis      ? optionsAsJson(options.thesis)
+                        : options.solver == Solver::pathtrace ? optionsOfPathtrace(options)
+                                                              : optionsAsJson(options.gather);
+    json["solver"] = nameOf(options.solver);
     json["darkest"] = shortest(options.albedo.darkest);
     json["lightsFromFile"] = options.lights.has_value();
     return json;

@@ -1,65 +1,18 @@
 #include "solve/by_gather.h"
 
 #include "albedo/gather_closure.h"
-#include "fit/given_lamps.h"
-#include "fit/lamps.h"
-#include "lights/fixtures.h"
 #include "shading/gathered_light.h"
+#include "solve/found_room.h"
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
+#include <utility>
 
 namespace relamp
 {
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr size_t kPatchesOfLamp = 32;
-constexpr float kNoFacing = 0.3f; // length of a mean normal below which a lamp shines all around
-
-Fixture fixtureOf(const FoundLamp& lamp)
-{
-    Fixture fixture;
-    glm::vec3 normal(0.0f);
-    for (const ClippedPatch& patch : lamp.patches) {
-        fixture.centre += patch.area * patch.position;
-        normal += patch.area * patch.normal;
-        fixture.area += patch.area;
-    }
-    fixture.centre /= fixture.area;
-    const float length = glm::length(normal);
-    if (length > kNoFacing * fixture.area) fixture.normal = normal / length;
-    fixture.radiance = lamp.radiance;
-    fixture.error = lamp.logError;
-    return fixture;
-}
-
-Lights lightsOf(const FoundLamps& found)
-{
-    Lights lights;
-    lights.ambient = found.ambient;
-    for (const FoundLamp& lamp : found.lamps) {
-        lights.points.push_back(
-            pointLightOf(fixtureOf(lamp), static_cast<int>(lights.fixtures.size())));
-        lights.fixtures.push_back(fixtureOf(lamp));
-    }
-    return lights;
-}
-
-/// Irradiance from all lamps, one a hit list. Lamps that were not looked at yet are now.
-std::vector<glm::vec3> directOf(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                                FoundLamps& found)
-{
-    std::vector<glm::vec3> direct(hits.sideOfList.size(), glm::vec3(0.0f));
-    for (FoundLamp& lamp : found.lamps) {
-        if (lamp.onSides.empty())
-            lamp.onSides = directOfLists(texels, scene, hits, AreaLight(lamp.patches));
-        addDirect(lamp.onSides, lamp.radiance, direct);
-    }
-    return direct;
-}
 
 std::shared_ptr<GatheredLight> lightOf(const Texels& texels, const RayScene& scene,
                                        const FoundLamps& found, std::vector<glm::vec3> indirect,
@@ -85,25 +38,18 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
                        Progress& progress)
 {
     Solution solution{.options = options};
-    const SurfelRadiance radiance = collectRadiance(texels, progress);
-    const HitLists hits = castHitLists(texels, scene, radiance, static_cast<size_t>(options.gather.rays),
-                                       progress);
-    FoundLamps found = findLamps(texels, scene, hits, radiance, options.gather, progress);
-    solution.warnings = found.warnings;
-    if (options.lights) found = asGiven(*options.lights, found);
-    if (found.lamps.empty())
-        solution.warnings.emplace_back("no lamp was found; the room is taken to be lit from "
-                                       "outside alone. Point at one with --light or --lights");
+    FoundRoom room = findRoom(texels, scene, options, progress);
+    solution.warnings = room.warnings;
+    solution.shining = {room.shines, 0.0f};
 
     const Progress::Stage stage(progress, "shadows");
-    solution.shining = {shinesOf(found, texels.surfels.count()), 0.0f};
-    const LitSides sides = lightSides(texels, hits, radiance, directOf(texels, scene, hits, found),
-                                      solution.shining.surfels, found.ambient);
-    solution.closure = closeLoop(hits, radiance, sides, found.ambient);
+    const LitSides sides = litSidesOf(texels, scene, room);
+    const glm::vec3 ambient = room.found.ambient;
+    solution.closure = closeLoop(room.hits, room.radiance, sides, ambient);
     solution.shade =
-        shadingOf(texels, lightOf(texels, scene, found,
-                                  indirectOfFronts(sides, hits, found.ambient), options.gather));
-    solution.lights = lightsOf(found);
+        shadingOf(texels, lightOf(texels, scene, room.found,
+                                  indirectOfFronts(sides, room.hits, ambient), options.gather));
+    solution.lights = lightsOf(room.found);
     solution.merged = solution.lights.points;
     return solution;
 }
