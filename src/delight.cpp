@@ -5,6 +5,7 @@
 #include "solve/by_gather.h"
 #include "solve/by_pathtrace.h"
 #include "solve/by_thesis.h"
+#include "solve/found_room.h"
 
 #include <utility>
 
@@ -39,8 +40,7 @@ Decomposition delight(const Scan& scan, const DelightOptions& options, Progress&
 {
     auto state = stateOf(scan, progress);
     const bool isThesis = options.solver == Solver::thesis;
-    state->texels = rasterizeAtlas(scan, progress,
-                                   isThesis ? SurfelOptions{} : SurfelOptions{.texelsAcross = 2.0});
+    state->texels = rasterizeAtlas(scan, progress, isThesis ? SurfelOptions{} : kGatheringSurfels);
     checkOverlap(state->texels);
     state->solution = solverOf(options.solver)(state->texels, state->scene, options, progress);
     return Decomposition(std::move(state));

@@ -24,6 +24,19 @@ double toMillisecond(double seconds)
     return std::round(seconds * 1e3) / 1e3;
 }
 
+const char* nameOf(Transfer transfer)
+{
+    switch (transfer) {
+    case Transfer::srgb:
+        return "srgb";
+    case Transfer::linear:
+        return "linear";
+    case Transfer::automatic:
+        break;
+    }
+    return "auto";
+}
+
 ordered_json scanAsJson(const Scan& scan, const Decomposition& result,
                         const std::filesystem::path& file)
 {
@@ -32,6 +45,10 @@ ordered_json scanAsJson(const Scan& scan, const Decomposition& result,
         pages.push_back(
             {{"name", page.name}, {"width", page.image.width}, {"height", page.image.height}});
     return {{"file", file.string()},
+            {"up", scan.options.up == UpAxis::z ? "z" : "y"},
+            {"scale", scan.options.scale},
+            {"transfer", nameOf(scan.options.transfer)},
+            {"skippedMeshes", scan.options.skipMeshes},
             {"triangles", scan.triangleCount()},
             {"meshes", scan.meshes.size()},
             {"pages", std::move(pages)},

@@ -45,6 +45,7 @@ public:
         : texels_(texels), scene_(scene), room_(room)
     {}
 
+    [[nodiscard]] const TracedRoom& room() const { return room_; }
     /// Mean over `paths` >= 1 paths from a place.
     [[nodiscard]] TracedShading shade(const TexelSite& site, size_t paths, Random random) const;
 

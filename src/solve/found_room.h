@@ -14,6 +14,9 @@
 namespace relamp
 {
 
+/// As fine as light changes on walls.
+inline constexpr SurfelOptions kGatheringSurfels{.texelsAcross = 2.0};
+
 /// A scan whose lamps are known: where the solvers start that shade by area and shadow.
 struct FoundRoom
 {
