@@ -31,11 +31,6 @@ struct DelightArguments
     bool json = false;
 };
 
-CLI::Validator between(double low, double high)
-{
-    return CLI::Range(low, high).description("");
-}
-
 void addDials(CLI::App& command, DelightArguments& arguments)
 {
     relamp::ThesisOptions& dials = arguments.options.thesis;
@@ -135,7 +130,7 @@ void addGatherDials(CLI::App& command, DelightArguments& arguments)
               "What is burnt out at this place is a light; may be given again");
     addPlaces(command, "--not-a-light", arguments.notLightsAt,
               "What is burnt out at this place is none; may be given again");
-    command.add_option("--rays", gather.rays, "Rays of a place that look for bounce light [16]")
+    command.add_option("--rays", gather.rays, "Rays of a place that look for bounce light [16 .. 64, as the scan is fine]")
         ->check(between(4, 1024))
         ->type_name("N")
         ->group(group);

@@ -5,7 +5,11 @@
 #include "relamp/error.h"
 #include "relamp/version.h"
 
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <exception>
 #include <new>
 
 #include <fmt/format.h>
@@ -16,9 +20,17 @@ namespace
 constexpr int kWorldIsWrong = 1;
 constexpr int kUsage = 2;
 
+/// What was printed may still lie in a buffer, and not fit where it has to go.
+int endOutput(int exitCode)
+{
+    if (std::fflush(stdout) == 0) return exitCode;
+    printProblem(fmt::format("standard output: cannot be written: {}", std::strerror(errno)));
+    return kWorldIsWrong;
+}
+
 int report(const relamp::Error& error)
 {
-    fmt::print(stderr, "\r");
+    endProgressDisplay(Talk::normal);
     printProblem(error.what());
     return error.code() == relamp::ErrorCode::cancelled ? Interrupt::kExitCode : kWorldIsWrong;
 }
@@ -51,11 +63,15 @@ int main(int argc, char** argv)
         return app.exit(error) == 0 ? 0 : kUsage;
     }
     try {
-        return run();
+        return endOutput(run());
     } catch (const relamp::Error& error) {
         return report(error);
     } catch (const std::bad_alloc&) {
         printProblem("this machine has not enough memory for the scan; scale its textures down");
+        return kWorldIsWrong;
+    } catch (const std::exception& error) {
+        // Nobody expected it; still, what was half-written went as the stack was unwound.
+        printProblem(error.what());
         return kWorldIsWrong;
     }
 }

@@ -2,6 +2,19 @@
 
 #include <map>
 
+#include <fmt/format.h>
+
+CLI::Validator between(double low, double high)
+{
+    const auto check = [low, high](const std::string& text) {
+        double value = 0.0;
+        const bool isBetween =
+            CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+        return isBetween ? "" : fmt::format("{} is not between {} and {}", text, low, high);
+    };
+    return {check, ""};
+}
+
 void addScanArguments(CLI::App& command, ScanArguments& arguments)
 {
     using relamp::Transfer;
@@ -19,7 +32,7 @@ void addScanArguments(CLI::App& command, ScanArguments& arguments)
         ->transform(CLI::CheckedTransformer(axes).description(""))
         ->type_name("AXIS");
     command.add_option("--scale", options.scale, "Metres a unit of the file [1]")
-        ->check(CLI::Range(1e-6, 1e6).description(""))
+        ->check(between(1e-6, 1e6))
         ->type_name("M");
     command
         .add_option("--transfer", options.transfer,
@@ -31,6 +44,6 @@ void addScanArguments(CLI::App& command, ScanArguments& arguments)
         ->type_name("NAME")
         ->allow_extra_args(false);
     command.add_option("--threads", arguments.threads, "Threads to work with; 0 is one a core [0]")
-        ->check(CLI::Range(0, 1024).description(""))
+        ->check(between(0, 1024))
         ->type_name("N");
 }

@@ -14,4 +14,7 @@ struct ScanArguments
     int threads = 0;
 };
 
+/// Takes numbers from `low` to `high`. CLI::Range would take NaN as well.
+CLI::Validator between(double low, double high);
+
 void addScanArguments(CLI::App& command, ScanArguments& arguments);

@@ -16,6 +16,12 @@ using Clock = std::chrono::steady_clock;
 constexpr int kBarWidth = 30;
 constexpr auto kRedrawEvery = std::chrono::milliseconds(50);
 
+/// Never throws: where nobody can be told, the work goes on.
+void say(const std::string& text)
+{
+    std::fputs(text.c_str(), stderr);
+}
+
 bool isTerminal()
 {
     return isatty(fileno(stderr)) != 0;
@@ -24,8 +30,8 @@ bool isTerminal()
 void drawBar(std::string_view stage, double fraction)
 {
     const int done = static_cast<int>(fraction * kBarWidth);
-    fmt::print(stderr, "\r  {:<12} [{:<{}}] {:3.0f} %", stage,
-               std::string(static_cast<size_t>(done), '#'), kBarWidth, 100.0 * fraction);
+    say(fmt::format("\r  {:<12} [{:<{}}] {:3.0f} %", stage,
+                    std::string(static_cast<size_t>(done), '#'), kBarWidth, 100.0 * fraction));
     std::fflush(stderr);
 }
 
@@ -52,13 +58,13 @@ relamp::Progress::Sink progressDisplay(Talk talk)
     return [state](const relamp::Progress::Event& event) {
         if (event.stage == state->stage) return;
         state->stage = event.stage;
-        fmt::print(stderr, "  {} ...\n", event.stage);
+        say(fmt::format("  {} ...\n", event.stage));
     };
 }
 
 void endProgressDisplay(Talk talk)
 {
-    if (talk == Talk::normal && isTerminal()) fmt::print(stderr, "\r{:60}\r", "");
+    if (talk == Talk::normal && isTerminal()) say(fmt::format("\r{:60}\r", ""));
 }
 
 void printProblem(const std::string& sentence)
@@ -66,5 +72,5 @@ void printProblem(const std::string& sentence)
     std::string text = "relamp: " + sentence;
     for (size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1))
         text.insert(at + 1, "        ");
-    fmt::print(stderr, "{}\n", text);
+    say(text + "\n");
 }

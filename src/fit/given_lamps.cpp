@@ -45,7 +45,8 @@ std::vector<ClippedPatch> ball(glm::vec3 centre, float area)
     std::vector<ClippedPatch> patches;
     for (int i = 0; i < kPatches; ++i) {
         const glm::vec3 way = evenDirection(evenPoint(static_cast<float>(i), glm::vec2(0.5f)));
-        patches.push_back(patchAt(centre + radius * way, way, 4.0f * kPi * radius * radius / kPatches));
+        patches.push_back(
+            patchAt(centre + radius * way, way, 4.0f * kPi * radius * radius / kPatches));
     }
     return patches;
 }
@@ -70,15 +71,19 @@ FoundLamp lampOf(const Fixture& fixture, const FoundLamps& found)
         if (glm::distance(centreOf(lamp), fixture.centre) < kMoved)
             return {lamp.patches, fixture.radiance, fixture.error, lamp.onSides};
     const bool isFlat = fixture.normal != glm::vec3(0.0f);
-    return {isFlat ? disc(fixture) : ball(fixture.centre, fixture.area), fixture.radiance,
-            fixture.error, {}};
+    return {isFlat ? disc(fixture) : ball(fixture.centre, fixture.area),
+            fixture.radiance,
+            fixture.error,
+            {}};
 }
 
 FoundLamp lampOf(const PointLight& light)
 {
     const float radius = std::max(light.radius, kLeastRadius);
     return {ball(light.position, 4.0f * kPi * radius * radius),
-            light.intensity / (kPi * radius * radius), glm::vec3(0.0f), {}};
+            light.intensity / (kPi * radius * radius),
+            glm::vec3(0.0f),
+            {}};
 }
 
 } // namespace

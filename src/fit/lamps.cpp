@@ -33,14 +33,18 @@ constexpr size_t kSamplesAPatch = 16;
 constexpr float kAround = 1.6f; // surfel sizes
 constexpr int kMostRounds = 6;
 constexpr size_t kPairsOfTrial = 4;
-constexpr float kPieceMissed =
-    0.008f; // rise of the fit's loss; a lamp that lights 1 % of the pairs
-constexpr float kLampMissed = 0.02f;
-constexpr float kBurntWallMissed = 0.06f; // what would be burnt out anyway
-constexpr float kHardlyMissed = 0.3f; // of these
-constexpr float kTouching = 0.12f;    // m between pieces of one lamp
-constexpr float kPointedAt = 0.3f;    // m around a place that a person names
-constexpr float kAboutEqual = 3.0f;   // ratio of their radiances
+constexpr float kPieceMissed = 0.008f;    // rise of the fit's loss; it lights 1 % of the pairs
+constexpr float kWallPieceMissed = 0.02f; // of what would be burnt out anyway
+constexpr float kWallMissed = 0.06f;      // of that, once pieces are joined to lamps
+constexpr float kGreyWall = 0.5f;         // radiance
+constexpr float kHardlyMissed = 0.3f;     // of these
+constexpr float kSameSize = 2.5f;         // ratio of areas of one model
+constexpr float kFlat = 0.9f;             // length of a mean normal, and cosine between two
+constexpr float kSameLevel = 0.1f;        // m
+constexpr float kLeastModel = 0.01f;      // m^2; smaller things are not told apart by their shape
+constexpr float kTouching = 0.12f;        // m between pieces of one lamp
+constexpr float kPointedAt = 0.3f;        // m around a place that a person names
+constexpr float kAboutEqual = 3.0f;       // ratio of their radiances
 
 /// One lamp to be, with what it does at all places at radiance 1.
 struct Suspect
@@ -67,11 +71,12 @@ private:
     void choosePlaces();
     void takeCandidates(const GatherOptions& options);
     void look(Suspect& suspect, size_t raysPerOrigin) const;
+    [[nodiscard]] std::vector<std::pair<uint32_t, uint32_t>> alikes() const;
     void fit(size_t pairsPerPlace, bool oneChannel);
     void updateField();
     size_t dropWalls();
     size_t dropExplained();
-    void dropNeedless(float missed, float missedIfWall);
+    void dropNeedless(float missedIfWall);
     [[nodiscard]] std::vector<float> rises() const;
     void joinPieces();
     [[nodiscard]] float brightnessOfWallAt(size_t suspect) const;
@@ -199,6 +204,30 @@ FitData LampSearch::dataFor() const
     return data;
 }
 
+/// Whether two pieces look like the same model of lamp, as the panels of a ceiling do.
+bool areAlike(const Candidate& a, const Candidate& b)
+{
+    const float sizes = a.area / b.area;
+    if (sizes > kSameSize || sizes < 1.0f / kSameSize) return false;
+    if (glm::length(a.normal) < kFlat || glm::length(b.normal) < kFlat) return false;
+    const glm::vec3 normal = glm::normalize(a.normal);
+    return glm::dot(normal, glm::normalize(b.normal)) > kFlat &&
+           std::abs(glm::dot(b.centre - a.centre, normal)) < kSameLevel;
+}
+
+std::vector<std::pair<uint32_t, uint32_t>> LampSearch::alikes() const
+{
+    std::vector<std::pair<uint32_t, uint32_t>> alike;
+    for (uint32_t a = 0; a < suspects_.size(); ++a)
+        for (uint32_t b = a + 1; b < suspects_.size(); ++b) {
+            const Candidate& one = suspects_[a].candidate;
+            const Candidate& other = suspects_[b].candidate;
+            if (std::min(one.area, other.area) > kLeastModel && areAlike(one, other))
+                alike.emplace_back(a, b);
+        }
+    return alike;
+}
+
 void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
 {
     std::fill(field_.shines.begin(), field_.shines.end(), uint8_t{0});
@@ -206,7 +235,7 @@ void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
         for (const ClippedPatch& patch : suspect.candidate.patches) field_.shines[patch.surfel] = 1;
     const FitData data = dataFor();
     const auto pairs = drawPairs(data, places_, texels_.surfels, pairsPerPlace);
-    powers_ = fitPowers(data, pairs, {.oneChannel = oneChannel});
+    powers_ = fitPowers(data, pairs, {.oneChannel = oneChannel, .alike = alikes()});
     for (size_t f = 0; f < suspects_.size(); ++f) {
         suspects_[f].radiance = powers_.radiance[f];
         suspects_[f].logError = powers_.logError[f];
@@ -343,12 +372,24 @@ FitData withoutLamp(const FitData& data, size_t lamp)
     return less;
 }
 
+std::vector<std::pair<uint32_t, uint32_t>>
+withoutLamp(std::vector<std::pair<uint32_t, uint32_t>> alike, uint32_t lamp)
+{
+    std::erase_if(alike, [=](const auto& p) { return p.first == lamp || p.second == lamp; });
+    for (auto& [a, b] : alike) {
+        a -= a > lamp ? 1 : 0;
+        b -= b > lamp ? 1 : 0;
+    }
+    return alike;
+}
+
 /// How much worse the pairs agree without one lamp, the others free to take its part.
 std::vector<float> LampSearch::rises() const
 {
     const FitData data = dataFor();
     const auto pairs = drawPairs(data, places_, texels_.surfels, kPairsOfTrial);
     PowersOptions options{.firstScale = PowersOptions{}.lastScale, .oneChannel = true};
+    options.alike = alikes();
     options.start = powers_.radiance;
     options.start.push_back(powers_.ambient);
     const float loss = fitPowers(data, pairs, options).loss;
@@ -356,19 +397,29 @@ std::vector<float> LampSearch::rises() const
     forEach(suspects_.size(), [&](size_t f) {
         PowersOptions without = options;
         without.start.erase(without.start.begin() + static_cast<ptrdiff_t>(f));
+        without.alike = withoutLamp(options.alike, static_cast<uint32_t>(f));
         rises[f] = fitPowers(withoutLamp(data, f), pairs, without).loss - loss;
     });
     return rises;
 }
 
+/// How much a lamp must be missed to stay. Where a wall would be burnt out, much; where it would be
+/// grey, not at all: something else has to make it bright.
+float missedAtLeast(float brightnessOfWall, float ifWall)
+{
+    if (brightnessOfWall > kExplained) return ifWall;
+    return kPieceMissed * (brightnessOfWall - kGreyWall) / (kExplained - kGreyWall);
+}
+
 /// The least missed go first, and those that are hardly missed all at once.
-void LampSearch::dropNeedless(float missed, float missedIfWall)
+void LampSearch::dropNeedless(float missedIfWall)
 {
     while (suspects_.size() > 1) {
         std::vector<float> need = rises();
         for (size_t f = 0; f < need.size(); ++f) {
-            need[f] /= brightnessOfWallAt(f) > kExplained ? missedIfWall : missed;
-            if (suspects_[f].isGiven) need[f] = std::numeric_limits<float>::max();
+            const float least = missedAtLeast(brightnessOfWallAt(f), missedIfWall);
+            const bool stays = suspects_[f].isGiven || least <= 0.0f;
+            need[f] = stays ? std::numeric_limits<float>::max() : need[f] / least;
         }
         const float least = *std::min_element(need.begin(), need.end());
         if (least > 1.0f) break;
@@ -392,10 +443,10 @@ FoundLamps LampSearch::run()
         fit(kPairs, true);
         if (dropWalls() + dropExplained() == 0) break;
     }
-    dropNeedless(kPieceMissed, kPieceMissed);
+    dropNeedless(kWallPieceMissed);
     joinPieces();
     fit(kPairs, true);
-    dropNeedless(kLampMissed, kBurntWallMissed);
+    dropNeedless(kWallMissed);
     fit(kPairs, false);
     stage_.advance();
     updateField();

@@ -97,29 +97,78 @@ private:
     std::vector<double> share_;
 };
 
-/// log (L_p / L_q) - log (E_p / E_q).
-class PairCost : public ceres::CostFunction
+/// log (L_p / L_q) - log (E_p / E_q) of all pairs, with the Cauchy loss already in each residual:
+/// sign(r) sqrt(b log(1 + r^2 / b)), b = scale^2. One block of residuals, as there is one of
+/// unknowns; a block a pair would take Ceres longer than the sums in it.
+class PairsCost : public ceres::CostFunction
 {
 public:
-    PairCost(const Channel& channel, MaterialPair pair) : channel_(channel), pair_(pair)
+    PairsCost(const Channel& channel, std::span<const MaterialPair> pairs, double scale)
+        : channel_(channel), pairs_(pairs), b_(scale * scale)
     {
-        set_num_residuals(1);
+        set_num_residuals(static_cast<int>(pairs.size()));
         mutable_parameter_block_sizes()->push_back(static_cast<int32_t>(channel.count()));
     }
 
     bool Evaluate(double const* const*, double* residuals, double** jacobians) const override
     {
-        residuals[0] = channel_.residual(pair_);
-        if (jacobians == nullptr || jacobians[0] == nullptr) return true;
-        const double* p = channel_.shares(pair_.p);
-        const double* q = channel_.shares(pair_.q);
-        for (size_t f = 0; f < channel_.count(); ++f) jacobians[0][f] = q[f] - p[f];
+        double* jacobian = jacobians == nullptr ? nullptr : jacobians[0];
+        forEachChunk(pairs_.size(), 2048, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i) evaluate(i, residuals, jacobian);
+        });
         return true;
     }
 
 private:
+    void evaluate(size_t i, double* residuals, double* jacobian) const
+    {
+        const double r = channel_.residual(pairs_[i]);
+        const double size = std::sqrt(b_ * std::log1p(r * r / b_));
+        residuals[i] = std::copysign(size, r);
+        if (jacobian == nullptr) return;
+        const double slope = size > 1e-9 ? std::abs(r) / ((1.0 + r * r / b_) * size) : 1.0;
+        const double* p = channel_.shares(pairs_[i].p);
+        const double* q = channel_.shares(pairs_[i].q);
+        double* row = jacobian + i * channel_.count();
+        for (size_t f = 0; f < channel_.count(); ++f) row[f] = slope * (q[f] - p[f]);
+    }
+
     const Channel& channel_;
-    MaterialPair pair_;
+    std::span<const MaterialPair> pairs_;
+    double b_;
+};
+
+/// Pulls lamps that look alike towards one radiance.
+class AlikeCost : public ceres::CostFunction
+{
+public:
+    AlikeCost(const std::vector<std::pair<uint32_t, uint32_t>>& alike, size_t count, double weight)
+        : alike_(alike), count_(count), weight_(weight)
+    {
+        set_num_residuals(static_cast<int>(alike.size()));
+        mutable_parameter_block_sizes()->push_back(static_cast<int32_t>(count));
+    }
+
+    bool Evaluate(double const* const* parameters, double* residuals,
+                  double** jacobians) const override
+    {
+        const double* log = parameters[0];
+        double* jacobian = jacobians == nullptr ? nullptr : jacobians[0];
+        if (jacobian != nullptr) std::fill_n(jacobian, alike_.size() * count_, 0.0);
+        for (size_t i = 0; i < alike_.size(); ++i) {
+            const auto [a, b] = alike_[i];
+            residuals[i] = weight_ * (log[a] - log[b]);
+            if (jacobian == nullptr) continue;
+            jacobian[i * count_ + a] = weight_;
+            jacobian[i * count_ + b] = -weight_;
+        }
+        return true;
+    }
+
+private:
+    const std::vector<std::pair<uint32_t, uint32_t>>& alike_;
+    size_t count_;
+    double weight_;
 };
 
 /// Pulls every unknown a little towards where it is without evidence.
@@ -198,9 +247,14 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, 
             problem.SetParameterLowerBound(channel.unknowns(), f, kSmallest);
             problem.SetParameterUpperBound(channel.unknowns(), f, kLargest);
         }
-        for (const MaterialPair& pair : pairs)
-            problem.AddResidualBlock(new PairCost(channel, pair), new ceres::CauchyLoss(scale),
+        if (!pairs.empty())
+            problem.AddResidualBlock(new PairsCost(channel, pairs, scale), nullptr,
                                      channel.unknowns());
+        if (!options.alike.empty())
+            problem.AddResidualBlock(
+                new AlikeCost(options.alike, channel.count(),
+                              std::sqrt(options.alikeWeight * static_cast<double>(pairs.size()))),
+                nullptr, channel.unknowns());
         problem.AddResidualBlock(new PriorCost(channel.wanted(), prior), nullptr,
                                  channel.unknowns());
         ceres::Solver::Options solver;

@@ -2,7 +2,9 @@
 
 #include "fit/fit_data.h"
 
+#include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace relamp
@@ -15,6 +17,8 @@ struct PowersOptions
     double firstScale = 0.5; // of the Cauchy loss, in log radiance; halves until lastScale
     double lastScale = 0.08;
     bool oneChannel = false; // fit luminance alone: faster, for a first look
+    std::vector<std::pair<uint32_t, uint32_t>> alike; // lamps that look like one model
+    double alikeWeight = 1e-4; // of their being equally bright, in pairs' squared residuals a pair
     std::vector<glm::vec3> start; // radiances of lamps, then of ambient; empty: without evidence
 };
 

@@ -21,7 +21,11 @@ namespace
 /// Without a trailing slash, so that it has a name and a parent.
 fs::path cleaned(const fs::path& folder)
 {
-    const fs::path absolute = fs::absolute(folder).lexically_normal();
+    if (folder.empty())
+        fail(ErrorCode::cannotWrite, "the output folder", "has no name; give one with -o");
+    std::error_code failure;
+    const fs::path absolute = fs::absolute(folder, failure).lexically_normal();
+    if (failure) cannotWrite(folder, failure.message());
     return absolute.has_filename() ? absolute : absolute.parent_path();
 }
 
@@ -67,7 +71,7 @@ std::vector<std::string> StagedFolder::names() const
 void StagedFolder::commit(const std::string& last, const std::vector<std::string>& stale)
 {
     std::error_code failure;
-    if (!fs::exists(folder_)) { // nothing there yet: one step, all or nothing
+    if (!fs::exists(folder_, failure)) { // nothing there yet: one step, all or nothing
         moveFile(staging_, folder_);
         return;
     }

@@ -79,6 +79,7 @@ TEST_F(StagedFolderTest, RefusesAPlaceThatIsAFile)
     writeFile(root / "out", std::string("a file"));
     EXPECT_THROW(StagedFolder(root / "out", progress), Error);
     EXPECT_THROW(StagedFolder(root / "out" / "below", progress), Error);
+    EXPECT_THROW(StagedFolder("", progress), Error);
 }
 
 TEST_F(StagedFolderTest, GoesWhenTheProcessHasToEnd)

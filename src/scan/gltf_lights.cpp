@@ -25,7 +25,7 @@ json& nodesOfScene(json& document)
         document["scenes"] = {{{"nodes", rootNodes(document)}}};
         document["scene"] = 0;
     }
-    return document["scenes"][document.value("scene", size_t{0})]["nodes"];
+    return document["scenes"].at(document.value("scene", size_t{0}))["nodes"];
 }
 
 json asJson(const glm::vec3& v)

@@ -30,6 +30,7 @@ namespace
 constexpr size_t kMostTriangles = size_t{1} << 26;
 constexpr size_t kMostVertices = size_t{1} << 28; // read; primitives may share them
 constexpr size_t kMostMeshes = size_t{1} << 16;
+constexpr size_t kLongestName = 200; // of a file, in a message
 
 tinygltf::Model parseModel(const std::string& glb, const std::string& name)
 {
@@ -282,10 +283,8 @@ void GltfReader::visitScene()
         for (const int node : rootNodes(source_->document)) visitNode(node, scan_.worldFromFile);
         return;
     }
-    const int scene = std::max(model_.defaultScene, 0);
-    if (static_cast<size_t>(scene) >= model_.scenes.size())
-        malformed(name_, fmt::format("refers to scene {}, which is not there", scene));
-    for (const int node : model_.scenes[static_cast<size_t>(scene)].nodes)
+    for (const int node :
+         model_.scenes.at(static_cast<size_t>(std::max(model_.defaultScene, 0))).nodes)
         visitNode(node, scan_.worldFromFile);
 }
 
@@ -300,7 +299,9 @@ void GltfReader::readPages(Progress& progress)
         const tinygltf::Image& source = model_.images[static_cast<size_t>(image)];
         const std::string what = fmt::format("{}: image {} \"{}\"", name_, image, source.name);
         if (source.bufferView < 0)
-            malformed(what, "the picture file that it names is missing or unreadable");
+            malformed(what,
+                      fmt::format("the picture file that it names is missing or unreadable: {}",
+                                  source.uri.substr(0, kLongestName)));
         const auto& views = model_.bufferViews;
         if (static_cast<size_t>(source.bufferView) >= views.size())
             malformed(what, "has no content");

@@ -26,7 +26,8 @@ constexpr uint64_t kLargestBinary =
 // stream over and over.
 constexpr uint64_t kMostExpansion = 256;
 constexpr uint64_t kAnyFileMayUnpackTo = uint64_t{1} << 26;
-constexpr std::array kSections{"buffers", "bufferViews", "accessors", "images", "meshes"};
+constexpr std::array kSections{"buffers", "bufferViews", "accessors", "images",  "meshes",
+                               "nodes",   "scenes",      "materials", "textures"};
 
 /// Rewrites a document step by step; the binary chunk grows as things are pulled into it.
 class Unpacker
@@ -46,6 +47,7 @@ public:
 
 private:
     void checkSections();
+    void checkScene();
     json& section(const char* key) { return document_[key]; }
     std::vector<uint8_t> fetch(const std::string& uri, const std::string& what);
     void takeBuffers();
@@ -79,6 +81,16 @@ void Unpacker::checkSections()
             if (!item.is_object())
                 malformed(name_, fmt::format("\"{}\" holds something that is no object", key));
     }
+}
+
+/// tinygltf would cut the number off at 32 bits, and what is read here is written again.
+void Unpacker::checkScene()
+{
+    if (!document_.contains("scene") || section("scenes").empty()) return;
+    const uint64_t scene = unsignedMember(document_, "scene", name_);
+    if (scene >= section("scenes").size())
+        malformed(name_, fmt::format("refers to scene {}, which is not there", scene));
+    document_["scene"] = scene;
 }
 
 std::vector<uint8_t> Unpacker::fetch(const std::string& uri, const std::string& what)
@@ -294,6 +306,7 @@ void Unpacker::dropExtension(const char* name)
 void Unpacker::run()
 {
     checkSections();
+    checkScene();
     takeBuffers();
     for (size_t i = 0, count = section("bufferViews").size(); i < count; ++i) {
         const json& view = section("bufferViews")[i];

@@ -96,8 +96,10 @@ TEST(GltfUnpack, AMissingBufferIsNamed)
 
 TEST(GltfUnpack, AMissingPictureIsNamedWhereItIsNeeded)
 {
-    EXPECT_THAT(scenes::refusal(squareShowing("gone.png").glb()),
-                HasSubstr("room.glb: image 0 \"wall\": the picture file that it names is missing"));
+    EXPECT_THAT(
+        scenes::refusal(squareShowing("gone.png").glb()),
+        HasSubstr("room.glb: image 0 \"wall\": the picture file that it names is missing or "
+                  "unreadable: gone.png"));
 }
 
 TEST(GltfUnpack, AMissingPictureThatShowsNoColourIsOnlyWarnedOf)
@@ -169,6 +171,26 @@ TEST(GltfUnpack, CountsThatNoStreamCouldHoldAreRefusedBeforeThereIsRoomForThem)
     file.document["bufferViews"][1]["extensions"]["EXT_meshopt_compression"]["count"] =
         4'000'000'000u;
     EXPECT_THAT(scenes::refusal(file.glb()), HasSubstr("breaks the rules"));
+}
+
+TEST(GltfUnpack, ScenesThatAreNotThereAreRefused)
+{
+    for (const nlohmann::json& scene :
+         {nlohmann::json(-1), nlohmann::json(1), nlohmann::json(4294967296), nlohmann::json(1e10),
+          nlohmann::json(18446744073709551615u), nlohmann::json("0")}) {
+        GltfFile file = scenes::texturedSquare();
+        file.document["scene"] = scene;
+        EXPECT_THAT(scenes::refusal(file.glb()), HasSubstr("scene")) << scene;
+    }
+}
+
+// Found by the fuzzer: without scenes the nodes themselves are looked through for roots.
+TEST(GltfUnpack, NodesThatAreNoListAreRefused)
+{
+    GltfFile file = scenes::texturedSquare();
+    file.document.erase("scenes");
+    file.document["nodes"] = 0;
+    EXPECT_THAT(scenes::refusal(file.glb()), HasSubstr("\"nodes\" is not a list"));
 }
 
 TEST(GltfUnpack, OlderVersionsAreNamed)

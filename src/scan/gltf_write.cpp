@@ -248,7 +248,7 @@ void GlbWriter::setEmission(json& material, size_t page)
         json texture{{"source", append("images", {{"name", scan_.pages[page].name + " emission"},
                                                   {"mimeType", emission.mimeType},
                                                   {"bufferView", addView(emission.bytes)}})}};
-        const json& old = section("textures")[base["index"].get<size_t>()];
+        const json& old = section("textures").at(base["index"].get<size_t>());
         if (old.contains("sampler")) texture["sampler"] = old["sampler"];
         found->second = append("textures", std::move(texture));
     }
@@ -295,7 +295,7 @@ void GlbWriter::relightMaterials()
                                    static_cast<size_t>(scan_.meshes[m].page));
     }
     for (const auto& [index, page] : pageOfMaterial) {
-        json& material = section("materials")[index];
+        json& material = section("materials").at(index);
         relightMaterial(material);
         setEmission(material, page);
     }

@@ -1,5 +1,6 @@
 #include "scan/gltf_write.h"
 
+#include "relamp/error.h"
 #include "scan/gltf_json.h"
 #include "scenes/gltf_files.h"
 #include "scenes/pictures.h"
@@ -210,6 +211,16 @@ TEST(GltfWrite, APrimitiveWithoutMaterialGetsAMatteOne)
 {
     const Written written = rewrite(scenes::coloredSquare());
     EXPECT_EQ(materialOf(written)["pbrMetallicRoughness"]["metallicFactor"], 0.0);
+}
+
+// tinygltf reads these as "no material" and as some other number; the document still has them.
+TEST(GltfWrite, MaterialsOfImpossibleNumbersEndInASentence)
+{
+    for (const nlohmann::json& index : {nlohmann::json(-1), nlohmann::json(1e10)}) {
+        GltfFile file = scenes::coloredSquare();
+        file.primitive()["material"] = index;
+        EXPECT_THROW(rewrite(file), Error) << index;
+    }
 }
 
 TEST(GltfWrite, LightsStandWhereTheyShineInTheUnitsOfTheFile)

@@ -1,6 +1,10 @@
 #include "shading/gather.h"
 
 #include "base/parallel.h"
+#include "lights/expand.shared.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace relamp
 {
@@ -34,19 +38,27 @@ Gathered gather(const HitLists& hits, const RadianceField& field, std::span<cons
     const size_t count = lists.empty() ? hits.sideOfList.size() : lists.size();
     Gathered result;
     result.irradiance.resize(count);
+    result.noise.resize(count);
     result.missed.resize(count);
     forEachChunk(count, 256, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             glm::vec3 sum(0.0f);
+            float squares = 0.0f;
             float missed = 0.0f;
             const std::span targets = hits.targetsOf(lists.empty() ? i : lists[i]);
             for (const HitTarget target : targets) {
-                if (target.isNothing())
+                if (target.isNothing()) {
                     missed += 1.0f;
-                else
-                    sum += radianceAt(field, target);
+                    continue;
+                }
+                const glm::vec3 radiance = radianceAt(field, target);
+                sum += radiance;
+                squares += luminance(radiance) * luminance(radiance);
             }
-            const float perRay = kPi / static_cast<float>(targets.size()); // cosine-distributed
+            const auto rays = static_cast<float>(targets.size());
+            const float perRay = kPi / rays; // cosine-distributed
+            const float mean = luminance(sum) / rays;
+            result.noise[i] = kPi * std::sqrt(std::max(squares / rays - mean * mean, 0.0f) / rays);
             result.irradiance[i] = perRay * sum;
             result.missed[i] = perRay * missed;
         }

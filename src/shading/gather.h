@@ -27,6 +27,7 @@ RadianceField fieldOf(const SurfelRadiance& radiance);
 struct Gathered
 {
     std::vector<glm::vec3> irradiance; // from surfaces that do not shine
+    std::vector<float> noise;          // standard error of its luminance
     std::vector<float> missed;         // of directions that leave the scan, at radiance 1
 };
 

@@ -13,18 +13,16 @@ namespace relamp
 namespace
 {
 
-constexpr float kOffSurface = 2e-3f;   // m; less than things that lie on each other are apart
+constexpr float kOffSurface = 2e-3f; // m; less than things that lie on each other are apart
 constexpr size_t kMoreRays = 4;
-constexpr float kNoisy = 0.25f; // of the mean; what neighbours average away again
-constexpr float kBlack = 0.01f; // radiance
+constexpr float kNoisy = 0.25f;        // of the mean; what neighbours average away again
+constexpr float kBlack = 0.01f;        // radiance
 constexpr int kGenerationsOfBacks = 2; // backs seen by backs seen by fronts; beyond is dark anyway
 
 class Caster
 {
 public:
-    Caster(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance)
-        : texels_(texels), scene_(scene), radiance_(radiance), sites_(texels)
-    {}
+    Caster(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance);
 
     /// Rays from `first` on of a side's sequence.
     void cast(Side side, size_t first, std::span<HitTarget> out) const;
@@ -39,7 +37,23 @@ private:
     const RayScene& scene_;
     const SurfelRadiance& radiance_;
     SurfelSites sites_;
+    std::vector<std::vector<uint32_t>> surfelAt_; // [page][pixel]; Surfels::kNone: no texel
 };
+
+Caster::Caster(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance)
+    : texels_(texels), scene_(scene), radiance_(radiance), sites_(texels)
+{
+    for (size_t p = 0; p < texels.pages.size(); ++p) {
+        const PageTexels& page = texels.pages[p];
+        std::vector<uint32_t>& surfelAt =
+            surfelAt_.emplace_back(texels.scan->pages[p].image.pixels(), Surfels::kNone);
+        forEachChunk(page.runs.size() - 1, 256, [&](size_t begin, size_t end) {
+            for (size_t run = begin; run < end; ++run)
+                for (size_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i)
+                    surfelAt[page.pixel[i]] = page.runs[run].surfel;
+        });
+    }
+}
 
 Ray Caster::rayOf(Side side, size_t i) const
 {
@@ -53,11 +67,13 @@ Ray Caster::rayOf(Side side, size_t i) const
 HitTarget Caster::targetOf(const Ray& ray, const Hit& hit) const
 {
     if (hit.missed()) return HitTarget::nothing();
-    const uint32_t surfel =
-        texels_.surfels.find(ray.origin + hit.distance * ray.direction, normalAt(texels_, hit));
+    const auto [page, pixel] = nearestPixelAt(texels_, hit);
+    uint32_t surfel = surfelAt_[page][pixel];
+    if (surfel == Surfels::kNone) // between the texels of a chart's rim
+        surfel =
+            texels_.surfels.find(ray.origin + hit.distance * ray.direction, normalAt(texels_, hit));
     if (surfel == Surfels::kNone) return HitTarget::nothing();
     if (!hit.front) return HitTarget::of(Side::back(surfel), false);
-    const auto [page, pixel] = nearestPixelAt(texels_, hit);
     return HitTarget::of(Side::front(surfel), radiance_.isClipped[page][pixel] != 0);
 }
 

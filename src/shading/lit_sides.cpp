@@ -1,6 +1,7 @@
 #include "shading/lit_sides.h"
 
 #include "base/parallel.h"
+#include "lights/expand.shared.h"
 #include "shading/sampling.shared.h"
 
 #include <algorithm>
@@ -14,6 +15,7 @@ namespace
 constexpr float kPi = 3.14159265f;
 constexpr size_t kOrigins = 4; // texels of a surfel that a lamp is looked for from
 constexpr int kRounds = 4;
+constexpr int kSmoothings = 3;
 constexpr float kLeastIrradiance = 1e-4f;
 constexpr float kDarkestAlbedo = 0.02f;
 constexpr float kBrightestAlbedo = 0.95f;
@@ -23,6 +25,34 @@ constexpr float kMostRadiance = 10.0f;      // of a wall beside a lamp
 bool isKnown(const SurfelRadiance& radiance, size_t surfel)
 {
     return radiance.plainArea[surfel] > 0.1f * radiance.clippedArea[surfel];
+}
+
+std::vector<glm::vec3> meanOfNeighbors(const Surfels& surfels, std::span<const glm::vec3> values)
+{
+    std::vector<glm::vec3> means(values.size());
+    forEachChunk(means.size(), 1024, [&](size_t begin, size_t end) {
+        for (size_t s = begin; s < end; ++s) {
+            const std::span around = surfels.neighborsOf(s); // with itself
+            glm::vec3 sum(0.0f);
+            for (const uint32_t n : around) sum += values[n];
+            means[s] = sum / static_cast<float>(around.size());
+        }
+    });
+    return means;
+}
+
+/// Draws every value towards the mean around it, all the way where their difference may be noise.
+std::vector<glm::vec3> withoutNoise(const Surfels& surfels, std::span<const glm::vec3> values,
+                                    std::span<const float> noise)
+{
+    std::vector<glm::vec3> result = meanOfNeighbors(surfels, values);
+    for (size_t s = 0; s < result.size(); ++s) {
+        const float step = luminance(result[s]) - luminance(values[s]);
+        const float variance = noise[s] * noise[s];
+        const float share = variance / std::max(step * step, variance + 1e-12f);
+        result[s] = values[s] + share * (result[s] - values[s]);
+    }
+    return result;
 }
 
 } // namespace
@@ -110,14 +140,21 @@ LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadi
     return sides;
 }
 
-std::vector<glm::vec3> indirectOfFronts(const LitSides& sides, const HitLists& hits,
-                                        glm::vec3 ambient)
+std::vector<glm::vec3> indirectOfFronts(const Surfels& surfels, const HitLists& hits,
+                                        const LitSides& sides, glm::vec3 ambient)
 {
-    std::vector<glm::vec3> indirect(hits.listOfSide.size() / 2);
-    for (size_t s = 0; s < indirect.size(); ++s) {
-        const auto list = static_cast<size_t>(hits.listOfSide[2 * s]);
-        indirect[s] = sides.gathered.irradiance[list] + ambient * sides.gathered.missed[list];
-    }
+    RadianceField plain = sides.field;
+    for (glm::vec3& radiance : plain.clipped) radiance = glm::min(radiance, glm::vec3(1.0f));
+    const Gathered even = gather(hits, plain);
+    std::vector<glm::vec3> excess(surfels.count());
+    for (size_t s = 0; s < excess.size(); ++s)
+        excess[s] = sides.gathered.irradiance[s] - even.irradiance[s];
+    for (int pass = 0; pass < kSmoothings; ++pass) excess = meanOfNeighbors(surfels, excess);
+    std::vector<glm::vec3> indirect(surfels.count());
+    for (size_t s = 0; s < indirect.size(); ++s)
+        indirect[s] = even.irradiance[s] + ambient * even.missed[s];
+    indirect = withoutNoise(surfels, indirect, even.noise);
+    for (size_t s = 0; s < indirect.size(); ++s) indirect[s] += excess[s];
     return indirect;
 }
 

@@ -32,8 +32,11 @@ void addDirect(std::span<const AreaSample> ofLamp, glm::vec3 radiance,
                std::span<glm::vec3> irradiance);
 
 /// Irradiance at the front of every surfel that did not come from a lamp.
-std::vector<glm::vec3> indirectOfFronts(const LitSides& sides, const HitLists& hits,
-                                        glm::vec3 ambient);
+///
+/// Walls beside a lamp send out more than white from a small area, which few rays meet: what is
+/// above white is spread over the surfels around, or it would show as spots.
+std::vector<glm::vec3> indirectOfFronts(const Surfels& surfels, const HitLists& hits,
+                                        const LitSides& sides, glm::vec3 ambient);
 
 /// Albedo of surfels by their plain texels under `irradiance` of their fronts, 0.02..0.95; those
 /// that are burnt out nearly all over are guessed.

@@ -14,8 +14,8 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kProbes = 16;     // of a surfel, at most
-constexpr float kRing = 1.7f;      // surfel sizes; so near, neighbours must agree
+constexpr size_t kProbes = 16;      // of a surfel, at most
+constexpr float kRing = 1.7f;       // surfel sizes; so near, neighbours must agree
 constexpr float kProbeReach = 1.6f; // steps between probes
 constexpr uint8_t kAll = 250;
 constexpr uint8_t kUnknown = 255;
@@ -73,6 +73,7 @@ Visibility::Visibility(const Texels& texels, const RayScene& scene,
     for (size_t lamp = 0; lamp < lamps.size(); ++lamp) {
         states_.push_back(statesOf(coarse[lamp]));
         shares_.push_back(look(lamps[lamp], states_[lamp], scene, options.raysPerProbe));
+        drawTogether(states_[lamp], options.raysPerProbe, shares_[lamp]);
     }
 }
 
@@ -142,8 +143,51 @@ std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const Sta
     return shares;
 }
 
-bool Visibility::at(size_t lamp, uint32_t surfel, const TexelBlock& block, size_t first,
-                    size_t end, float* share) const
+/// Draws every probe towards the mean around it, all the way where their difference may be the
+/// noise of few rays: a wide penumbra becomes smooth, an edge stays.
+void Visibility::drawTogether(std::span<const State> states, size_t rays,
+                              std::vector<uint8_t>& shares) const
+{
+    const Surfels& surfels = texels_.surfels;
+    std::vector<float> mean(states.size(), -1.0f);
+    for (size_t s = 0; s < states.size(); ++s) {
+        if (states[s] != some) mean[s] = states[s] == all ? 1.0f : 0.0f;
+        float sum = 0.0f;
+        float count = 0.0f;
+        for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {
+            if (shares[probe] == kUnknown) continue;
+            sum += static_cast<float>(shares[probe]) / kAll;
+            count += 1.0f;
+        }
+        if (count > 0.0f) mean[s] = sum / count;
+    }
+    const auto n = static_cast<float>(rays);
+    forEachChunk(states.size(), 256, [&](size_t begin, size_t end) {
+        for (size_t s = begin; s < end; ++s) {
+            if (states[s] != some) continue;
+            float around = 0.0f;
+            float count = 0.0f;
+            for (const uint32_t other : surfels.neighborsOf(s)) {
+                const glm::vec3 way = surfels.position[other] - surfels.position[s];
+                if (mean[other] < 0.0f || glm::length(way) > kRing * surfels.size) continue;
+                around += mean[other];
+                count += 1.0f;
+            }
+            for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {
+                if (shares[probe] == kUnknown || count == 0.0f) continue;
+                const float share = static_cast<float>(shares[probe]) / kAll;
+                const float likely = (n * share + 0.5f) / (n + 1.0f); // 0 and 1 are not sure either
+                const float variance = likely * (1.0f - likely) / n;
+                const float step = around / count - share;
+                const float drawn = share + step * variance / std::max(step * step, variance);
+                shares[probe] = static_cast<uint8_t>(std::lround(kAll * drawn));
+            }
+        }
+    });
+}
+
+bool Visibility::at(size_t lamp, uint32_t surfel, const TexelBlock& block, size_t first, size_t end,
+                    float* share) const
 {
     const State state = states_[lamp][surfel];
     std::fill(share + first, share + end, state == all ? 1.0f : 0.0f);

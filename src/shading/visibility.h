@@ -42,10 +42,13 @@ private:
     [[nodiscard]] std::vector<uint8_t> look(const AreaLight& lamp, std::span<const State> states,
                                             const RayScene& scene, size_t rays) const;
 
+    void drawTogether(std::span<const State> states, size_t rays,
+                      std::vector<uint8_t>& shares) const;
+
     const Texels& texels_;
-    std::vector<uint32_t> firstProbe_; // of surfels, and one more
-    std::vector<float> x_, y_, z_;     // of probes
-    std::vector<float> reach_;         // of surfels, m: how far a probe's word goes
+    std::vector<uint32_t> firstProbe_;         // of surfels, and one more
+    std::vector<float> x_, y_, z_;             // of probes
+    std::vector<float> reach_;                 // of surfels, m: how far a probe's word goes
     std::vector<std::vector<State>> states_;   // [lamp][surfel]
     std::vector<std::vector<uint8_t>> shares_; // [lamp][probe], of kAll; kUnknown: faces away
 };

@@ -40,6 +40,7 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     Solution solution{.options = options};
     FoundRoom room = findRoom(texels, scene, options, progress);
     solution.warnings = room.warnings;
+    solution.options.gather.rays = room.rays;
     solution.shining = {room.shines, 0.0f};
 
     const Progress::Stage stage(progress, "shadows");
@@ -48,7 +49,8 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     solution.closure = closeLoop(room.hits, room.radiance, sides, ambient);
     solution.shade =
         shadingOf(texels, lightOf(texels, scene, room.found,
-                                  indirectOfFronts(sides, room.hits, ambient), options.gather));
+                                  indirectOfFronts(texels.surfels, room.hits, sides, ambient),
+                                  options.gather));
     solution.lights = lightsOf(room.found);
     solution.merged = solution.lights.points;
     return solution;

@@ -125,6 +125,7 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
     Solution solution{.options = options};
     FoundRoom found = findRoom(texels, scene, options, progress);
     solution.warnings = found.warnings;
+    solution.options.gather.rays = found.rays;
     solution.shining = {found.shines, 0.0f};
     solution.lights = lightsOf(found.found);
     solution.merged = solution.lights.points;

@@ -4,6 +4,8 @@
 #include "lights/fixtures.h"
 #include "lights/surfel_radiance.h"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 
 namespace relamp
@@ -11,7 +13,16 @@ namespace relamp
 namespace
 {
 
+constexpr size_t kRaysOfScan = 2'500'000; // more would not be seen beside the noise of a photo
+constexpr size_t kFewestRays = 16;        // of a surfel
+constexpr size_t kMostRays = 64;
 constexpr float kNoFacing = 0.3f; // length of a mean normal below which a lamp shines all around
+
+int raysOfSurfel(size_t surfels)
+{
+    return static_cast<int>(
+        std::clamp(kRaysOfScan / std::max<size_t>(surfels, 1), kFewestRays, kMostRays));
+}
 
 Fixture fixtureOf(const FoundLamp& lamp)
 {
@@ -50,8 +61,10 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
 {
     FoundRoom room;
     room.radiance = collectRadiance(texels, progress);
-    room.hits = castHitLists(texels, scene, room.radiance, static_cast<size_t>(options.gather.rays),
-                             progress);
+    room.rays =
+        options.gather.rays != 0 ? options.gather.rays : raysOfSurfel(texels.surfels.count());
+    room.hits =
+        castHitLists(texels, scene, room.radiance, static_cast<size_t>(room.rays), progress);
     room.found = findLamps(texels, scene, room.hits, room.radiance, options.gather, progress);
     room.warnings = room.found.warnings;
     if (options.lights) room.found = asGiven(*options.lights, room.found);

@@ -21,6 +21,7 @@ inline constexpr SurfelOptions kGatheringSurfels{.texelsAcross = 2.0};
 struct FoundRoom
 {
     SurfelRadiance radiance;
+    int rays = 0; // of a surfel, as given or as the scan's size allows
     HitLists hits;
     FoundLamps found;            // or as a person gave them
     std::vector<uint8_t> shines; // of surfels; not 0: its burnt-out texels are a lamp's

@@ -58,8 +58,9 @@ GltfFile richSquare()
     file.document["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}}};
     file.document["textures"][0]["sampler"] = 0;
     file.document["extensionsUsed"] = {"KHR_materials_unlit", "KHR_texture_transform",
-                                       "KHR_lights_punctual"};
-    file.document["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "spot"}}};
+                                       "KHR_materials_emissive_strength", "KHR_lights_punctual"};
+    file.document["extensions"]["KHR_lights_punctual"]["lights"] = {
+        {{"type", "spot"}, {"spot", nlohmann::json::object()}}};
     return file;
 }
 

@@ -1,0 +1,74 @@
+// What a person types wrong.
+
+#include "malformed/run_in_folder.h"
+
+#include <gmock/gmock.h>
+
+namespace relamp::malformed
+{
+namespace
+{
+
+using testing::HasSubstr;
+
+class Usage : public RunInFolder
+{
+protected:
+    void SetUp() override { write(smallTextPly()); }
+
+    /// Ends with 2, says `words` and where there is help, and does nothing else.
+    void expectUsageError(const std::vector<std::string>& arguments, const std::string& words) const
+    {
+        SCOPED_TRACE(testing::PrintToString(arguments));
+        const golden::Outcome run = golden::runRelamp(arguments);
+        EXPECT_EQ(run.exitCode, 2);
+        EXPECT_EQ(run.out, "");
+        EXPECT_THAT(run.err, HasSubstr(words));
+        EXPECT_THAT(run.err, HasSubstr("--help"));
+        EXPECT_THAT(names(), testing::ElementsAre("room.ply"));
+    }
+
+    void expectUsageError(const std::string& option, const std::vector<std::string>& values) const
+    {
+        for (const std::string& value : values)
+            expectUsageError({"delight", folder / "room.ply", "-o", folder / "out", option, value},
+                             option);
+    }
+};
+
+} // namespace
+
+TEST_F(Usage, WhatIsNotKnownIsNamed)
+{
+    expectUsageError({"delight", folder / "room.ply", "-o", folder / "out", "--brighter"},
+                     "--brighter");
+    expectUsageError({"delight", folder / "room.ply", "more", "-o", folder / "out"}, "more");
+    expectUsageError({"paint", folder / "room.ply"}, "subcommand");
+    expectUsageError("--solver", {"bogus", ""});
+    expectUsageError("--up", {"x", "up"});
+    expectUsageError("--transfer", {"gamma"});
+}
+
+TEST_F(Usage, WhatIsMissingIsNamed)
+{
+    expectUsageError({}, "subcommand");
+    expectUsageError({"delight"}, "scan");
+    expectUsageError({"delight", folder / "room.ply"}, "--output");
+    expectUsageError({"delight", folder / "room.ply", "-o"}, "--output");
+    expectUsageError({"info"}, "scan");
+    expectUsageError({"delight", folder / "room.ply", "-o", folder / "out", "--attenuation", "1"},
+                     "--attenuation");
+}
+
+TEST_F(Usage, ValuesOutOfRangeAreNamed)
+{
+    expectUsageError("--scale", {"nan", "inf", "0", "x", ""});
+    expectUsageError("--threads", {"-1", "1e9", "1.5"});
+    expectUsageError("--darkest", {"nan", "0"});
+    expectUsageError("--expansion", {"0.5"});
+    expectUsageError("--light-levels", {"11", "99999999999999999999"});
+    expectUsageError("--power", {"-1"});
+    expectUsageError("--lpv-size", {"7", "129"});
+}
+
+} // namespace relamp::malformed
