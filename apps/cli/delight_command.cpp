@@ -130,7 +130,9 @@ void addGatherDials(CLI::App& command, DelightArguments& arguments)
               "What is burnt out at this place is a light; may be given again");
     addPlaces(command, "--not-a-light", arguments.notLightsAt,
               "What is burnt out at this place is none; may be given again");
-    command.add_option("--rays", gather.rays, "Rays of a place that look for bounce light [16 .. 64, as the scan is fine]")
+    command
+        .add_option("--rays", gather.rays,
+                    "Rays of a place that look for bounce light [16 .. 64, as the scan is fine]")
         ->check(between(4, 1024))
         ->type_name("N")
         ->group(group);
