@@ -90,6 +90,11 @@ double standardErrorOf(std::span<const RenderedPlace> places, double meanSquare,
     return std::sqrt(squares) / area;
 }
 
+bool isBeyondWhite(const RenderedPlace& place)
+{
+    return std::max({place.albedo.r, place.albedo.g, place.albedo.b}) > 1.0f;
+}
+
 float shadingOf(const RenderedPlace& place)
 {
     return luminance(place.scan) / std::max(luminance(place.albedo), kBlack);
@@ -167,9 +172,10 @@ std::vector<RenderedPlace> renderAgain(const Texels& texels, const PathTracer& t
             const uint32_t pixel = texels.pages[page].pixel[texel];
             if (tracer.room().isClipped[page][pixel] != 0) continue;
             const TexelSite site = texels.siteOf(page, texel);
-            const glm::vec3 rho = glm::min(albedoOf[page][pixel], 1.0f);
+            const glm::vec3 rho = albedoOf[page][pixel];
             const auto render = [&](uint64_t sequence) {
-                return rho * tracer.shade(site, paths, {options.seed, sequence, i}).total();
+                return glm::min(rho, 1.0f) *
+                       tracer.shade(site, paths, {options.seed, sequence, i}).total();
             };
             places[i] = {
                 block.area[0], {block.r[0], block.g[0], block.b[0]}, rho, render(0), render(1)};
@@ -183,10 +189,12 @@ void compare(std::span<const RenderedPlace> places, Verification& result)
 {
     std::vector<RenderedPlace> sorted;
     ErrorSum sum;
+    ErrorSum elsewhere;
     for (const RenderedPlace& place : places) {
         if (place.area <= 0.0f) continue;
         sorted.push_back(place);
         sum.add(place);
+        if (!isBeyondWhite(place)) elsewhere.add(place);
     }
     result.places = sorted.size();
     if (sorted.empty()) return;
@@ -196,6 +204,9 @@ void compare(std::span<const RenderedPlace> places, Verification& result)
     result.rmsError = static_cast<float>(rms);
     result.standardError =
         static_cast<float>(standardErrorOf(sorted, sum.meanSquare(), sum.area) / (2.0 * rms));
+    result.beyondWhite = static_cast<float>(1.0 - elsewhere.area / sum.area);
+    if (elsewhere.area > 0.0)
+        result.rmsErrorElsewhere = static_cast<float>(std::sqrt(elsewhere.meanSquare()));
     result.rmsOfScan = static_cast<float>(std::sqrt(sum.scan / sum.area));
     result.psnr = static_cast<float>(-10.0 * std::log10(sum.meanSquare()));
     result.ratio = glm::vec3(sum.rendered / glm::max(sum.shown, 1e-9));

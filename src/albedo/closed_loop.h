@@ -20,7 +20,7 @@ struct RenderedPlace
 {
     float area = 0.0f; // m^2; 0 where the texel is burnt out, and nothing else is set
     glm::vec3 scan{0.0f};
-    glm::vec3 albedo{0.0f};
+    glm::vec3 albedo{0.0f}; // as the result has it; above 1 where its shading fell short
     glm::vec3 first{0.0f};
     glm::vec3 second{0.0f};
 

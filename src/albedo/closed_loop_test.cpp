@@ -55,6 +55,21 @@ TEST(ClosedLoop, BinsAreFifthsFromDarkToBright)
     EXPECT_EQ(found.psnr, 120.0f);
 }
 
+// What no light explains is told apart: there white itself would be too dark.
+TEST(ClosedLoop, PlacesBeyondWhiteAreAShareOfTheirOwn)
+{
+    std::vector<RenderedPlace> places = noisyPlaces(0.0f, 0.0f);
+    for (size_t i = 0; i < places.size() / 4; ++i) {
+        places[i].albedo = glm::vec3(1.5f);
+        places[i].first = places[i].second = places[i].scan - 0.2f;
+    }
+    Verification found;
+    compare(places, found);
+    EXPECT_NEAR(found.beyondWhite, 0.25f, 1e-4f);
+    EXPECT_NEAR(found.rmsError, 0.1f, 1e-4f);
+    EXPECT_LT(found.rmsErrorElsewhere, 1e-4f);
+}
+
 TEST(ClosedLoop, BurntOutPlacesDoNotCount)
 {
     Verification found;
