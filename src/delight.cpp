@@ -3,7 +3,9 @@
 #include "albedo/page_layers.h"
 #include "decomposition_state.h"
 #include "solve/by_gather.h"
+#include "solve/by_pathtrace.h"
 #include "solve/by_thesis.h"
+#include "solve/found_room.h"
 
 #include <utility>
 
@@ -13,18 +15,29 @@ namespace relamp
 namespace
 {
 
-/// The thesis filters within surfels, the gather solver looks about from each: it needs them small.
+/// The thesis filters within surfels, the others look about from each and need them small.
 SurfelOptions surfelsFor(const DelightOptions& options)
 {
-    const bool isCoarse =
-        options.solver == Solver::thesis || options.gather.quality == Quality::draft;
-    return {.texelsAcross = isCoarse ? 4.0 : 2.0};
+    return options.solver == Solver::thesis ? SurfelOptions{} : surfelsOf(options.gather.quality);
 }
 
 std::unique_ptr<Decomposition::State> stateOf(const Scan& scan, Progress& progress)
 {
     const Progress::Stage stage(progress, "bvh");
     return std::make_unique<Decomposition::State>(scan);
+}
+
+auto solverOf(Solver solver)
+{
+    switch (solver) {
+    case Solver::thesis:
+        return solveByThesis;
+    case Solver::pathtrace:
+        return solveByPathtrace;
+    case Solver::gather:
+        break;
+    }
+    return solveByGather;
 }
 
 } // namespace
@@ -34,8 +47,7 @@ Decomposition delight(const Scan& scan, const DelightOptions& options, Progress&
     auto state = stateOf(scan, progress);
     state->texels = rasterizeAtlas(scan, progress, surfelsFor(options));
     checkOverlap(state->texels);
-    const auto solve = options.solver == Solver::thesis ? solveByThesis : solveByGather;
-    state->solution = solve(state->texels, state->scene, options, progress);
+    state->solution = solverOf(options.solver)(state->texels, state->scene, options, progress);
     return Decomposition(std::move(state));
 }
 

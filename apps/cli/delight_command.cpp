@@ -153,6 +153,19 @@ void addGatherDials(CLI::App& command, DelightArguments& arguments)
         ->group(group);
 }
 
+void addPathtraceDials(CLI::App& command, relamp::PathtraceOptions& pathtrace)
+{
+    const std::string group = "Dials of the pathtrace solver (and those of the gather solver)";
+    command.add_option("--samples", pathtrace.samples, "Paths from every texel [64]")
+        ->check(between(1, 65536))
+        ->type_name("N")
+        ->group(group);
+    command.add_option("--seed", pathtrace.seed, "Of its random numbers [1]")
+        ->check(between(0, 4294967295.0))
+        ->type_name("N")
+        ->group(group);
+}
+
 std::vector<glm::vec3> placesFrom(const std::vector<float>& numbers)
 {
     std::vector<glm::vec3> places;
@@ -220,10 +233,12 @@ void addDelightCommand(CLI::App& app, Run& run)
         ->required()
         ->type_name("DIR");
     const std::map<std::string, relamp::Solver> solvers{{"gather", relamp::Solver::gather},
+                                                        {"pathtrace", relamp::Solver::pathtrace},
                                                         {"thesis", relamp::Solver::thesis}};
     command
         .add_option("--solver", arguments->options.solver,
-                    "How the shading is found: gather, or thesis (Choi 2018) [gather]")
+                    "How the shading is found: gather, pathtrace (slow, the reference), or thesis "
+                    "(Choi 2018) [gather]")
         ->transform(CLI::CheckedTransformer(solvers).description(""))
         ->type_name("NAME");
     command
@@ -240,6 +255,7 @@ void addDelightCommand(CLI::App& app, Run& run)
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
     command.add_flag("--json", arguments->json, "Print the report as JSON and nothing else");
     addGatherDials(command, *arguments);
+    addPathtraceDials(command, arguments->options.pathtrace);
     addDials(command, *arguments);
     command.footer("Examples:\n"
                    "  relamp delight kitchen.glb -o kitchen\n"

@@ -51,10 +51,12 @@ int main(int argc, char** argv)
     app.footer("Examples:\n"
                "  relamp info kitchen.glb\n"
                "  relamp delight kitchen.glb -o kitchen\n"
+               "  relamp verify kitchen\n"
                "relamp COMMAND --help tells more.");
     Run run;
     addDelightCommand(app, run);
     addInfoCommand(app, run);
+    addVerifyCommand(app, run);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -3,6 +3,7 @@
 #include "relamp/api.h"
 #include "relamp/gather.h"
 #include "relamp/lights.h"
+#include "relamp/pathtrace.h"
 #include "relamp/progress.h"
 #include "relamp/scan.h"
 #include "relamp/thesis.h"
@@ -23,14 +24,16 @@ struct AlbedoOptions
 };
 
 enum class Solver {
-    gather, // area lights with shadows, bounce light gathered from the scan itself
-    thesis  // Choi 2018
+    gather,    // area lights with shadows, bounce light gathered from the scan itself
+    pathtrace, // the same lights, every bounce simulated: slow, the reference
+    thesis     // Choi 2018
 };
 
 struct DelightOptions
 {
     Solver solver = Solver::gather;
-    GatherOptions gather;
+    GatherOptions gather; // of the solver pathtrace, too
+    PathtraceOptions pathtrace;
     ThesisOptions thesis;
     AlbedoOptions albedo;
     std::optional<Lights> lights; // instead of looking for them

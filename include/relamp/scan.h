@@ -65,6 +65,7 @@ struct Scan
     std::string name; // of the file, without folder and ending
     std::vector<Mesh> meshes;
     std::vector<Page> pages;
+    ScanOptions options;               // that it was read with
     std::vector<std::string> warnings; // what was left out or repaired, a sentence each
     glm::mat4 worldFromFile{1.0f};
     std::shared_ptr<const GltfSource> gltf; // null for other formats

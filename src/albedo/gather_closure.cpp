@@ -35,13 +35,17 @@ RadianceField bounced(const HitLists& hits, const LitSides& sides, glm::vec3 amb
 Closure closeLoop(const HitLists& hits, const SurfelRadiance& radiance, const LitSides& sides,
                   glm::vec3 ambient)
 {
-    const RadianceField field = bounced(hits, sides, ambient);
+    return closureOf(radiance, bounced(hits, sides, ambient).plain);
+}
+
+Closure closureOf(const SurfelRadiance& radiance, std::span<const glm::vec3> again)
+{
     double error = 0.0;
     double input = 0.0;
     double area = 0.0;
     for (size_t s = 0; s < radiance.plain.size(); ++s) {
         const float weight = radiance.plainArea[s];
-        const glm::vec3 difference = field.plain[s] - radiance.plain[s];
+        const glm::vec3 difference = again[s] - radiance.plain[s];
         error += static_cast<double>(weight * glm::dot(difference, difference) / 3.0f);
         input +=
             static_cast<double>(weight * glm::dot(radiance.plain[s], radiance.plain[s]) / 3.0f);

@@ -3,6 +3,8 @@
 #include "relamp/delight.h"
 #include "shading/lit_sides.h"
 
+#include <span>
+
 namespace relamp
 {
 
@@ -11,5 +13,9 @@ namespace relamp
 /// weighted by area.
 Closure closeLoop(const HitLists& hits, const SurfelRadiance& radiance, const LitSides& sides,
                   glm::vec3 ambient);
+
+/// How far `again`, what surfels send out by the recovered albedo and lights, is from the texture,
+/// weighted by area.
+Closure closureOf(const SurfelRadiance& radiance, std::span<const glm::vec3> again);
 
 } // namespace relamp

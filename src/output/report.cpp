@@ -24,6 +24,19 @@ double toMillisecond(double seconds)
     return std::round(seconds * 1e3) / 1e3;
 }
 
+const char* nameOf(Transfer transfer)
+{
+    switch (transfer) {
+    case Transfer::srgb:
+        return "srgb";
+    case Transfer::linear:
+        return "linear";
+    case Transfer::automatic:
+        break;
+    }
+    return "auto";
+}
+
 ordered_json scanAsJson(const Scan& scan, const Decomposition& result,
                         const std::filesystem::path& file)
 {
@@ -32,6 +45,10 @@ ordered_json scanAsJson(const Scan& scan, const Decomposition& result,
         pages.push_back(
             {{"name", page.name}, {"width", page.image.width}, {"height", page.image.height}});
     return {{"file", file.string()},
+            {"up", scan.options.up == UpAxis::z ? "z" : "y"},
+            {"scale", scan.options.scale},
+            {"transfer", nameOf(scan.options.transfer)},
+            {"skippedMeshes", scan.options.skipMeshes},
             {"triangles", scan.triangleCount()},
             {"meshes", scan.meshes.size()},
             {"pages", std::move(pages)},
@@ -40,12 +57,29 @@ ordered_json scanAsJson(const Scan& scan, const Decomposition& result,
             {"extent", toJson(boundsOf(scan).extent())}};
 }
 
+ordered_json placesAsJson(const std::vector<glm::vec3>& places)
+{
+    ordered_json list = ordered_json::array();
+    for (const glm::vec3 place : places) list.push_back(toJson(place));
+    return list;
+}
+
 ordered_json optionsAsJson(const GatherOptions& gather)
 {
     constexpr const char* kNames[] = {"draft", "standard", "high"};
     return {{"quality", kNames[static_cast<size_t>(gather.quality)]},
             {"rays", gather.rays},
-            {"shadowRays", gather.shadowRays}};
+            {"shadowRays", gather.shadowRays},
+            {"lights", placesAsJson(gather.lights)},
+            {"notLights", placesAsJson(gather.notLights)}};
+}
+
+ordered_json optionsOfPathtrace(const DelightOptions& options)
+{
+    ordered_json json = optionsAsJson(options.gather);
+    json["samples"] = options.pathtrace.samples;
+    json["seed"] = options.pathtrace.seed;
+    return json;
 }
 
 ordered_json optionsAsJson(const ThesisOptions& thesis)
@@ -66,11 +100,25 @@ ordered_json optionsAsJson(const ThesisOptions& thesis)
             {"ambientLight", thesis.useAmbient}};
 }
 
+const char* nameOf(Solver solver)
+{
+    switch (solver) {
+    case Solver::thesis:
+        return "thesis";
+    case Solver::pathtrace:
+        return "pathtrace";
+    case Solver::gather:
+        break;
+    }
+    return "gather";
+}
+
 ordered_json optionsAsJson(const DelightOptions& options)
 {
-    const bool isThesis = options.solver == Solver::thesis;
-    ordered_json json = isThesis ? optionsAsJson(options.thesis) : optionsAsJson(options.gather);
-    json["solver"] = isThesis ? "thesis" : "gather";
+    ordered_json json = options.solver == Solver::thesis      ? optionsAsJson(options.thesis)
+                        : options.solver == Solver::pathtrace ? optionsOfPathtrace(options)
+                                                              : optionsAsJson(options.gather);
+    json["solver"] = nameOf(options.solver);
     json["darkest"] = shortest(options.albedo.darkest);
     json["fill"] = options.albedo.fill;
     json["lightsFromFile"] = options.lights.has_value();

@@ -9,12 +9,12 @@
 #include "image/write_image.h"
 #include "output/preview.h"
 #include "output/report.h"
+#include "output/result_folder.h"
 #include "output/staged_folder.h"
 #include "output/viewpoints.h"
 #include "relamp/version.h"
 #include "scan/gltf_write.h"
 
-#include <fmt/format.h>
 #include <tbb/parallel_invoke.h>
 
 namespace relamp
@@ -23,13 +23,6 @@ namespace
 {
 
 constexpr int kViewpoints = 3;
-
-/// "albedo.exr", or "albedo.2.exr" where there are several pages.
-std::string nameOfLayer(const char* layer, size_t page, size_t pages, const char* ending)
-{
-    return pages == 1 ? fmt::format("{}.{}", layer, ending)
-                      : fmt::format("{}.{}.{}", layer, page, ending);
-}
 
 std::vector<uint8_t> srgbBytes(const std::vector<uint16_t>& half)
 {

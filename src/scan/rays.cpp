@@ -47,6 +47,22 @@ Hit hitFrom(uint32_t triangle, float distance, glm::vec2 weights, glm::vec3 towa
     return {triangle, distance, weights, glm::dot(towardsFace, direction) < 0.0f};
 }
 
+RTCRay embreeRay(const Ray& ray)
+{
+    assert(isFinite(ray));
+    RTCRay query{};
+    query.org_x = ray.origin.x;
+    query.org_y = ray.origin.y;
+    query.org_z = ray.origin.z;
+    query.dir_x = ray.direction.x;
+    query.dir_y = ray.direction.y;
+    query.dir_z = ray.direction.z;
+    query.tnear = ray.nearest;
+    query.tfar = std::max(ray.farthest, ray.nearest); // Embree ends the process on less
+    query.mask = ~0u;
+    return query;
+}
+
 /// Up to kPacket rays as Embree takes them together; lanes behind the last are switched off.
 void fillPacket(std::span<const Ray> rays, int* valid, RTCRay16& packet)
 {
@@ -140,21 +156,21 @@ void RayScene::occluded(std::span<const Ray> rays, std::span<uint8_t> blocked) c
     }
 }
 
+bool RayScene::occluded(const Ray& ray) const
+{
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay query = embreeRay(ray);
+    rtcOccluded1(embree_->scene, &context, &query);
+    return query.tfar < 0.0f;
+}
+
 Hit RayScene::intersect(const Ray& ray) const
 {
-    assert(isFinite(ray));
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRayHit query{};
-    query.ray.org_x = ray.origin.x;
-    query.ray.org_y = ray.origin.y;
-    query.ray.org_z = ray.origin.z;
-    query.ray.dir_x = ray.direction.x;
-    query.ray.dir_y = ray.direction.y;
-    query.ray.dir_z = ray.direction.z;
-    query.ray.tnear = ray.nearest;
-    query.ray.tfar = std::max(ray.farthest, ray.nearest);
-    query.ray.mask = ~0u;
+    query.ray = embreeRay(ray);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(embree_->scene, &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};

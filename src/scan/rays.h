@@ -48,6 +48,7 @@ public:
 
     /// Whether anything lies between `nearest` and `farthest` on each ray: blocked[i] is not 0.
     void occluded(std::span<const Ray> rays, std::span<uint8_t> blocked) const;
+    [[nodiscard]] bool occluded(const Ray& ray) const;
 
 private:
     struct Embree;

@@ -30,6 +30,16 @@ bool isGlb(std::span<const std::byte> bytes)
                                            [](std::byte b, char c) { return b == std::byte(c); });
 }
 
+Scan readByFormat(const std::filesystem::path& file, const ScanOptions& options, Progress& progress)
+{
+    const std::vector<std::byte> bytes = readFile(file);
+    const std::string extension = lowerExtension(file);
+    if (isGlb(bytes) || extension == ".gltf" || extension == ".glb")
+        return readGltf(bytes, file, options, progress);
+    if (isPly(bytes) || extension == ".ply") return readPly(bytes, file, options, progress);
+    return readWithAssimp(file, options, progress);
+}
+
 } // namespace
 
 size_t Scan::triangleCount() const
@@ -54,13 +64,10 @@ Bounds boundsOf(const Scan& scan)
 
 Scan readScan(const std::filesystem::path& file, const ScanOptions& options, Progress& progress)
 {
-    Progress::Stage stage(progress, "read");
-    const std::vector<std::byte> bytes = readFile(file);
-    const std::string extension = lowerExtension(file);
-    if (isGlb(bytes) || extension == ".gltf" || extension == ".glb")
-        return readGltf(bytes, file, options, progress);
-    if (isPly(bytes) || extension == ".ply") return readPly(bytes, file, options, progress);
-    return readWithAssimp(file, options, progress);
+    const Progress::Stage stage(progress, "read");
+    Scan scan = readByFormat(file, options, progress);
+    scan.options = options;
+    return scan;
 }
 
 } // namespace relamp

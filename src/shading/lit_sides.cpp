@@ -22,33 +22,9 @@ constexpr float kBrightestAlbedo = 0.95f;
 constexpr float kAlbedoOfTheUnknown = 0.7f; // of a surfel that is burnt out all over
 constexpr float kMostRadiance = 10.0f;      // of a wall beside a lamp
 
-/// Albedo that the plain texels of every surfel imply; where there are none, the neighbours' mean.
-std::vector<glm::vec3> albedoOf(const Texels& texels, const SurfelRadiance& radiance,
-                                const HitLists& hits, std::span<const glm::vec3> irradiance)
+bool isKnown(const SurfelRadiance& radiance, size_t surfel)
 {
-    const size_t surfels = texels.surfels.count();
-    std::vector<glm::vec3> albedo(surfels, glm::vec3(kAlbedoOfTheUnknown));
-    const auto isKnown = [&](size_t s) {
-        return radiance.plainArea[s] > 0.1f * radiance.clippedArea[s];
-    };
-    for (size_t s = 0; s < surfels; ++s) {
-        if (!isKnown(s)) continue;
-        const glm::vec3 e = irradiance[static_cast<size_t>(hits.listOfSide[2 * s])];
-        albedo[s] = glm::clamp(kPi * radiance.plain[s] / glm::max(e, glm::vec3(kLeastIrradiance)),
-                               kDarkestAlbedo, kBrightestAlbedo);
-    }
-    for (size_t s = 0; s < surfels; ++s) {
-        if (isKnown(s)) continue;
-        glm::vec3 sum(0.0f);
-        float count = 0.0f;
-        for (const uint32_t n : texels.surfels.neighborsOf(s)) {
-            if (!isKnown(n)) continue;
-            sum += albedo[n];
-            count += 1.0f;
-        }
-        if (count > 0.0f) albedo[s] = sum / count;
-    }
-    return albedo;
+    return radiance.plainArea[surfel] > 0.1f * radiance.clippedArea[surfel];
 }
 
 std::vector<glm::vec3> meanOfNeighbors(const Surfels& surfels, std::span<const glm::vec3> values)
@@ -80,6 +56,34 @@ std::vector<glm::vec3> withoutNoise(const Surfels& surfels, std::span<const glm:
 }
 
 } // namespace
+
+std::vector<glm::vec3> albedoOf(const Texels& texels, const SurfelRadiance& radiance,
+                                std::span<const glm::vec3> irradiance)
+{
+    std::vector<glm::vec3> albedo(texels.surfels.count());
+    for (size_t s = 0; s < albedo.size(); ++s)
+        albedo[s] = glm::clamp(kPi * radiance.plain[s] /
+                                   glm::max(irradiance[s], glm::vec3(kLeastIrradiance)),
+                               kDarkestAlbedo, kBrightestAlbedo);
+    guessBurntOut(texels, radiance, albedo);
+    return albedo;
+}
+
+void guessBurntOut(const Texels& texels, const SurfelRadiance& radiance,
+                   std::span<glm::vec3> albedo)
+{
+    for (size_t s = 0; s < albedo.size(); ++s) {
+        if (isKnown(radiance, s)) continue;
+        glm::vec3 sum(0.0f);
+        float count = 0.0f;
+        for (const uint32_t n : texels.surfels.neighborsOf(s)) {
+            if (!isKnown(radiance, n)) continue;
+            sum += albedo[n];
+            count += 1.0f;
+        }
+        albedo[s] = count > 0.0f ? sum / count : glm::vec3(kAlbedoOfTheUnknown);
+    }
+}
 
 std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scene,
                                       const HitLists& hits, const AreaLight& light,
@@ -125,7 +129,7 @@ LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadi
         for (size_t i = 0; i < irradiance.size(); ++i)
             irradiance[i] =
                 sides.direct[i] + sides.gathered.irradiance[i] + ambient * sides.gathered.missed[i];
-        sides.albedo = albedoOf(texels, radiance, hits, irradiance);
+        sides.albedo = albedoOf(texels, radiance, irradiance);
         for (size_t s = 0; s < sides.albedo.size(); ++s) {
             const glm::vec3 front = irradiance[static_cast<size_t>(hits.listOfSide[2 * s])];
             sides.field.clipped[s] = glm::clamp(sides.albedo[s] * front / kPi, 1.0f, kMostRadiance);

@@ -38,6 +38,15 @@ void addDirect(std::span<const AreaSample> ofLamp, glm::vec3 radiance,
 std::vector<glm::vec3> indirectOfFronts(const Surfels& surfels, const HitLists& hits,
                                         const LitSides& sides, glm::vec3 ambient);
 
+/// Albedo of surfels by their plain texels under `irradiance` of their fronts, 0.02..0.95; those
+/// that are burnt out nearly all over are guessed.
+std::vector<glm::vec3> albedoOf(const Texels& texels, const SurfelRadiance& radiance,
+                                std::span<const glm::vec3> irradiance);
+
+/// Gives surfels that are burnt out nearly all over the mean albedo of their neighbours.
+void guessBurntOut(const Texels& texels, const SurfelRadiance& radiance,
+                   std::span<glm::vec3> albedo);
+
 /// Settles what the texture does not show: burnt-out walls send out albedo * irradiance / pi and
 /// not the white that they show, backs are lit by what is behind them. `shines` marks the lamps'
 /// surfels.

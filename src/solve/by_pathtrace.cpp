@@ -1,0 +1,141 @@
+#include "solve/by_pathtrace.h"
+
+#include "albedo/gather_closure.h"
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kPi = 3.14159265f;
+constexpr int kRounds = 3;          // of albedo and light; each takes the error times an albedo
+constexpr size_t kOrigins = 4;      // texels of a surfel that paths start from
+constexpr float kAround = 1.6f;     // surfel sizes
+constexpr uint64_t kOfTexels = ~0u; // sequence of random numbers; those of surfels are the rounds
+
+/// Irradiance on the fronts of surfels. Bounce light is the mean over the surfels around: it
+/// changes slowly, and a divisor's noise does not average away.
+std::vector<glm::vec3> irradianceOf(const Texels& texels, std::span<const TracedShading> shading)
+{
+    const Surfels& surfels = texels.surfels;
+    const float reach = kAround * surfels.size;
+    std::vector<glm::vec3> irradiance(surfels.count());
+    forEachChunk(irradiance.size(), 1024, [&](size_t begin, size_t end) {
+        for (size_t s = begin; s < end; ++s) {
+            glm::vec3 indirect(0.0f);
+            float count = 0.0f;
+            for (const uint32_t n : surfels.neighborsOf(s)) {
+                const glm::vec3 way = surfels.position[n] - surfels.position[s];
+                if (glm::dot(way, way) > reach * reach) continue;
+                indirect += shading[n].indirect;
+                count += 1.0f;
+            }
+            irradiance[s] = kPi * (shading[s].direct + indirect / count); // itself is around
+        }
+    });
+    return irradiance;
+}
+
+std::vector<TracedShading> shadeSurfels(const Texels& texels, const PathTracer& tracer,
+                                        const PathtraceOptions& options, int round,
+                                        Progress::Stage& stage)
+{
+    const SurfelSites sites(texels);
+    const size_t paths = (static_cast<size_t>(options.samples) + kOrigins - 1) / kOrigins;
+    std::vector<TracedShading> shading(texels.surfels.count());
+    forEachChunk(shading.size(), 64, [&](size_t begin, size_t end) {
+        for (auto s = static_cast<uint32_t>(begin); s < end; ++s)
+            for (uint32_t k = 0; k < kOrigins; ++k) {
+                const Random random(options.seed, static_cast<uint64_t>(round), kOrigins * s + k);
+                const TracedShading one = tracer.shade(sites.at(s, k), paths, random);
+                shading[s].direct += one.direct / static_cast<float>(kOrigins);
+                shading[s].indirect += one.indirect / static_cast<float>(kOrigins);
+            }
+        stage.advance(end - begin);
+    });
+    return shading;
+}
+
+/// Albedo and light in turn until they agree; closes the loop on the way.
+Closure settle(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance,
+               const PathtraceOptions& options, TracedRoom& room, Progress& progress)
+{
+    Progress::Stage stage(progress, "paths", kRounds * texels.surfels.count());
+    Closure closure;
+    for (int round = 0; round < kRounds; ++round) {
+        const PathTracer tracer(texels, scene, room);
+        const std::vector<glm::vec3> irradiance =
+            irradianceOf(texels, shadeSurfels(texels, tracer, options, round, stage));
+        std::vector<glm::vec3> again(irradiance.size());
+        for (size_t s = 0; s < again.size(); ++s) again[s] = room.albedo[s] * irradiance[s] / kPi;
+        closure = closureOf(radiance, again);
+        room.albedo = albedoOf(texels, radiance, irradiance);
+    }
+    return closure;
+}
+
+TexelShading shadingOf(const Texels& texels, const RayScene& scene,
+                       std::shared_ptr<const TracedRoom> room, const PathtraceOptions& options)
+{
+    return [&texels, &scene, room = std::move(room),
+            options](size_t page, size_t begin, const TexelBlock& block, ShadingBlock& out) {
+        const PathTracer tracer(texels, scene, *room);
+        for (size_t i = 0; i < block.count; ++i) {
+            const Random random(options.seed, kOfTexels + page, begin + i);
+            const TracedShading shading = tracer.shade(
+                {{block.x[i], block.y[i], block.z[i]}, {block.nx[i], block.ny[i], block.nz[i]}},
+                static_cast<size_t>(options.samples), random);
+            out.direct.r[i] = shading.direct.r;
+            out.direct.g[i] = shading.direct.g;
+            out.direct.b[i] = shading.direct.b;
+            out.indirect.r[i] = shading.indirect.r;
+            out.indirect.g[i] = shading.indirect.g;
+            out.indirect.b[i] = shading.indirect.b;
+        }
+    };
+}
+
+} // namespace
+
+TracedRoom tracedRoomOf(const Texels& texels, const FoundRoom& room, std::vector<glm::vec3> albedo)
+{
+    std::vector<Shiner> shiners;
+    std::vector<glm::vec3> emission(texels.surfels.count(), glm::vec3(0.0f));
+    for (const FoundLamp& lamp : room.found.lamps) {
+        shiners.push_back({lamp.patches, lamp.radiance});
+        for (const ClippedPatch& patch : lamp.patches)
+            if (patch.surfel != Surfels::kNone) emission[patch.surfel] = lamp.radiance;
+    }
+    return {.albedo = std::move(albedo),
+            .shines = room.shines,
+            .emission = std::move(emission),
+            .isClipped = room.radiance.isClipped,
+            .lamps = LampSurface(lampTexels(texels, room.radiance, shiners)),
+            .ambient = room.found.ambient};
+}
+
+Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
+                          const DelightOptions& options, Progress& progress)
+{
+    Solution solution{.options = options};
+    FoundRoom found = findRoom(texels, scene, options, progress);
+    solution.warnings = found.warnings;
+    solution.options.gather = found.options;
+    solution.shining = {found.shines, 0.0f};
+    solution.lights = lightsOf(found.found);
+    solution.merged = solution.lights.points;
+
+    const auto room = std::make_shared<TracedRoom>(
+        tracedRoomOf(texels, found, litSidesOf(texels, scene, found).albedo)); // a good start
+    solution.closure = settle(texels, scene, found.radiance, options.pathtrace, *room, progress);
+    if (options.albedo.fill) solution.fill = fillOf(texels.surfels, found.radiance, room->albedo);
+    solution.shade = shadingOf(texels, scene, room, options.pathtrace);
+    return solution;
+}
+
+} // namespace relamp

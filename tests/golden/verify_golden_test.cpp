@@ -1,0 +1,69 @@
+// relamp verify on what relamp delight writes of the sample room.
+
+#include "golden/program.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace relamp::golden
+{
+namespace
+{
+
+using testing::HasSubstr;
+
+const std::string kScan = RELAMP_SAMPLES "/bedroom/scan.glb";
+
+nlohmann::json verified(const std::vector<std::string>& arguments)
+{
+    std::vector<std::string> all{"verify", "--json", "--places", "2000", "--samples", "16"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const Outcome run = runRelamp(all);
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    return run.exitCode == 0 ? nlohmann::json::parse(run.out) : nlohmann::json();
+}
+
+} // namespace
+
+// Albedo times light, every bounce simulated, is the scan again: the gather solver gathered its
+// light from the scan, so this says that the light it found is also the light that its own lamps
+// and walls make.
+TEST(VerifyProgram, GatherSolverClosesTheLoopOnTheSample)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(runRelamp({"delight", kScan, "-o", folder / "out", "-q"}).exitCode, 0);
+    const nlohmann::json found = verified({folder / "out"});
+    EXPECT_GT(found["places"], 1500);
+    EXPECT_NEAR(found["rmsOfScan"].get<double>(), 0.378, 0.02);
+    EXPECT_LT(found["rmsError"], 0.1 * found["rmsOfScan"].get<double>());
+    EXPECT_EQ(found["bins"].size(), 5u);
+    for (const double ratio : found["ratio"]) EXPECT_NEAR(ratio, 1.0, 0.05);
+}
+
+TEST(VerifyProgram, SaysWhatIsMissingAndTheWayOut)
+{
+    const TemporaryFolder folder;
+    EXPECT_THAT(runRelamp({"verify", folder / "nothing"}).err,
+                HasSubstr("name a folder that relamp delight has written"));
+
+    const std::string scan = folder / "room.glb";
+    std::filesystem::copy_file(kScan, scan);
+    ASSERT_EQ(
+        runRelamp({"delight", scan, "-o", folder / "out", "--solver", "thesis", "-q"}).exitCode, 0);
+    std::filesystem::rename(scan, folder / "moved.glb");
+    const Outcome moved = runRelamp({"verify", folder / "out"});
+    EXPECT_EQ(moved.exitCode, 1);
+    EXPECT_THAT(moved.err, HasSubstr("--scan FILE"));
+    EXPECT_FALSE(verified({folder / "out", "--scan", folder / "moved.glb"}).is_null());
+
+    std::filesystem::remove(folder / "out/albedo.exr");
+    const Outcome gone = runRelamp({"verify", folder / "out", "--scan", folder / "moved.glb"});
+    EXPECT_EQ(gone.exitCode, 1);
+    EXPECT_THAT(gone.err, HasSubstr("albedo.exr"));
+    std::ofstream(folder / "out/report.json") << "{}";
+    EXPECT_THAT(runRelamp({"verify", folder / "out"}).err, HasSubstr("report.json"));
+}
+
+} // namespace relamp::golden
