@@ -177,13 +177,4 @@ std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance
     return candidates;
 }
 
-std::vector<int32_t> candidateOfSurfel(const std::vector<Candidate>& candidates, size_t surfels)
-{
-    std::vector<int32_t> index(surfels, -1);
-    for (size_t c = 0; c < candidates.size(); ++c)
-        for (const ClippedPatch& patch : candidates[c].patches)
-            index[patch.surfel] = static_cast<int32_t>(c);
-    return index;
-}
-
 } // namespace relamp
