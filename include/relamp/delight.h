@@ -21,8 +21,7 @@ struct AlbedoOptions
     float darkest = 0.02f; // radiance; a weaker shading is raised to this before dividing, > 0
 };
 
-enum class Solver
-{
+enum class Solver {
     gather, // area lights with shadows, bounce light gathered from the scan itself
     thesis  // Choi 2018
 };

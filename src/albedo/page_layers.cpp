@@ -28,8 +28,8 @@ void storeRgb(std::vector<uint16_t>& layer, uint32_t pixel, const RgbBlock& bloc
 class LayerMaker
 {
 public:
-    LayerMaker(const Texels& texels, size_t page, const TexelShading& shade,
-               const Shining& shining, const AlbedoOptions& options);
+    LayerMaker(const Texels& texels, size_t page, const TexelShading& shade, const Shining& shining,
+               const AlbedoOptions& options);
 
     PageLayers run(Progress::Stage& stage);
 
@@ -132,8 +132,7 @@ PageLayers LayerMaker::run(Progress::Stage& stage)
 } // namespace
 
 PageLayers makeLayers(const Texels& texels, size_t page, const TexelShading& shade,
-                      const Shining& shining, const AlbedoOptions& options,
-                      Progress& progress)
+                      const Shining& shining, const AlbedoOptions& options, Progress& progress)
 {
     Progress::Stage stage(progress, "divide", texels.pages[page].count());
     return LayerMaker(texels, page, shade, shining, options).run(stage);

@@ -17,8 +17,8 @@ namespace relamp
 struct FoundLamp
 {
     std::vector<ClippedPatch> patches;
-    glm::vec3 radiance{0.0f}; // RGB, 1 = the texture's white
-    glm::vec3 logError{0.0f}; // standard error of log radiance
+    glm::vec3 radiance{0.0f};        // RGB, 1 = the texture's white
+    glm::vec3 logError{0.0f};        // standard error of log radiance
     std::vector<AreaSample> onSides; // at radiance 1, one a hit list; empty: not looked at
 };
 

@@ -59,7 +59,8 @@ struct LightSum
 int fixtureOfMost(std::span<const Emitter> emitters, std::span<const uint32_t> region)
 {
     std::map<int, float> lightOf;
-    for (const uint32_t i : region) lightOf[emitters[i].fixture] += luminance(emitters[i].intensity);
+    for (const uint32_t i : region)
+        lightOf[emitters[i].fixture] += luminance(emitters[i].intensity);
     const auto isLess = [](const auto& a, const auto& b) { return a.second < b.second; };
     return std::max_element(lightOf.begin(), lightOf.end(), isLess)->first;
 }

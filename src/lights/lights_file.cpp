@@ -164,7 +164,8 @@ void warnOfUnknown(const Item& item, std::initializer_list<const char*> known,
 
 Fixture fixtureFrom(const Item& item, std::vector<std::string>& warnings)
 {
-    warnOfUnknown(item, {"id", "centre", "normal", "area", "radiance", "power", "error", "on"}, warnings);
+    warnOfUnknown(item, {"id", "centre", "normal", "area", "radiance", "power", "error", "on"},
+                  warnings);
     Fixture fixture;
     fixture.centre = vectorAt(item, "centre");
     fixture.normal = facingAt(item);

@@ -66,8 +66,7 @@ ordered_json optionsAsJson(const ThesisOptions& thesis)
 ordered_json optionsAsJson(const DelightOptions& options)
 {
     const bool isThesis = options.solver == Solver::thesis;
-    ordered_json json =
-        isThesis ? optionsAsJson(options.thesis) : optionsAsJson(options.gather);
+    ordered_json json = isThesis ? optionsAsJson(options.thesis) : optionsAsJson(options.gather);
     json["solver"] = isThesis ? "thesis" : "gather";
     json["darkest"] = shortest(options.albedo.darkest);
     json["lightsFromFile"] = options.lights.has_value();

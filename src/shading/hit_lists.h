@@ -49,8 +49,8 @@ struct HitLists
 {
     static constexpr int32_t kNoList = -1;
 
-    std::vector<Side> sideOfList;   // fronts first: that of surfel s has list s
-    std::vector<int32_t> listOfSide; // kNoList for a side that nobody sees
+    std::vector<Side> sideOfList;         // fronts first: that of surfel s has list s
+    std::vector<int32_t> listOfSide;      // kNoList for a side that nobody sees
     std::vector<uint32_t> firstTarget{0}; // of lists, and one more
     std::vector<HitTarget> targets;
 
