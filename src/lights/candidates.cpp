@@ -121,6 +121,7 @@ std::vector<Members> connected(const Texels& texels, const SurfelRadiance& radia
     std::map<uint32_t, Members> blobs;
     for (uint32_t i = 0; i < radiance.clipped.size(); ++i) blobs[sets.find(i)].push_back(i);
     std::vector<Members> result;
+    result.reserve(blobs.size());
     for (auto& [root, members] : blobs) result.push_back(std::move(members));
     return result;
 }

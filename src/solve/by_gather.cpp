@@ -18,7 +18,6 @@ namespace
 constexpr size_t kRaysOfScan = 2'500'000; // more would not be seen beside the noise of a photo
 constexpr size_t kFewestRays = 16;        // of a surfel
 constexpr size_t kMostRays = 64;
-constexpr float kPi = 3.14159265f;
 constexpr size_t kPatchesOfLamp = 32;
 constexpr float kNoFacing = 0.3f; // length of a mean normal below which a lamp shines all around
 
