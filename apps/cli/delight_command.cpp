@@ -18,6 +18,8 @@
 namespace
 {
 
+constexpr const char* kGatherGroup = "Dials of the gather solver (it needs none)";
+
 struct DelightArguments
 {
     ScanArguments scan;
@@ -115,17 +117,17 @@ void addPlaces(CLI::App& command, const char* name, std::vector<float>& numbers,
 {
     command.add_option(name, numbers, what)
         ->delimiter(',')
-        ->expected(3)
+        ->type_size(3)
+        ->expected(1)
         ->take_all()
         ->type_name("X,Y,Z")
         ->check(between(-1e6, 1e6))
-        ->group("Dials of the gather solver (it needs none)");
+        ->group(kGatherGroup);
 }
 
 void addGatherDials(CLI::App& command, DelightArguments& arguments)
 {
     relamp::GatherOptions& gather = arguments.options.gather;
-    const std::string group = "Dials of the gather solver (it needs none)";
     const std::map<std::string, relamp::Quality> qualities{{"draft", relamp::Quality::draft},
                                                            {"standard", relamp::Quality::standard},
                                                            {"high", relamp::Quality::high}};
@@ -134,23 +136,23 @@ void addGatherDials(CLI::App& command, DelightArguments& arguments)
                     "draft for a first look, standard, or high: four times the rays [standard]")
         ->transform(CLI::CheckedTransformer(qualities).description(""))
         ->type_name("NAME")
-        ->group(group);
+        ->group(kGatherGroup);
     addPlaces(command, "--light", arguments.lightsAt,
-              "What is burnt out at this place is a light; may be given again");
+              "What is burnt out at this place, in metres, is a lamp (repeatable)");
     addPlaces(command, "--not-a-light", arguments.notLightsAt,
-              "What is burnt out at this place is none; may be given again");
+              "What is burnt out at this place is no lamp (repeatable)");
     command
         .add_option("--rays", gather.rays,
-                    "Rays of a place that look for bounce light [by quality]")
+                    "Rays of a surfel that look for bounce light [by quality]")
         ->check(between(4, 1024))
         ->type_name("N")
-        ->group(group);
+        ->group(kGatherGroup);
     command
         .add_option("--shadow-rays", gather.shadowRays,
                     "Rays of a place in a penumbra to each lamp [by quality]")
         ->check(between(1, 1024))
         ->type_name("N")
-        ->group(group);
+        ->group(kGatherGroup);
 }
 
 void addPathtraceDials(CLI::App& command, relamp::PathtraceOptions& pathtrace)

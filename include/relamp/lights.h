@@ -40,7 +40,9 @@ struct Lights
 {
     std::vector<Fixture> fixtures;
     std::vector<PointLight> points;
-    glm::vec3 ambient{0.0f}; // irradiance / pi, the same everywhere
+    // Radiance of what lies outside the scan, seen through its holes; to the thesis solver,
+    // irradiance / pi, the same everywhere.
+    glm::vec3 ambient{0.0f};
 };
 
 /// lights.json, described in docs/guide/lights.md. `warnings` receives a sentence a key that is not

@@ -121,6 +121,7 @@ std::vector<Members> connected(const Texels& texels, const SurfelRadiance& radia
     std::map<uint32_t, Members> blobs;
     for (uint32_t i = 0; i < radiance.clipped.size(); ++i) blobs[sets.find(i)].push_back(i);
     std::vector<Members> result;
+    result.reserve(blobs.size());
     for (auto& [root, members] : blobs) result.push_back(std::move(members));
     return result;
 }
@@ -175,15 +176,6 @@ std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance
                      [](const Candidate& a, const Candidate& b) { return a.area > b.area; });
     if (candidates.size() > most) candidates.resize(most);
     return candidates;
-}
-
-std::vector<int32_t> candidateOfSurfel(const std::vector<Candidate>& candidates, size_t surfels)
-{
-    std::vector<int32_t> index(surfels, -1);
-    for (size_t c = 0; c < candidates.size(); ++c)
-        for (const ClippedPatch& patch : candidates[c].patches)
-            index[patch.surfel] = static_cast<int32_t>(c);
-    return index;
 }
 
 } // namespace relamp

@@ -28,7 +28,4 @@ struct Candidate
 std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance& radiance,
                                       size_t most);
 
-/// Which candidate the clipped texels of each surfel belong to; -1 for none.
-std::vector<int32_t> candidateOfSurfel(const std::vector<Candidate>& candidates, size_t surfels);
-
 } // namespace relamp

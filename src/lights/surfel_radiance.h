@@ -31,7 +31,7 @@ struct SurfelRadiance
 };
 
 /// Walks all texels once. A texture that can hold more than white (float formats) counts as burnt
-/// out where it is brighter than white.
+/// out from white on.
 SurfelRadiance collectRadiance(const Texels& texels, Progress& progress);
 
 } // namespace relamp

@@ -1,6 +1,5 @@
 #include "shading/visibility.h"
 
-#include "base/instruction_set.h"
 #include "base/lanes.h"
 #include "base/parallel.h"
 #include "flatten/flatten.shared.h"
@@ -67,7 +66,7 @@ Visibility::Visibility(const Texels& texels, const RayScene& scene,
                        std::span<const AreaLight> lamps,
                        std::span<const std::vector<AreaSample>> coarse,
                        const VisibilityOptions& options)
-    : texels_(texels)
+    : texels_(texels), set_(options.set)
 {
     placeProbes();
     for (size_t lamp = 0; lamp < lamps.size(); ++lamp) {
@@ -212,7 +211,7 @@ bool Visibility::at(size_t lamp, uint32_t surfel, const TexelBlock& block, size_
     if (taps.count == 0) return false;
     const float reach = reach_[surfel];
     const ShareArgs args{&block, &taps, first, end, 1.0f / (reach * reach), share};
-    runKernel<shareKernel>(bestInstructionSet(), args);
+    runKernel<shareKernel>(set_, args);
     return true;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/instruction_set.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
 #include "shading/area_direct.h"
@@ -14,6 +15,7 @@ namespace relamp
 struct VisibilityOptions
 {
     size_t raysPerProbe = 8; // >= 1
+    InstructionSet set = bestInstructionSet();
 };
 
 /// What share of every lamp each place of the scan sees.
@@ -46,6 +48,7 @@ private:
                       std::vector<uint8_t>& shares) const;
 
     const Texels& texels_;
+    InstructionSet set_;
     std::vector<uint32_t> firstProbe_;         // of surfels, and one more
     std::vector<float> x_, y_, z_;             // of probes
     std::vector<float> reach_;                 // of surfels, m: how far a probe's word goes

@@ -3,8 +3,6 @@
 #include "base/half.h"
 #include "scan/finish_mesh.h"
 
-#include <array>
-
 #include <glm/geometric.hpp>
 
 namespace relamp::scenes
@@ -14,12 +12,10 @@ namespace
 
 constexpr int kGutter = 2; // pixels around each chart
 
-/// A parallelogram and the rectangle of the page that it takes up, in pixels.
+/// A panel and the rectangle of the page that it takes up, in pixels.
 struct Wall
 {
-    glm::vec3 corner;
-    glm::vec3 alongU;
-    glm::vec3 alongV;
+    Panel panel;
     int column;
     int row;
     glm::ivec2 pixels;
@@ -37,7 +33,6 @@ Page emptyPage(int width, int height)
     return page;
 }
 
-/// Adds a wall whose lit side is where alongU x alongV points from.
 void addWall(Mesh& mesh, Page& page, const Wall& wall, const Paint& paint)
 {
     const auto first = static_cast<uint32_t>(mesh.positions.size());
@@ -46,19 +41,17 @@ void addWall(Mesh& mesh, Page& page, const Wall& wall, const Paint& paint)
     for (int i = 0; i < 4; ++i) {
         const auto u = static_cast<float>(i % 2);
         const auto v = static_cast<float>(i / 2);
-        mesh.positions.push_back(wall.corner + u * wall.alongU + v * wall.alongV);
+        mesh.positions.push_back(wall.panel.at(u, v));
         mesh.uvs.push_back((low + glm::vec2(u, v) * glm::vec2(wall.pixels)) / size);
     }
     mesh.triangles.emplace_back(first, first + 1, first + 2);
     mesh.triangles.emplace_back(first + 1, first + 3, first + 2);
 
-    const glm::vec3 normal = glm::normalize(glm::cross(wall.alongU, wall.alongV));
     for (int y = 0; y < wall.pixels.y; ++y)
         for (int x = 0; x < wall.pixels.x; ++x) {
             const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(wall.pixels.x);
             const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(wall.pixels.y);
-            const glm::vec3 radiance =
-                paint(wall.corner + u * wall.alongU + v * wall.alongV, normal);
+            const glm::vec3 radiance = paint(wall.panel.at(u, v), wall.panel.normal());
             const auto pixel =
                 static_cast<size_t>((wall.row + y) * page.image.width + wall.column + x);
             for (int c = 0; c < 3; ++c)
@@ -85,7 +78,7 @@ Scan square(float side, int pixels, const Paint& paint)
     Mesh mesh;
     Page page = emptyPage(pixels, pixels);
     // u along x and v along z would face down; the wall is wound the other way round.
-    addWall(mesh, page, {{0, 0, 0}, {side, 0, 0}, {0, 0, side}, 0, 0, glm::ivec2(pixels)},
+    addWall(mesh, page, {{{0, 0, 0}, {side, 0, 0}, {0, 0, side}}, 0, 0, glm::ivec2(pixels)},
             [&](glm::vec3 p, glm::vec3) {
                 return paint(p, {0.0f, 1.0f, 0.0f});
             });
@@ -102,36 +95,46 @@ Scan splitSquare(float side, int pixels, const Paint& paint)
     // The right half comes first on the page, so that the seam's two sides are far apart there.
     const glm::vec3 alongU(0.5f * side, 0, 0);
     const glm::vec3 alongV(0, 0, side);
-    addWall(mesh, page, {alongU, alongU, alongV, kGutter, kGutter, {half, pixels}}, upwards);
-    addWall(mesh, page, {glm::vec3(0), alongU, alongV, half + 3 * kGutter, kGutter, {half, pixels}},
-            upwards);
+    addWall(mesh, page, {{alongU, alongU, alongV}, kGutter, kGutter, {half, pixels}}, upwards);
+    addWall(mesh, page,
+            {{glm::vec3(0), alongU, alongV}, half + 3 * kGutter, kGutter, {half, pixels}}, upwards);
     for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
+    return scanOf(std::move(mesh), std::move(page));
+}
+
+glm::vec3 Panel::normal() const
+{
+    return glm::normalize(glm::cross(alongU, alongV));
+}
+
+std::vector<Panel> wallsOf(glm::vec3 size)
+{
+    const glm::vec3 x(size.x, 0, 0);
+    const glm::vec3 y(0, size.y, 0);
+    const glm::vec3 z(0, 0, size.z);
+    return {{glm::vec3(0), z, x}, {y, x, z}, {glm::vec3(0), y, z}, {x, z, y},
+            {glm::vec3(0), x, y}, {z, y, x}};
+}
+
+Scan panels(std::span<const Panel> panels, int pixels, const Paint& paint)
+{
+    constexpr int kColumns = 3;
+    const int tile = pixels + 2 * kGutter;
+    const int rows = (static_cast<int>(panels.size()) + kColumns - 1) / kColumns;
+    Mesh mesh;
+    Page page = emptyPage(kColumns * tile, rows * tile);
+    for (int i = 0; i < static_cast<int>(panels.size()); ++i) {
+        const int column = i % kColumns * tile + kGutter;
+        const int row = i / kColumns * tile + kGutter;
+        addWall(mesh, page, {panels[static_cast<size_t>(i)], column, row, glm::ivec2(pixels)},
+                paint);
+    }
     return scanOf(std::move(mesh), std::move(page));
 }
 
 Scan room(glm::vec3 size, int pixels, const Paint& paint)
 {
-    const int tile = pixels + 2 * kGutter;
-    Mesh mesh;
-    Page page = emptyPage(3 * tile, 2 * tile);
-    const glm::vec3 x(size.x, 0, 0);
-    const glm::vec3 y(0, size.y, 0);
-    const glm::vec3 z(0, 0, size.z);
-    const std::array<std::array<glm::vec3, 3>, 6> walls{{
-        {glm::vec3(0), z, x}, // floor, faces up
-        {y, x, z},            // ceiling, faces down
-        {glm::vec3(0), y, z}, // x = 0
-        {x, z, y},            // x = size.x
-        {glm::vec3(0), x, y}, // z = 0
-        {z, y, x},            // z = size.z
-    }};
-    for (size_t i = 0; i < walls.size(); ++i) {
-        const int column = static_cast<int>(i % 3) * tile + kGutter;
-        const int row = static_cast<int>(i / 3) * tile + kGutter;
-        addWall(mesh, page,
-                {walls[i][0], walls[i][1], walls[i][2], column, row, glm::ivec2(pixels)}, paint);
-    }
-    return scanOf(std::move(mesh), std::move(page));
+    return panels(wallsOf(size), pixels, paint);
 }
 
 Paint plain(glm::vec3 radiance)

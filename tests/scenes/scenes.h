@@ -3,6 +3,8 @@
 #include "relamp/scan.h"
 
 #include <functional>
+#include <span>
+#include <vector>
 
 namespace relamp::scenes
 {
@@ -20,6 +22,23 @@ Scan splitSquare(float side, int pixels, const Paint& paint);
 /// The inside of a box from the origin to `size`: six walls, each a chart of its own of `pixels`
 /// squared with a gutter around it, in one 3 x 2 atlas. Textures are half floats.
 Scan room(glm::vec3 size, int pixels, const Paint& paint);
+
+/// A parallelogram that is seen from where alongU x alongV points.
+struct Panel
+{
+    glm::vec3 corner;
+    glm::vec3 alongU;
+    glm::vec3 alongV;
+
+    [[nodiscard]] glm::vec3 normal() const;
+    [[nodiscard]] glm::vec3 at(float u, float v) const { return corner + u * alongU + v * alongV; }
+};
+
+/// The inner walls of a box: floor, ceiling, x = 0, x = size.x, z = 0, z = size.z.
+std::vector<Panel> wallsOf(glm::vec3 size);
+
+/// Any panels, each a chart of its own as those of `room` are.
+Scan panels(std::span<const Panel> panels, int pixels, const Paint& paint);
 
 /// The same radiance everywhere.
 Paint plain(glm::vec3 radiance);

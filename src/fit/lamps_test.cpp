@@ -1,0 +1,95 @@
+#include "fit/lamps.h"
+
+#include "lights/expand.shared.h"
+#include "scenes/lit_room.h"
+#include "scenes/surfaces.h"
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+
+namespace relamp
+{
+namespace
+{
+
+using scenes::LitRoom;
+
+FoundLamps lampsOf(const scenes::Surfaces& room, const GatherOptions& options)
+{
+    Progress progress;
+    return findLamps(room.texels, room.rays, scenes::hitListsOf(room, 64), room.radiance, options,
+                     progress);
+}
+
+/// What is found in the room with the panel and the burnt-out sheet.
+FoundLamps found(const GatherOptions& options = {})
+{
+    return lampsOf(scenes::Surfaces(LitRoom().scan), options);
+}
+
+glm::vec3 powerOf(const FoundLamp& lamp)
+{
+    float area = 0.0f;
+    for (const ClippedPatch& patch : lamp.patches) area += patch.area;
+    return area * lamp.radiance;
+}
+
+float distanceTo(const FoundLamp& lamp, glm::vec3 place)
+{
+    float least = 1e9f;
+    for (const ClippedPatch& patch : lamp.patches)
+        least = std::min(least, glm::distance(patch.position, place));
+    return least;
+}
+
+} // namespace
+
+// The room is one scan with two white patches of about the same size; only one lights the others.
+TEST(Lamps, PanelIsFoundWithItsPowerAndTheBurntOutSheetIsNot)
+{
+    const FoundLamps lamps = found();
+    ASSERT_EQ(lamps.lamps.size(), 1u);
+    EXPECT_LT(distanceTo(lamps.lamps[0], LitRoom::kLampCentre), 0.1f);
+    const glm::vec3 ratio = powerOf(lamps.lamps[0]) / (LitRoom::kLampArea * LitRoom::kLampRadiance);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0f, 0.1f) << "channel " << c;
+    EXPECT_GT(lamps.lamps[0].logError.g, 0.0f);
+    EXPECT_LT(lamps.lamps[0].logError.g, 0.2f);
+    EXPECT_THAT(lamps.warnings, testing::IsEmpty());
+}
+
+TEST(Lamps, PlaceThatAPersonCallsALightStays)
+{
+    const FoundLamps lamps = found({.lights = {LitRoom::kSheetCentre}});
+    ASSERT_EQ(lamps.lamps.size(), 2u);
+    EXPECT_LT(distanceTo(lamps.lamps[0], LitRoom::kLampCentre), 0.1f); // the stronger is first
+    EXPECT_LT(distanceTo(lamps.lamps[1], LitRoom::kSheetCentre), 0.1f);
+}
+
+TEST(Lamps, PlaceThatAPersonCallsNoLightIsNone)
+{
+    const FoundLamps lamps = found({.notLights = {LitRoom::kLampCentre}});
+    for (const FoundLamp& lamp : lamps.lamps)
+        EXPECT_GT(distanceTo(lamp, LitRoom::kLampCentre), 0.5f);
+}
+
+TEST(Lamps, PlaceWithoutAnythingBurntOutIsNamed)
+{
+    EXPECT_THAT(found({.notLights = {{2.0f, 0.0f, 2.5f}}}).warnings,
+                testing::ElementsAre(testing::HasSubstr("nothing is burnt out near 2, 0, 2.5")));
+}
+
+TEST(Lamps, RoomWithoutAnythingBurntOutHasNone)
+{
+    const scenes::Surfaces room(scenes::room({2, 2, 2}, 32, scenes::plain(glm::vec3(0.4f))));
+    EXPECT_THAT(lampsOf(room, {}).lamps, testing::IsEmpty());
+}
+
+TEST(Lamps, SurfelsOfLampsShine)
+{
+    FoundLamps lamps;
+    lamps.lamps.push_back(
+        {{{{}, {0, 1, 0}, 1.0f, 2}, {{}, {0, 1, 0}, 1.0f, Surfels::kNone}}, {}, {}, {}});
+    EXPECT_THAT(shinesOf(lamps, 4), testing::ElementsAre(0, 0, 1, 0));
+}
+
+} // namespace relamp

@@ -1,0 +1,108 @@
+#include "fit/pairs.h"
+
+#include <numeric>
+
+#include <gmock/gmock.h>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr glm::vec3 kUp(0, 1, 0);
+
+/// Places of a room, each a surfel of its own.
+struct Places
+{
+    FitData data;
+    Surfels surfels;
+
+    void add(glm::vec3 position, glm::vec3 normal, glm::vec3 radiance)
+    {
+        surfels.position.push_back(position);
+        surfels.normal.push_back(normal);
+        data.radiance.push_back(radiance);
+    }
+
+    [[nodiscard]] std::vector<MaterialPair> pairs(size_t perPlace) const
+    {
+        std::vector<uint32_t> all(surfels.count());
+        std::iota(all.begin(), all.end(), 0u);
+        return drawPairs(data, all, surfels, perPlace);
+    }
+};
+
+/// A row of places that differ in what `place(i)` adds.
+template<class AddPlace>
+Places hundred(const AddPlace& addPlace)
+{
+    Places places;
+    for (int i = 0; i < 100; ++i) addPlace(places, static_cast<float>(i) * 0.04f, i);
+    return places;
+}
+
+} // namespace
+
+TEST(Pairs, LieOnOnePlane)
+{
+    const Places places = hundred([](Places& room, float x, int i) {
+        const float height = i % 3 == 0 ? 0.7f : 0.0f; // a table over a floor
+        const glm::vec3 normal = i % 3 == 1 ? glm::vec3(1, 0, 0) : kUp;
+        room.add({i % 3 == 1 ? 0.0f : x, height, 1.0f}, normal, glm::vec3(0.5f));
+    });
+    const auto pairs = places.pairs(8);
+    EXPECT_GT(pairs.size(), 500u);
+    for (const MaterialPair pair : pairs) EXPECT_EQ(pair.p % 3, pair.q % 3);
+}
+
+// The same hue in light and shadow may be one material; another hue is not, whatever the light.
+TEST(Pairs, AreOfOneHueAtAnyBrightness)
+{
+    const Places places = hundred([](Places& room, float x, int i) {
+        const glm::vec3 hue =
+            i % 2 == 0 ? glm::vec3(0.6f, 0.5f, 0.4f) : glm::vec3(0.2f, 0.5f, 0.8f);
+        room.add({x, 0.0f, 0.0f}, kUp, (i % 4 < 2 ? 1.0f : 0.05f) * hue);
+    });
+    bool acrossBrightness = false;
+    for (const MaterialPair pair : places.pairs(8)) {
+        EXPECT_EQ(pair.p % 2, pair.q % 2);
+        acrossBrightness |= pair.p % 4 != pair.q % 4;
+    }
+    EXPECT_TRUE(acrossBrightness);
+}
+
+TEST(Pairs, BlackPlacesHaveNone)
+{
+    const Places places = hundred([](Places& room, float x, int i) {
+        room.add({x, 0.0f, 0.0f}, kUp, glm::vec3(i % 2 == 0 ? 0.5f : 0.001f));
+    });
+    for (const MaterialPair pair : places.pairs(4)) {
+        EXPECT_EQ(pair.p % 2, 0u);
+        EXPECT_EQ(pair.q % 2, 0u);
+    }
+}
+
+TEST(Pairs, AreAsManyAsAskedForAndTheSameEveryTime)
+{
+    const Places places = hundred([](Places& room, float x, int) {
+        room.add({x, 0.0f, 0.0f}, kUp, glm::vec3(0.5f));
+    });
+    const auto first = places.pairs(5);
+    const auto second = places.pairs(5);
+    EXPECT_EQ(first.size(), 500u);
+    ASSERT_EQ(first.size(), second.size());
+    for (size_t i = 0; i < first.size(); ++i) {
+        EXPECT_NE(first[i].p, first[i].q);
+        EXPECT_EQ(first[i].p, second[i].p);
+        EXPECT_EQ(first[i].q, second[i].q);
+    }
+}
+
+TEST(Pairs, OnePlaceHasNobody)
+{
+    Places places;
+    places.add(glm::vec3(0.0f), kUp, glm::vec3(0.5f));
+    EXPECT_THAT(places.pairs(4), testing::IsEmpty());
+}
+
+} // namespace relamp

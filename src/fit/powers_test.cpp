@@ -1,0 +1,153 @@
+#include "fit/powers.h"
+
+#include <cmath>
+#include <random>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <gtest/gtest.h>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr size_t kPlaces = 800;
+
+/// Numbers that are the same on every machine; distributions of the standard need not be.
+class Numbers
+{
+public:
+    float between(float low, float high)
+    {
+        return low + (high - low) * static_cast<float>(random_() >> 8) / 16777216.0f;
+    }
+    /// Of mean 0 and variance 1, about.
+    float normal()
+    {
+        float sum = -6.0f;
+        for (int i = 0; i < 12; ++i) sum += between(0.0f, 1.0f);
+        return sum;
+    }
+
+private:
+    std::mt19937 random_{7};
+};
+
+/// A floor of two materials under lamps, with what every lamp does there known.
+struct Floor
+{
+    FitData data;
+    std::vector<MaterialPair> pairs;
+    std::vector<glm::vec3> truth; // of lamps
+    glm::vec3 ambient{0.5f, 0.4f, 0.3f};
+
+    /// `noise` of radiance, as a share; `outliers` share of the pairs across materials.
+    Floor(std::vector<glm::vec3> lamps, float noise, float outliers);
+};
+
+Floor::Floor(std::vector<glm::vec3> lamps, float noise, float outliers) : truth(std::move(lamps))
+{
+    Numbers random;
+    data.lamps = truth.size();
+    std::vector<glm::vec2> under;
+    for (size_t f = 0; f < data.lamps; ++f)
+        under.emplace_back(random.between(1, 4), random.between(1, 4));
+    for (size_t i = 0; i < kPlaces; ++i) {
+        const glm::vec2 place(random.between(0, 5), random.between(0, 5));
+        glm::vec3 irradiance(random.between(0.2f, 0.5f));
+        data.gathered.push_back(irradiance);
+        data.missed.push_back(place.x < 2.0f ? random.between(0.0f, 0.4f) : 0.0f);
+        irradiance += ambient * data.missed.back();
+        for (size_t f = 0; f < data.lamps; ++f) {
+            const float squared = 4.0f + glm::dot(place - under[f], place - under[f]);
+            const bool isShadow = random.between(0, 1) < 0.3f;
+            data.direct.push_back(isShadow ? 0.0f : 0.1f * 4.0f / (squared * squared));
+            irradiance += truth[f] * data.direct.back();
+        }
+        const float albedo = (i % 2 == 0 ? 0.7f : 0.3f) * std::exp(noise * random.normal());
+        data.radiance.push_back(albedo * irradiance / 3.14159265f);
+    }
+    for (size_t i = 0; i < 8 * kPlaces; ++i) {
+        const auto p = static_cast<uint32_t>(random.between(0, kPlaces - 1));
+        const auto q = static_cast<uint32_t>(random.between(0, kPlaces - 1));
+        const bool sameMaterial = p % 2 == q % 2;
+        if (p != q && (sameMaterial || random.between(0, 1) < outliers)) pairs.push_back({p, q});
+    }
+}
+
+void expectNear(glm::vec3 value, glm::vec3 wanted, float share)
+{
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(value[c], wanted[c], share * wanted[c]) << "channel " << c;
+}
+
+} // namespace
+
+TEST(Powers, CleanDataGiveThePowersBack)
+{
+    const Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.0f, 0.0f);
+    const Powers powers = fitPowers(floor.data, floor.pairs);
+    expectNear(powers.radiance[0], floor.truth[0], 0.02f);
+    expectNear(powers.radiance[1], floor.truth[1], 0.02f);
+    expectNear(powers.ambient, floor.ambient, 0.05f);
+    EXPECT_LT(powers.residual, 0.01f);
+}
+
+// A quarter of the pairs across materials, two per cent of noise: the robust loss lets them go.
+TEST(Powers, NoiseAndWrongPairsHardlyMatter)
+{
+    const Floor floor({{40, 30, 20}, {10, 12, 15}, {20, 20, 20}}, 0.02f, 0.33f);
+    const Powers powers = fitPowers(floor.data, floor.pairs);
+    for (size_t f = 0; f < 3; ++f) {
+        expectNear(powers.radiance[f], floor.truth[f], 0.06f);
+        EXPECT_LT(powers.logError[f].g, 0.05f);
+    }
+}
+
+// Gathered light is in the texture's units, and so powers are: half of it is half of everything.
+TEST(Powers, AreInTheUnitsOfTheGatheredLight)
+{
+    Floor floor({{40, 30, 20}}, 0.0f, 0.0f);
+    for (glm::vec3& irradiance : floor.data.gathered) irradiance *= 0.5f;
+    const Powers powers = fitPowers(floor.data, floor.pairs);
+    expectNear(powers.radiance[0], 0.5f * floor.truth[0], 0.02f);
+}
+
+TEST(Powers, WhatTheDataLeaveOpenIsWhiteAndSaysSo)
+{
+    Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.02f, 0.0f);
+    for (size_t i = 0; i < kPlaces; ++i) floor.data.direct[2 * i + 1] = 0.0f;
+    const Powers powers = fitPowers(floor.data, floor.pairs);
+    expectNear(powers.radiance[1], glm::vec3(1.0f), 0.05f);
+    EXPECT_GT(powers.logError[1].g, 10.0f * powers.logError[0].g);
+}
+
+// Of two lamps of one model, one lights nothing that is seen: it is as bright as the other.
+TEST(Powers, LampsOfOneModelAreAboutEquallyBright)
+{
+    Floor floor({{40, 30, 20}, {40, 30, 20}}, 0.02f, 0.0f);
+    for (size_t i = 0; i < kPlaces; ++i) floor.data.direct[2 * i + 1] = 0.0f;
+    const Powers powers =
+        fitPowers(floor.data, floor.pairs, {.priorWeight = 1e-6, .alike = {{0, 1}}});
+    expectNear(powers.radiance[1], powers.radiance[0], 0.1f);
+}
+
+TEST(Powers, OneChannelIsLuminance)
+{
+    const Floor floor({glm::vec3(20.0f)}, 0.0f, 0.0f);
+    const Powers powers = fitPowers(floor.data, floor.pairs, {.oneChannel = true});
+    EXPECT_EQ(powers.radiance[0].r, powers.radiance[0].b);
+    EXPECT_NEAR(powers.radiance[0].g, 20.0f, 0.6f);
+}
+
+TEST(Powers, WithoutPairsNothingIsKnown)
+{
+    Floor floor({glm::vec3(20.0f)}, 0.0f, 0.0f);
+    const Powers powers = fitPowers(floor.data, {});
+    expectNear(powers.radiance[0], glm::vec3(1.0f), 0.01f);
+    EXPECT_TRUE(std::isfinite(powers.logError[0].g));
+    EXPECT_TRUE(std::isfinite(powers.loss));
+}
+
+} // namespace relamp

@@ -1,0 +1,93 @@
+#include "lights/candidates.h"
+
+#include "scenes/scenes.h"
+#include "scenes/surfaces.h"
+
+#include <gtest/gtest.h>
+
+namespace relamp
+{
+namespace
+{
+
+std::vector<Candidate> candidatesOf(Scan scan, size_t most = 64)
+{
+    const scenes::Surfaces surfaces(std::move(scan));
+    return findCandidates(surfaces.texels, surfaces.radiance, most);
+}
+
+/// A square floor of radiance `around` with a white disc of `radius` in its middle.
+scenes::Paint discIn(float side, float radius, float around)
+{
+    return [=](glm::vec3 p, glm::vec3) {
+        const bool isIn = glm::distance(p, glm::vec3(0.5f * side, 0.0f, 0.5f * side)) < radius;
+        return glm::vec3(isIn ? 1.0f : around);
+    };
+}
+
+} // namespace
+
+// A panel at the edge of the ceiling and the wall that it burns out touch, around a corner.
+TEST(Candidates, PanelAndTheWallBesideItAreTwo)
+{
+    const auto candidates =
+        candidatesOf(scenes::room({4.0f, 2.5f, 5.0f}, 64, [](glm::vec3 p, glm::vec3 n) {
+            const bool isPanel = n.y < -0.5f && p.x < 0.6f && std::abs(p.z - 2.5f) < 0.5f;
+            const bool isBurnt = n.x > 0.5f && p.y > 1.5f && std::abs(p.z - 2.5f) < 1.0f;
+            return glm::vec3(isPanel || isBurnt ? 1.0f : 0.4f);
+        }));
+    ASSERT_EQ(candidates.size(), 2u);
+    EXPECT_NEAR(candidates[0].area, 2.0f, 0.1f); // the largest first
+    EXPECT_NEAR(candidates[0].normal.x, 1.0f, 0.01f);
+    EXPECT_NEAR(candidates[1].area, 0.6f, 0.05f);
+    EXPECT_NEAR(candidates[1].normal.y, -1.0f, 0.01f);
+    EXPECT_NEAR(candidates[1].centre.x, 0.3f, 0.03f);
+}
+
+// A flat dome on a ceiling that it burns out is one blob without an edge; it stands off the plane.
+TEST(Candidates, LampIsCutOffThePlaneThatItRisesOver)
+{
+    const std::vector<scenes::Panel> parts{
+        {{0, 0, 0}, {0, 0, 2}, {2, 0, 0}},                 // the plane, facing up
+        {{0.6f, 0, 0.7f}, {0, 0, 0.6f}, {0.3f, 0.15f, 0}}, // a ramp up, 27 degrees
+        {{0.9f, 0.15f, 0.7f}, {0, 0, 0.6f}, {0.3f, 0, 0}}, // its top
+        {{1.2f, 0.15f, 0.7f}, {0, 0, 0.6f}, {0.3f, -0.15f, 0}}};
+    const auto candidates = candidatesOf(scenes::panels(parts, 64, scenes::plain(glm::vec3(1.0f))));
+    ASSERT_EQ(candidates.size(), 2u);
+    EXPECT_NEAR(candidates[0].area, 4.0f, 0.2f);
+    EXPECT_NEAR(candidates[0].centre.y, 0.0f, 0.01f);
+    EXPECT_NEAR(candidates[1].area, 0.58f, 0.15f);
+    EXPECT_NEAR(candidates[1].centre.y, 0.1f, 0.03f);
+}
+
+// A speck that only just burnt out in a bright wall lights nothing; a bulb is as small, in the
+// dark.
+TEST(Candidates, SpecksInBrightWallsAreNoneAndBulbsAre)
+{
+    EXPECT_TRUE(candidatesOf(scenes::square(2.0f, 200, discIn(2.0f, 0.06f, 0.8f))).empty());
+    const auto bulbs = candidatesOf(scenes::square(2.0f, 200, discIn(2.0f, 0.06f, 0.2f)));
+    ASSERT_EQ(bulbs.size(), 1u);
+    EXPECT_NEAR(bulbs[0].area, 0.0113f, 0.001f);
+}
+
+TEST(Candidates, FixtureOverASeamIsOne)
+{
+    const auto candidates = candidatesOf(scenes::splitSquare(2.0f, 128, discIn(2.0f, 0.4f, 0.3f)));
+    ASSERT_EQ(candidates.size(), 1u);
+    EXPECT_NEAR(candidates[0].area, 0.503f, 0.02f);
+    EXPECT_NEAR(candidates[0].centre.x, 1.0f, 0.02f);
+}
+
+TEST(Candidates, BeyondTheMostTheSmallestAreLeftOut)
+{
+    const scenes::Paint stripes = [](glm::vec3 p, glm::vec3) {
+        const bool isIn = (p.x > 0.2f && p.x < 0.8f) || (p.x > 1.4f && p.x < 1.7f);
+        return glm::vec3(isIn && p.z > 0.5f && p.z < 1.5f ? 1.0f : 0.3f);
+    };
+    EXPECT_EQ(candidatesOf(scenes::square(2.0f, 128, stripes)).size(), 2u);
+    const auto one = candidatesOf(scenes::square(2.0f, 128, stripes), 1);
+    ASSERT_EQ(one.size(), 1u);
+    EXPECT_NEAR(one[0].area, 0.6f, 0.03f);
+}
+
+} // namespace relamp

@@ -1,0 +1,141 @@
+#include "shading/area_direct.h"
+
+#include "scenes/radiosity.h"
+#include "scenes/surfaces.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr glm::vec3 kUp(0, 1, 0);
+constexpr glm::vec3 kDown(0, -1, 0);
+constexpr float kOffSurface = 2e-3f; // m; shadow rays start so far off
+
+/// A panel cut into patches.
+AreaLight lightOf(const scenes::Panel& panel, int cells)
+{
+    std::vector<ClippedPatch> patches;
+    const float area = glm::length(glm::cross(panel.alongU, panel.alongV));
+    const auto across = static_cast<float>(cells);
+    for (int v = 0; v < cells; ++v)
+        for (int u = 0; u < cells; ++u)
+            patches.push_back({panel.at((static_cast<float>(u) + 0.5f) / across,
+                                        (static_cast<float>(v) + 0.5f) / across),
+                               panel.normal(), area / (across * across), 0});
+    return AreaLight(std::move(patches));
+}
+
+/// Of `side` squared, `height` above the origin, facing down.
+scenes::Panel above(float height, float side)
+{
+    return {{-0.5f * side, height, -0.5f * side}, {side, 0, 0}, {0, 0, side}};
+}
+
+float openAt(const AreaLight& light, glm::vec3 place, glm::vec3 normal)
+{
+    TexelBlock block;
+    scenes::addTexel(block, place, normal);
+    float irradiance[TexelBlock::kPadded];
+    openIrradiance(block, LampPatches(light, 256), irradiance);
+    return irradiance[0];
+}
+
+/// A floor, and a square that hovers over its middle.
+Scan floorAndTable()
+{
+    const scenes::Panel parts[] = {{{-2, 0, -2}, {0, 0, 4}, {4, 0, 0}},
+                                   {{-0.5f, 1, -0.5f}, {0, 0, 1}, {1, 0, 0}}};
+    return scenes::panels(parts, 16, scenes::plain(glm::vec3(0.5f)));
+}
+
+} // namespace
+
+TEST(AreaDirect, SmallPatchFallsOffWithTheSquareOfTheDistance)
+{
+    const float area = 1e-4f;
+    for (const float height : {0.5f, 1.0f, 4.0f})
+        EXPECT_NEAR(openAt(lightOf(above(height, 0.01f), 1), glm::vec3(0.0f), kUp),
+                    area / (height * height), 1e-3f * area / (height * height));
+}
+
+TEST(AreaDirect, FollowsTheCosineAtBothEndsAndIsDarkBehind)
+{
+    const float half = std::sqrt(0.5f);
+    const AreaLight light = lightOf(above(1.0f, 0.01f), 1);
+    EXPECT_NEAR(openAt(light, glm::vec3(0.0f), {half, half, 0}), 1e-4f * half, 1e-7f);
+    // 45 degrees off: a cosine at the lamp, one at the floor, twice the distance squared
+    EXPECT_NEAR(openAt(light, {1, 0, 0}, kUp), 1e-4f * 0.25f, 1e-7f);
+    EXPECT_EQ(openAt(light, glm::vec3(0.0f), kDown), 0.0f);
+    EXPECT_EQ(openAt(light, {0, 2, 0}, kDown), 0.0f);
+}
+
+// Irradiance of radiance 1 from a square: Lambert's formula is exact.
+TEST(AreaDirect, LargePanelLightsByItsFormFactor)
+{
+    const scenes::Panel panel = above(1.0f, 2.0f);
+    const AreaLight light = lightOf(panel, 16);
+    for (const glm::vec3 place : {glm::vec3(0.0f), glm::vec3(1, 0, 0.3f), glm::vec3(3, 0.5f, 0)}) {
+        const float exact = scenes::irradianceFrom(panel, place, kUp);
+        EXPECT_NEAR(openAt(light, place, kUp), exact, 0.01f * exact);
+    }
+}
+
+TEST(AreaDirect, PatchesStandForEqualAreas)
+{
+    const AreaLight light({{{0, 0, 0}, kUp, 3.0f, 0}, {{1, 0, 0}, kUp, 1.0f, 1}});
+    EXPECT_EQ(light.area(), 4.0f);
+    EXPECT_EQ(light.at(0.7f).surfel, 0u);
+    EXPECT_EQ(light.at(0.8f).surfel, 1u);
+    EXPECT_EQ(light.at(1.0f).surfel, 1u);
+    EXPECT_NEAR(light.centre().x, 0.25f, 1e-6f);
+}
+
+// The kernel over texels and the samples with shadow rays are one formula.
+TEST(AreaDirect, KernelAndSamplesAgreeOnAllInstructionSets)
+{
+    const scenes::Surfaces far(scenes::square(1.0f, 8, scenes::plain(glm::vec3(0.5f))));
+    const AreaLight light = lightOf(above(4.0f, 1.0f), 8);
+    std::mt19937 random(1);
+    const auto number = [&] { return static_cast<float>(random() % 1000) / 1000.0f; };
+    TexelBlock block;
+    for (size_t i = 0; i < 101; ++i)
+        scenes::addTexel(block, {4.0f * number(), number(), 4.0f * number()},
+                         glm::normalize(glm::vec3(number(), 1.0f, number())));
+    std::vector<InstructionSet> sets = scenes::widerSets();
+    sets.push_back(InstructionSet::baseline);
+    for (const InstructionSet set : sets) {
+        float open[TexelBlock::kPadded];
+        openIrradiance(block, LampPatches(light, 64), open, set);
+        for (size_t i = 0; i < block.count; ++i) {
+            const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
+            const glm::vec3 place(block.x[i], block.y[i], block.z[i]);
+            const AreaSample sample =
+                sampleAreaLight(far.rays, light, place - kOffSurface * normal, normal, 64, 0.5f);
+            EXPECT_NEAR(open[i], sample.open, 1e-5f * sample.open);
+        }
+    }
+}
+
+TEST(AreaDirect, ShadowIsWhatStandsBetween)
+{
+    const scenes::Surfaces scene(floorAndTable());
+    const AreaLight light = lightOf(above(3.0f, 0.2f), 4);
+    const auto sampleAt = [&](glm::vec3 place) {
+        return sampleAreaLight(scene.rays, light, place, kUp, 16, 0.5f);
+    };
+    EXPECT_GT(sampleAt({0, 0, 0}).open, 0.0f);
+    EXPECT_EQ(sampleAt({0, 0, 0}).visible, 0.0f);
+    EXPECT_EQ(sampleAt({1.5f, 0, 0}).visible, sampleAt({1.5f, 0, 0}).open);
+    EXPECT_EQ(sampleAt({0, 1, 0}).visible, sampleAt({0, 1, 0}).open);
+    // the ray from the centre of the lamp over the edge of the table ends here: 0.5 m * 3 / 2
+    const AreaSample edge = sampleAt({0.75f, 0, 0});
+    EXPECT_NEAR(edge.visible / edge.open, 0.5f, 0.15f);
+}
+
+} // namespace relamp

@@ -1,0 +1,98 @@
+#include "shading/gather.h"
+
+#include "lights/expand.shared.h"
+#include "scenes/radiosity.h"
+#include "scenes/surfaces.h"
+
+#include <gmock/gmock.h>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kPi = 3.14159265f;
+constexpr glm::vec3 kRoom(2.0f, 1.5f, 3.0f);
+constexpr glm::vec3 kUp(0, 1, 0);
+
+/// A dark room under a ceiling of radiance 0.9.
+Scan brightCeiling()
+{
+    return scenes::room(
+        kRoom, 32, [](glm::vec3, glm::vec3 n) { return glm::vec3(n.y < -0.5f ? 0.9f : 0.0f); });
+}
+
+} // namespace
+
+// Radiance L from everywhere is an irradiance of pi L, however the rays fall.
+TEST(Gather, FurnaceGivesPiTimesItsRadiance)
+{
+    const glm::vec3 radiance(0.4f, 0.2f, 0.1f);
+    const scenes::Surfaces box(scenes::room(kRoom, 32, scenes::plain(radiance)));
+    const Gathered gathered = gather(scenes::hitListsOf(box, 32), fieldOf(box.radiance));
+    for (const glm::vec3 irradiance : gathered.irradiance)
+        EXPECT_LT(glm::distance(irradiance, kPi * radiance), 2e-3f); // half floats
+    EXPECT_THAT(gathered.missed, testing::Each(0.0f));
+    EXPECT_THAT(gathered.noise, testing::Each(testing::Lt(2e-3f)));
+}
+
+// What leaves through a hole is missing in the irradiance and stands in `missed`.
+TEST(Gather, WhatIsMissedMakesItWholeAgain)
+{
+    std::vector<scenes::Panel> walls = scenes::wallsOf(kRoom);
+    walls.erase(walls.begin() + 1);
+    const scenes::Surfaces box(scenes::panels(walls, 32, scenes::plain(glm::vec3(0.5f))));
+    const HitLists hits = scenes::hitListsOf(box, 32);
+    const Gathered gathered = gather(hits, fieldOf(box.radiance));
+    for (size_t s = 0; s < box.texels.surfels.count(); ++s)
+        EXPECT_NEAR(gathered.irradiance[s].g + 0.5f * gathered.missed[s], kPi * 0.5f, 2e-3f);
+}
+
+TEST(Gather, CeilingLightsTheFloorByItsFormFactor)
+{
+    const scenes::Surfaces box(brightCeiling());
+    const Gathered gathered = gather(scenes::hitListsOf(box, 64), fieldOf(box.radiance));
+    const scenes::Panel ceiling = scenes::wallsOf(kRoom)[1];
+    float sum = 0.0f;
+    float expected = 0.0f;
+    size_t far = 0;
+    const std::vector<uint32_t> floor = box.facing(kUp);
+    for (const uint32_t s : floor) {
+        const float exact =
+            0.9f * scenes::irradianceFrom(ceiling, box.texels.surfels.position[s], kUp);
+        far += std::abs(gathered.irradiance[s].g - exact) > 2.0f * gathered.noise[s] ? 1u : 0u;
+        sum += gathered.irradiance[s].g;
+        expected += exact;
+    }
+    EXPECT_NEAR(sum, expected, 0.01f * expected);
+    EXPECT_LT(far, floor.size() / 20); // two standard errors, and even points beat random ones
+}
+
+TEST(Gather, LampsAreLeftOut)
+{
+    const scenes::Surfaces box(scenes::room(
+        kRoom, 32, [](glm::vec3, glm::vec3 n) { return glm::vec3(n.y < -0.5f ? 1.0f : 0.0f); }));
+    const HitLists hits = scenes::hitListsOf(box, 16);
+    RadianceField field = fieldOf(box.radiance);
+    const uint32_t floor = box.at({1.0f, 0.0f, 1.5f}, kUp);
+    EXPECT_GT(gather(hits, field).irradiance[floor].g, 0.5f);
+    field.shines.assign(field.shines.size(), 1);
+    EXPECT_EQ(gather(hits, field).irradiance[floor].g, 0.0f);
+}
+
+TEST(Gather, SomeListsGiveWhatAllGive)
+{
+    const scenes::Surfaces box(brightCeiling());
+    const HitLists hits = scenes::hitListsOf(box, 16);
+    const RadianceField field = fieldOf(box.radiance);
+    const Gathered all = gather(hits, field);
+    const std::vector<uint32_t> lists = box.facing(kUp);
+    const Gathered some = gather(hits, field, lists);
+    ASSERT_EQ(some.irradiance.size(), lists.size());
+    for (size_t i = 0; i < lists.size(); ++i) {
+        EXPECT_EQ(some.irradiance[i], all.irradiance[lists[i]]);
+        EXPECT_EQ(some.noise[i], all.noise[lists[i]]);
+    }
+}
+
+} // namespace relamp

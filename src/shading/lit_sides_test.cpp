@@ -1,0 +1,129 @@
+#include "shading/lit_sides.h"
+
+#include "scenes/radiosity.h"
+#include "scenes/surfaces.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kPi = 3.14159265f;
+constexpr glm::vec3 kRoom(2.0f, 1.5f, 3.0f);
+constexpr glm::vec3 kUp(0, 1, 0);
+
+LitSides litBy(const scenes::Surfaces& surfaces, const HitLists& hits,
+               std::vector<glm::vec3> direct)
+{
+    const std::vector<uint8_t> noLamps(surfaces.texels.surfels.count(), 0);
+    return lightSides(surfaces.texels, hits, surfaces.radiance, std::move(direct), noLamps,
+                      glm::vec3(0.0f));
+}
+
+/// The same direct irradiance everywhere.
+std::vector<glm::vec3> everywhere(const HitLists& hits, float irradiance)
+{
+    return std::vector<glm::vec3>(hits.sideOfList.size(), glm::vec3(irradiance));
+}
+
+/// Whether a surfel is burnt out all over and has a neighbour that is not.
+bool isAtTheRim(const scenes::Surfaces& surfaces, uint32_t s)
+{
+    const auto isPlain = [&](uint32_t n) { return surfaces.radiance.plainArea[n] > 0.0f; };
+    const std::span around = surfaces.texels.surfels.neighborsOf(s);
+    return !isPlain(s) && std::any_of(around.begin(), around.end(), isPlain);
+}
+
+} // namespace
+
+// Walls of 0.4 that see walls of 0.4 and get pi of direct light: albedo is 0.4 / (0.4 + 1).
+TEST(LitSides, AlbedoIsWhatTheWallsSendOfWhatTheyGet)
+{
+    const scenes::Surfaces box(scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f))));
+    const HitLists hits = scenes::hitListsOf(box, 16);
+    for (const glm::vec3 albedo : litBy(box, hits, everywhere(hits, kPi)).albedo)
+        EXPECT_NEAR(albedo.g, 0.4f / 1.4f, 1e-3f);
+}
+
+// A spot of the floor that gets nine times as much light shows white and sends its share of it. Its
+// albedo is that of the floor around.
+TEST(LitSides, BurntOutWallSendsMoreThanTheWhiteThatItShows)
+{
+    const scenes::Surfaces box(scenes::room(kRoom, 64, [](glm::vec3 p, glm::vec3 n) {
+        const bool isSpot = n.y > 0.5f && glm::distance(p, glm::vec3(1, 0, 1.5f)) < 0.2f;
+        return glm::vec3(isSpot ? 1.0f : 0.4f);
+    }));
+    const HitLists hits = scenes::hitListsOf(box, 64);
+    std::vector<glm::vec3> direct = everywhere(hits, kPi);
+    for (const ClippedPatch& patch : box.radiance.clipped)
+        if (box.radiance.plainArea[patch.surfel] == 0.0f)
+            direct[patch.surfel] = glm::vec3(9.0f * kPi);
+    const LitSides sides = litBy(box, hits, direct);
+    size_t rim = 0;
+    for (const uint32_t s : box.facing(kUp)) {
+        if (!isAtTheRim(box, s)) continue;
+        EXPECT_NEAR(sides.field.clipped[s].g, 0.4f / 1.4f * 9.4f, 0.2f);
+        ++rim;
+    }
+    EXPECT_GT(rim, 4u);
+    EXPECT_NEAR(sides.field.plain[box.at({0.2f, 0, 0.2f}, kUp)].g, 0.4f, 1e-3f);
+}
+
+// The shelf shows its lit side upwards; its back sees the floor of 0.5 and the dark alone.
+TEST(LitSides, BacksAreLitByWhatIsBehindThem)
+{
+    const scenes::Panel shelf{{0, 1, 0}, {0, 0, 2}, {2, 0, 0}};
+    const scenes::Surfaces two(
+        scenes::panels(std::vector<scenes::Panel>{{{0, 0, 0}, {0, 0, 2}, {2, 0, 0}}, shelf}, 32,
+                       scenes::plain(glm::vec3(0.5f))));
+    const HitLists hits = scenes::hitListsOf(two, 64);
+    const LitSides sides = litBy(two, hits, everywhere(hits, 0.0f));
+    const uint32_t high = two.at({1, 1, 1}, kUp);
+    const scenes::Panel floorFromAbove{{0, 0, 0}, {0, 0, 2}, {2, 0, 0}};
+    const float fromFloor = 0.5f * scenes::irradianceFrom(floorFromAbove, {1, 1, 1}, -kUp);
+    const auto back = static_cast<size_t>(hits.listOfSide[Side::back(high).index]);
+    EXPECT_NEAR(sides.gathered.irradiance[back].g, fromFloor, 0.05f * fromFloor);
+    EXPECT_NEAR(sides.field.back[high].g, sides.albedo[high].g * fromFloor / kPi, 0.02f);
+}
+
+// A lamp's light on lists is that of its panel: Lambert's formula, with the shadows of a few rays.
+TEST(LitSides, DirectOfListsIsThePanelsFormFactor)
+{
+    const scenes::Surfaces box(scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f))));
+    const HitLists hits = scenes::hitListsOf(box, 16);
+    const scenes::Panel panel{{0.8f, 1.4f, 1.3f}, {0.4f, 0, 0}, {0, 0, 0.4f}};
+    std::vector<ClippedPatch> patches;
+    for (int i = 0; i < 64; ++i) {
+        const float u = (static_cast<float>(i % 8) + 0.5f) / 8.0f;
+        const float v = (static_cast<float>(i / 8) + 0.5f) / 8.0f;
+        patches.push_back({panel.at(u, v), -kUp, 0.0025f, 0});
+    }
+    const std::vector<AreaSample> direct =
+        directOfLists(box.texels, box.rays, hits, AreaLight(std::move(patches)), {}, 4);
+    float sum = 0.0f;
+    float expected = 0.0f;
+    for (const uint32_t s : box.facing(kUp)) {
+        const float exact = scenes::irradianceFrom(panel, box.texels.surfels.position[s], kUp);
+        EXPECT_NEAR(direct[s].open, exact, 0.12f * exact);
+        EXPECT_EQ(direct[s].visible, direct[s].open);
+        sum += direct[s].open;
+        expected += exact;
+    }
+    EXPECT_NEAR(sum, expected, 0.01f * expected);
+}
+
+TEST(LitSides, IndirectOfAFurnaceIsWhatItsWallsSend)
+{
+    const scenes::Surfaces box(scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f))));
+    const HitLists hits = scenes::hitListsOf(box, 16);
+    const LitSides sides = litBy(box, hits, everywhere(hits, kPi));
+    for (const glm::vec3 irradiance :
+         indirectOfFronts(box.texels.surfels, hits, sides, glm::vec3(0.0f)))
+        EXPECT_NEAR(irradiance.g, 0.4f * kPi, 2e-3f); // direct light is none of it
+}
+
+} // namespace relamp

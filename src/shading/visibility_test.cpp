@@ -1,0 +1,177 @@
+#include "shading/visibility.h"
+
+#include "scenes/scenes.h"
+#include "scenes/surfaces.h"
+#include "shading/lit_sides.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr glm::vec3 kUp(0, 1, 0);
+constexpr float kLamp = 0.5f;   // m, side of the lamp
+constexpr float kHeight = 2.0f; // of the lamp over the floor
+
+/// A lamp that is no part of the scan, facing down, its centre above (x, z).
+AreaLight lampOver(float x, float z)
+{
+    constexpr int kCells = 16;
+    std::vector<ClippedPatch> patches;
+    for (int i = 0; i < kCells * kCells; ++i) {
+        const float u = (static_cast<float>(i % kCells) + 0.5f) / kCells - 0.5f;
+        const float v = (static_cast<float>(i / kCells) + 0.5f) / kCells - 0.5f;
+        patches.push_back(
+            {{x + kLamp * u, kHeight, z + kLamp * v}, -kUp, kLamp * kLamp / (kCells * kCells), 0});
+    }
+    return AreaLight(std::move(patches));
+}
+
+constexpr scenes::Panel kFloor{{0, 0, 0}, {0, 0, 4}, {4, 0, 0}};
+/// Half of the room's width, a metre over the floor, seen from above.
+constexpr scenes::Panel kShelf{{0, 1, 0}, {0, 0, 4}, {2, 0, 0}};
+/// Across the floor at x = 2, without thickness, seen from x < 2.
+constexpr scenes::Panel kScreen{{2, 0, 0}, {0, 0, 4}, {0, 1.5f, 0}};
+
+struct Place
+{
+    glm::vec3 position;
+    float share;
+};
+
+/// Parts of a room under a lamp.
+class Lit
+{
+public:
+    Lit(const std::vector<scenes::Panel>& parts, AreaLight lamp, InstructionSet set)
+        : surfaces_(scenes::panels(parts, 64, scenes::plain(glm::vec3(0.5f)))),
+          lamps_{std::move(lamp)}, coarse_{coarse()},
+          visibility_(surfaces_.texels, surfaces_.rays, lamps_, coarse_,
+                      {.raysPerProbe = 16, .set = set})
+    {}
+
+    /// What the texels of the floor see of the lamp.
+    [[nodiscard]] std::vector<Place> floor() const;
+
+private:
+    [[nodiscard]] std::vector<AreaSample> coarse() const
+    {
+        HitLists fronts;
+        for (uint32_t s = 0; s < surfaces_.texels.surfels.count(); ++s)
+            fronts.sideOfList.push_back(Side::front(s));
+        return directOfLists(surfaces_.texels, surfaces_.rays, fronts, lamps_[0]);
+    }
+
+    scenes::Surfaces surfaces_;
+    std::vector<AreaLight> lamps_;
+    std::vector<std::vector<AreaSample>> coarse_;
+    Visibility visibility_;
+};
+
+std::vector<Place> Lit::floor() const
+{
+    const PageTexels& page = surfaces_.texels.pages[0];
+    const TexelLoader loader(surfaces_.texels, 0);
+    std::vector<Place> places;
+    for (size_t run = 0; run + 1 < page.runs.size(); ++run)
+        forEachBlockOfRun(page, run, [&](size_t begin, size_t count) {
+            TexelBlock block;
+            float share[TexelBlock::kPadded];
+            loader.load(begin, count, block);
+            visibility_.at(0, page.runs[run].surfel, block, 0, count, share);
+            for (size_t i = 0; i < count; ++i)
+                if (block.y[i] < 1e-3f && block.ny[i] > 0.5f)
+                    places.push_back({{block.x[i], block.y[i], block.z[i]}, share[i]});
+        });
+    return places;
+}
+
+std::vector<Place> floorUnder(const std::vector<scenes::Panel>& parts, AreaLight lamp,
+                              InstructionSet set = bestInstructionSet())
+{
+    return Lit(parts, std::move(lamp), set).floor();
+}
+
+/// Mean share of the floor between two x, in the middle of the room.
+float meanBetween(const std::vector<Place>& places, float low, float high)
+{
+    float sum = 0.0f;
+    float count = 0.0f;
+    for (const Place& place : places) {
+        if (place.position.x < low || place.position.x >= high ||
+            std::abs(place.position.z - 2.0f) > 1.0f)
+            continue;
+        sum += place.share;
+        count += 1.0f;
+    }
+    return sum / count;
+}
+
+} // namespace
+
+TEST(Visibility, NothingInTheWayIsAll)
+{
+    for (const Place& place : floorUnder({kFloor}, lampOver(2.0f, 2.0f)))
+        EXPECT_EQ(place.share, 1.0f);
+}
+
+// From the lamp's near edge at x = 1.25 the shelf's shadow ends at 2.75, from the far one at 3.25.
+TEST(Visibility, WhatIsUnderAShelfSeesNothing)
+{
+    for (const Place& place : floorUnder({kFloor, kShelf}, lampOver(1.0f, 2.0f))) {
+        if (place.position.x < 2.5f) {
+            EXPECT_EQ(place.share, 0.0f);
+        }
+        if (place.position.x > 3.5f) {
+            EXPECT_EQ(place.share, 1.0f);
+        }
+    }
+}
+
+// Half as high as the lamp, the edge throws a penumbra as wide as the lamp; it rises evenly.
+TEST(Visibility, PenumbraRisesFromNothingToAll)
+{
+    const std::vector<Place> places = floorUnder({kFloor, kShelf}, lampOver(2.0f, 2.0f));
+    float last = 0.0f;
+    for (float x = 1.5f; x < 2.5f; x += 0.0625f) {
+        const float share = meanBetween(places, x, x + 0.0625f);
+        const float exact = std::clamp((x + 0.03125f - 1.75f) / kLamp, 0.0f, 1.0f);
+        EXPECT_NEAR(share, exact, 0.12f) << x;
+        EXPECT_GE(share, last - 0.01f) << x;
+        last = share;
+    }
+    EXPECT_EQ(last, 1.0f);
+}
+
+// Behind the screen all is dark to 4.25 m, though its lit side is nearer than a surfel.
+TEST(Visibility, NoLightGoesThroughAThinWall)
+{
+    for (const Place& place : floorUnder({kFloor, kScreen}, lampOver(1.0f, 2.0f))) {
+        if (place.position.x < 1.85f) {
+            EXPECT_EQ(place.share, 1.0f) << place.position.x;
+        }
+        if (place.position.x > 2.15f) {
+            EXPECT_EQ(place.share, 0.0f) << place.position.x;
+        }
+    }
+}
+
+TEST(Visibility, IsTheSameOnAllInstructionSets)
+{
+    const auto shares = [](InstructionSet set) {
+        return floorUnder({kFloor, kShelf}, lampOver(2.0f, 2.0f), set);
+    };
+    const std::vector<Place> narrow = shares(InstructionSet::baseline);
+    for (const InstructionSet set : scenes::widerSets()) {
+        const std::vector<Place> wide = shares(set);
+        for (size_t i = 0; i < narrow.size(); ++i)
+            ASSERT_NEAR(wide[i].share, narrow[i].share, 1e-5f);
+    }
+}
+
+} // namespace relamp
