@@ -5,6 +5,7 @@
 
 #include "relamp/lights.h"
 #include "relamp/scan.h"
+#include "scenes/temporary_folder.h"
 
 #include <chrono>
 #include <fstream>
@@ -18,6 +19,7 @@ namespace relamp::golden
 namespace
 {
 
+using scenes::TemporaryFolder;
 using testing::HasSubstr;
 using testing::UnorderedElementsAre;
 

@@ -1,5 +1,7 @@
 #include "golden/program.h"
 
+#include "scenes/temporary_folder.h"
+
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -40,7 +42,7 @@ std::string contentOf(const std::filesystem::path& file)
 
 Outcome runRelamp(const std::vector<std::string>& arguments, double interruptAfter)
 {
-    const TemporaryFolder folder;
+    const scenes::TemporaryFolder folder;
     const std::string out = folder / "out";
     const std::string err = folder / "err";
     const pid_t child = fork();
@@ -54,21 +56,6 @@ Outcome runRelamp(const std::vector<std::string>& arguments, double interruptAft
     waitpid(child, &status, 0);
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return {code, contentOf(out), contentOf(err)};
-}
-
-TemporaryFolder::TemporaryFolder()
-{
-    std::string pattern =
-        (std::filesystem::temp_directory_path() / "relamp-golden-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr)
-        throw std::runtime_error("cannot make a temporary folder");
-    path_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder()
-{
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
 }
 
 } // namespace relamp::golden

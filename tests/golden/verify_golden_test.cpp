@@ -1,6 +1,7 @@
 // relamp verify on what relamp delight writes of the sample room.
 
 #include "golden/program.h"
+#include "scenes/temporary_folder.h"
 
 #include <fstream>
 
@@ -12,6 +13,7 @@ namespace relamp::golden
 namespace
 {
 
+using scenes::TemporaryFolder;
 using testing::HasSubstr;
 
 const std::string kScan = RELAMP_SAMPLES "/bedroom/scan.glb";
