@@ -120,7 +120,7 @@ void PathTracer::follow(TexelSite place, glm::vec2 first, Random& random, Traced
 TracedShading PathTracer::shade(const TexelSite& site, size_t paths, Random random) const
 {
     const auto count = static_cast<float>(paths);
-    const glm::vec2 shift(random.next(), random.next());
+    const glm::vec2 shift{random.next(), random.next()}; // braces: in this order everywhere
     TracedShading sum;
     for (size_t i = 0; i < paths; ++i) {
         // Strata over the lamps' power, and an even sequence over the directions, shifted at
