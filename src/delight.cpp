@@ -98,8 +98,9 @@ const Decomposition::State& Decomposition::state() const
 
 PageLayers Decomposition::layers(size_t page, Progress& progress) const
 {
-    return makeLayers(state_->texels, page, state_->solution.shade, state_->solution.shining,
-                      state_->solution.fill, state_->solution.options.albedo, progress);
+    const Solution& solution = state_->solution;
+    return makeLayers(state_->texels, page, {solution.shade, solution.shining, solution.fill},
+                      solution.options.albedo, progress);
 }
 
 } // namespace relamp

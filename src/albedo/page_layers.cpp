@@ -29,8 +29,8 @@ void storeRgb(std::vector<uint16_t>& layer, uint32_t pixel, const RgbBlock& bloc
 class LayerMaker
 {
 public:
-    LayerMaker(const Texels& texels, size_t page, const TexelShading& shade, const Shining& shining,
-               std::span<const glm::vec3> fill, const AlbedoOptions& options);
+    LayerMaker(const Texels& texels, size_t page, const SolvedTexels& solved,
+               const AlbedoOptions& options);
 
     PageLayers run(Progress::Stage& stage);
 
@@ -44,9 +44,7 @@ private:
     size_t page_;
     const PageTexels& texels_;
     TexelLoader loader_;
-    const TexelShading& shade_;
-    const Shining& shining_;
-    std::span<const glm::vec3> fill_;
+    const SolvedTexels& solved_;
     const AlbedoOptions& options_;
     PageLayers layers_;
     std::vector<uint8_t> covered_;
@@ -54,12 +52,10 @@ private:
     bool clips_;
 };
 
-LayerMaker::LayerMaker(const Texels& texels, size_t page, const TexelShading& shade,
-                       const Shining& shining, std::span<const glm::vec3> fill,
+LayerMaker::LayerMaker(const Texels& texels, size_t page, const SolvedTexels& solved,
                        const AlbedoOptions& options)
-    : page_(page), texels_(texels.pages[page]), loader_(texels, page), shade_(shade),
-      shining_(shining), fill_(fill), options_(options),
-      ofVertices_(texels.scan->pages[page].ofVertices),
+    : page_(page), texels_(texels.pages[page]), loader_(texels, page), solved_(solved),
+      options_(options), ofVertices_(texels.scan->pages[page].ofVertices),
       clips_(texels.scan->pages[page].image.clipsAtWhite)
 {
     const Image& image = texels.scan->pages[page].image;
@@ -105,8 +101,8 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
     storeRgb(layers_.indirect, pixel, shade.indirect, i);
     const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
     uint16_t* rho = &layers_.albedo[3 * size_t{pixel}];
-    if (shining_.surfels[block.surfel[i]] &&
-        isEmitting(radiance, clips_, {.threshold = shining_.threshold})) {
+    if (solved_.shining.surfels[block.surfel[i]] &&
+        isEmitting(radiance, clips_, {.threshold = solved_.shining.threshold})) {
         for (int c = 0; c < 3; ++c) {
             rho[c] = halfFromFloat(kAlbedoOfFixtures);
             layers_.emission[3 * size_t{pixel} + static_cast<size_t>(c)] =
@@ -122,7 +118,7 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
                           shade.direct.b[i] + shade.indirect.b[i]);
     layers_.confidence[pixel] =
         confidenceByte(confidence(radiance, clips_, total, options_.darkest));
-    if (!fill_.empty()) fillChannels(radiance, total, fill_[block.surfel[i]], rho);
+    if (!solved_.fill.empty()) fillChannels(radiance, total, solved_.fill[block.surfel[i]], rho);
 }
 
 void LayerMaker::makeBlock(size_t begin, size_t count)
@@ -132,7 +128,7 @@ void LayerMaker::makeBlock(size_t begin, size_t count)
     AlbedoBlock albedo;
     loader_.load(begin, count, block);
     loader_.loadSurfel(begin, count, block);
-    shade_(page_, begin, block, shading);
+    solved_.shade(page_, begin, block, shading);
     divide(block, shading, options_.darkest, albedo);
     for (size_t i = 0; i < count; ++i)
         storeTexel(block, shading, albedo, i, texels_.pixel[begin + i]);
@@ -162,12 +158,11 @@ PageLayers LayerMaker::run(Progress::Stage& stage)
 
 } // namespace
 
-PageLayers makeLayers(const Texels& texels, size_t page, const TexelShading& shade,
-                      const Shining& shining, std::span<const glm::vec3> fill,
+PageLayers makeLayers(const Texels& texels, size_t page, const SolvedTexels& solved,
                       const AlbedoOptions& options, Progress& progress)
 {
     Progress::Stage stage(progress, "divide", texels.pages[page].count());
-    return LayerMaker(texels, page, shade, shining, fill, options).run(stage);
+    return LayerMaker(texels, page, solved, options).run(stage);
 }
 
 } // namespace relamp

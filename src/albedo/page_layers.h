@@ -10,10 +10,16 @@
 namespace relamp
 {
 
+/// What a solver says of the texels.
+struct SolvedTexels
+{
+    const TexelShading& shade;
+    const Shining& shining;
+    std::span<const glm::vec3> fill; // albedo of surfels, for what cannot be trusted; or none
+};
+
 /// Shades, divides and rates all texels of a page; those that shine go to `emission`.
-/// Where `fill` has an albedo for every surfel, it replaces what cannot be trusted.
-PageLayers makeLayers(const Texels& texels, size_t page, const TexelShading& shade,
-                      const Shining& shining, std::span<const glm::vec3> fill,
+PageLayers makeLayers(const Texels& texels, size_t page, const SolvedTexels& solved,
                       const AlbedoOptions& options, Progress& progress);
 
 } // namespace relamp

@@ -87,6 +87,8 @@ std::unique_ptr<OIIO::ImageInput> openImage(OIIO::Filesystem::IOProxy& reader,
         malformed(name, "the JPEG is cut off; copy it again");
     if (format == "png" && !isWholePng(bytes))
         malformed(name, "the PNG is cut off or damaged; copy it again");
+    if (format == "openexr" && !hasWholeExrHeader(bytes))
+        malformed(name, "the header of the EXR is cut off or damaged; copy it again");
     OIIO::ImageSpec hints;
     hints["oiio:UnassociatedAlpha"] = 1;
     OIIO::ImageSpec spec;

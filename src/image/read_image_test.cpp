@@ -4,6 +4,8 @@
 #include "scenes/pictures.h"
 #include "scenes/temporary_folder.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <random>
 
@@ -220,6 +222,15 @@ TEST(ReadImage, FlippedBitsDoNoHarm)
             refusal(broken); // or not: a bit of a colour may flip unseen
         }
     }
+}
+
+TEST(ReadImage, ExrAttributesThatTheFileCannotHoldAreRefusedBeforeThereIsRoomForThem)
+{
+    Bytes bytes(200, 7);
+    const std::array<uint8_t, 16> head{0x76, 0x2f, 0x31, 0x01, 2,    0,    0,    0,
+                                       'a',  0,    'b',  0,    0xff, 0xff, 0xff, 0x6f};
+    std::copy(head.begin(), head.end(), bytes.begin());
+    EXPECT_THAT(refusal(bytes), HasSubstr("the header of the EXR is cut off or damaged"));
 }
 
 TEST(ReadImage, SizesThatTheFileCannotHoldAreRefusedBeforeThereIsRoomForThem)
