@@ -43,6 +43,7 @@ constexpr float kSameSize = 2.5f;         // ratio of areas of one model
 constexpr float kFlat = 0.9f;             // length of a mean normal, and cosine between two
 constexpr float kSameLevel = 0.1f;        // m
 constexpr float kLeastModel = 0.01f;      // m^2; smaller things are not told apart by their shape
+constexpr float kTold = 0.5f;             // of the prior's variance; beyond, data decide
 constexpr float kTouching = 0.12f;        // m between pieces of one lamp
 constexpr float kPointedAt = 0.3f;        // m around a place that a person names
 constexpr float kAboutEqual = 3.0f;       // ratio of their radiances
@@ -56,6 +57,7 @@ struct Suspect
     glm::vec3 logError{0.0f};
     std::vector<AreaSample> onSides; // at radiance 1, one a hit list
     bool isGiven = false;            // a person says that it shines
+    float told = 1.0f;               // see Powers
 
     [[nodiscard]] float power() const { return candidate.area * luminance(radiance); }
 };
@@ -248,6 +250,7 @@ void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
     for (size_t f = 0; f < suspects_.size(); ++f) {
         suspects_[f].radiance = powers_.radiance[f];
         suspects_[f].logError = powers_.logError[f];
+        suspects_[f].told = powers_.told[f];
     }
     stage_.advance(0);
 }
@@ -439,6 +442,14 @@ void LampSearch::dropNeedless(float missedIfWall)
     }
 }
 
+std::string unknownAt(glm::vec3 place)
+{
+    return fmt::format("the scan does not tell how bright the light at {:.2f}, {:.2f}, {:.2f} is, "
+                       "for it lights little that can be seen; its radiance is a guess. Set it in "
+                       "lights.json and pass that with --lights",
+                       place.x, place.y, place.z);
+}
+
 FoundLamps LampSearch::run()
 {
     FoundLamps found;
@@ -463,9 +474,12 @@ FoundLamps LampSearch::run()
     dropWalls();
     std::stable_sort(suspects_.begin(), suspects_.end(),
                      [](const Suspect& a, const Suspect& b) { return a.power() > b.power(); });
-    for (Suspect& suspect : suspects_)
+    for (Suspect& suspect : suspects_) {
+        const bool isDetermined = suspect.told >= kTold;
+        if (!isDetermined) found.warnings.push_back(unknownAt(suspect.candidate.centre));
         found.lamps.push_back({std::move(suspect.candidate.patches), suspect.radiance,
-                               suspect.logError, std::move(suspect.onSides)});
+                               suspect.logError, std::move(suspect.onSides), isDetermined});
+    }
     found.ambient = powers_.ambient;
     found.residual = powers_.residual;
     stage_.advance();

@@ -204,6 +204,7 @@ struct ChannelFit
 {
     std::vector<double> log;
     std::vector<double> error;
+    std::vector<double> told;
     double residual = 0.0;
     double loss = 0.0;
 };
@@ -269,7 +270,12 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, 
     channel.PrepareForEvaluation(false, true);
     ChannelFit fit;
     fit.log.assign(channel.unknowns(), channel.unknowns() + channel.count());
-    fit.error = errorsOf(channel, pairs, options.lastScale, std::max(prior, 1e-3));
+    const double known = std::max(prior, 1e-3);
+    fit.error = errorsOf(channel, pairs, options.lastScale, known);
+    for (const double error : fit.error) {
+        const double left = error * known / options.lastScale; // of the prior's own error
+        fit.told.push_back(1.0 - left * left);
+    }
     std::vector<double> sizes;
     for (const MaterialPair& pair : pairs) {
         sizes.push_back(std::abs(channel.residual(pair)));
@@ -296,11 +302,13 @@ Powers fitPowers(const FitData& data, std::span<const MaterialPair> pairs,
     Powers powers;
     powers.radiance.resize(data.lamps);
     powers.logError.resize(data.lamps);
+    powers.told.assign(data.lamps, 1.0f);
     for (int c = 0; c < 3; ++c) {
         const ChannelFit& fit = fits[static_cast<size_t>(c)];
         for (size_t f = 0; f < data.lamps; ++f) {
             powers.radiance[f][c] = static_cast<float>(std::exp(fit.log[f]));
             powers.logError[f][c] = static_cast<float>(fit.error[f]);
+            powers.told[f] = std::min(powers.told[f], static_cast<float>(fit.told[f]));
         }
         powers.ambient[c] = static_cast<float>(std::exp(fit.log[data.lamps]));
         powers.loss += static_cast<float>(fit.loss) / 3.0f;

@@ -121,6 +121,8 @@ TEST(Powers, WhatTheDataLeaveOpenIsWhiteAndSaysSo)
     const Powers powers = fitPowers(floor.data, floor.pairs);
     expectNear(powers.radiance[1], glm::vec3(1.0f), 0.05f);
     EXPECT_GT(powers.logError[1].g, 10.0f * powers.logError[0].g);
+    EXPECT_LT(powers.told[1], 0.05f);
+    EXPECT_GT(powers.told[0], 0.95f);
 }
 
 // Of two lamps of one model, one lights nothing that is seen: it is as bright as the other.

@@ -151,7 +151,8 @@ ordered_json lightsAsReport(const Decomposition& result)
         fixtures.push_back({{"centre", toJson(fixture.centre)},
                             {"area", shortest(fixture.area)},
                             {"power", toJson(fixture.power())},
-                            {"error", toJson(fixture.error)}});
+                            {"error", toJson(fixture.error)},
+                            {"determined", fixture.determined}});
     return {{"fixtures", std::move(fixtures)},
             {"pointLights", result.lights().points.size()},
             {"mergedLights", result.mergedLights().size()},
