@@ -22,7 +22,9 @@ constexpr float kPi = 3.14159265f;
 constexpr size_t kMostCandidates = 64;
 constexpr size_t kPlaces = 6000;
 constexpr size_t kPlacesOfDraft = 2000;
-constexpr size_t kPairsFirst = 3; // a place, for the first look at all candidates
+constexpr size_t kPlacesBurntOut = 600;
+constexpr float kAllBurntOut = 0.9f; // of a surfel's area
+constexpr size_t kPairsFirst = 3;    // a place, for the first look at all candidates
 constexpr size_t kPairs = 6;
 constexpr size_t kRaysPerOrigin = 8; // at a place, to those that remain: noise would make them weak
 constexpr float kAboutWhite = 2.0f;  // luminance; a wall lights its surroundings as little as this
@@ -72,6 +74,7 @@ public:
 
 private:
     void choosePlaces(size_t most);
+    void chooseBurntOut();
     void takeCandidates(const GatherOptions& options);
     void look(Suspect& suspect, size_t raysPerOrigin) const;
     [[nodiscard]] std::vector<std::pair<uint32_t, uint32_t>> alikes() const;
@@ -92,7 +95,8 @@ private:
     const HitLists& hits_;
     const SurfelRadiance& radiance_;
     Progress::Stage stage_;
-    std::vector<uint32_t> places_; // surfels, which are also the lists of their fronts
+    std::vector<uint32_t> places_;       // surfels, which are also the lists of their fronts
+    std::vector<ClippedPatch> burntOut_; // of the last of these, which are
     std::vector<Suspect> suspects_;
     std::vector<std::string> warnings_;
     RadianceField field_;
@@ -107,6 +111,7 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
       stage_(progress, "lamps", kMostCandidates + 3), field_(fieldOf(radiance))
 {
     choosePlaces(options.quality == Quality::draft ? kPlacesOfDraft : kPlaces);
+    if (places_.size() > 1) chooseBurntOut();
     takeCandidates(options);
 }
 
@@ -175,6 +180,19 @@ void LampSearch::choosePlaces(size_t most)
     for (size_t i = 0; i < count; ++i) places_.push_back(good[i * good.size() / count]);
 }
 
+/// Burnt-out walls that bound the lamps from below; lamps are left out as long as they are some.
+void LampSearch::chooseBurntOut()
+{
+    std::vector<ClippedPatch> whole;
+    for (const ClippedPatch& patch : radiance_.clipped)
+        if (patch.area > kAllBurntOut * texels_.surfels.area[patch.surfel]) whole.push_back(patch);
+    const size_t count = std::min(kPlacesBurntOut, whole.size());
+    for (size_t i = 0; i < count; ++i) {
+        burntOut_.push_back(whole[i * whole.size() / count]);
+        places_.push_back(burntOut_.back().surfel);
+    }
+}
+
 /// Mean over the surfels around a place: bounce light changes slowly, its few rays are noisy.
 void LampSearch::addGathered(const Gathered& gathered, uint32_t place, FitData& data) const
 {
@@ -198,12 +216,18 @@ FitData LampSearch::dataFor() const
     FitData data;
     data.lamps = suspects_.size();
     const Gathered gathered = gather(hits_, field_);
-    data.direct.resize(places_.size() * data.lamps);
+    const size_t measured = places_.size() - burntOut_.size();
     for (size_t i = 0; i < places_.size(); ++i) {
-        data.radiance.push_back(radiance_.plain[places_[i]]);
+        if (i >= measured) {
+            const ClippedPatch& patch = burntOut_[i - measured];
+            if (field_.shines[patch.surfel] != 0) continue;
+            data.radiance.push_back(patch.radiance);
+            ++data.burntOut;
+        } else {
+            data.radiance.push_back(radiance_.plain[places_[i]]);
+        }
         addGathered(gathered, places_[i], data);
-        for (size_t f = 0; f < data.lamps; ++f)
-            data.direct[i * data.lamps + f] = suspects_[f].direct[i];
+        for (const Suspect& suspect : suspects_) data.direct.push_back(suspect.direct[i]);
     }
     return data;
 }
