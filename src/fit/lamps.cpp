@@ -25,7 +25,9 @@ constexpr float kPi = 3.14159265f;
 constexpr size_t kMostCandidates = 64;
 constexpr size_t kPlaces = 6000;
 constexpr size_t kPlacesOfDraft = 2000;
-constexpr size_t kPairsFirst = 3; // a place, for the first look at all candidates
+constexpr size_t kPlacesBurntOut = 600;
+constexpr float kAllBurntOut = 0.9f; // of a surfel's area
+constexpr size_t kPairsFirst = 3;    // a place, for the first look at all candidates
 constexpr size_t kPairs = 6;
 constexpr size_t kRaysPerOrigin = 8; // at a place, to those that remain: noise would make them weak
 constexpr float kAboutWhite = 2.0f;  // luminance; a wall lights its surroundings as little as this
@@ -48,6 +50,7 @@ constexpr float kSameSize = 2.5f;         // ratio of areas of one model
 constexpr float kFlat = 0.9f;             // length of a mean normal, and cosine between two
 constexpr float kSameLevel = 0.1f;        // m
 constexpr float kLeastModel = 0.01f;      // m^2; smaller things are not told apart by their shape
+constexpr float kTold = 0.5f;             // of the prior's variance; beyond, data decide
 constexpr float kTouching = 0.12f;        // m between pieces of one lamp
 constexpr float kPointedAt = 0.3f;        // m around a place that a person names
 constexpr float kAboutEqual = 3.0f;       // ratio of their radiances
@@ -63,6 +66,7 @@ struct Suspect
     bool isGiven = false;            // a person says that it shines
     size_t body = 0;                 // of the same number: two sides of one lamp
     bool isUnseen = false;           // its far side, not scanned
+    float told = 1.0f;               // see Powers
 
     [[nodiscard]] float power() const { return candidate.area * luminance(radiance); }
 };
@@ -77,6 +81,7 @@ public:
 
 private:
     void choosePlaces(size_t most);
+    void chooseBurntOut();
     void takeCandidates(const GatherOptions& options);
     void look(Suspect& suspect, size_t raysPerOrigin) const;
     [[nodiscard]] std::vector<std::pair<uint32_t, uint32_t>> alikes() const;
@@ -99,7 +104,8 @@ private:
     const HitLists& hits_;
     const SurfelRadiance& radiance_;
     Progress::Stage stage_;
-    std::vector<uint32_t> places_; // surfels, which are also the lists of their fronts
+    std::vector<uint32_t> places_;       // surfels, which are also the lists of their fronts
+    std::vector<ClippedPatch> burntOut_; // of the last of these, which are
     std::vector<Suspect> suspects_;
     std::vector<std::string> warnings_;
     RadianceField field_;
@@ -114,6 +120,7 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
       stage_(progress, "lamps", kMostCandidates + 3), field_(fieldOf(radiance))
 {
     choosePlaces(options.quality == Quality::draft ? kPlacesOfDraft : kPlaces);
+    if (places_.size() > 1) chooseBurntOut();
     takeCandidates(options);
 }
 
@@ -187,6 +194,19 @@ void LampSearch::choosePlaces(size_t most)
     for (size_t i = 0; i < count; ++i) places_.push_back(good[i * good.size() / count]);
 }
 
+/// Burnt-out walls that bound the lamps from below; lamps are left out as long as they are some.
+void LampSearch::chooseBurntOut()
+{
+    std::vector<ClippedPatch> whole;
+    for (const ClippedPatch& patch : radiance_.clipped)
+        if (patch.area > kAllBurntOut * texels_.surfels.area[patch.surfel]) whole.push_back(patch);
+    const size_t count = std::min(kPlacesBurntOut, whole.size());
+    for (size_t i = 0; i < count; ++i) {
+        burntOut_.push_back(whole[i * whole.size() / count]);
+        places_.push_back(burntOut_.back().surfel);
+    }
+}
+
 /// Mean over the surfels around a place: bounce light changes slowly, its few rays are noisy.
 void LampSearch::addGathered(const Gathered& gathered, uint32_t place, FitData& data) const
 {
@@ -210,12 +230,18 @@ FitData LampSearch::dataFor() const
     FitData data;
     data.lamps = suspects_.size();
     const Gathered gathered = gather(hits_, field_);
-    data.direct.resize(places_.size() * data.lamps);
+    const size_t measured = places_.size() - burntOut_.size();
     for (size_t i = 0; i < places_.size(); ++i) {
-        data.radiance.push_back(radiance_.plain[places_[i]]);
+        if (i >= measured) {
+            const ClippedPatch& patch = burntOut_[i - measured];
+            if (field_.shines[patch.surfel] != 0) continue;
+            data.radiance.push_back(patch.radiance);
+            ++data.burntOut;
+        } else {
+            data.radiance.push_back(radiance_.plain[places_[i]]);
+        }
         addGathered(gathered, places_[i], data);
-        for (size_t f = 0; f < data.lamps; ++f)
-            data.direct[i * data.lamps + f] = suspects_[f].direct[i];
+        for (const Suspect& suspect : suspects_) data.direct.push_back(suspect.direct[i]);
     }
     return data;
 }
@@ -264,6 +290,7 @@ void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
     for (size_t f = 0; f < suspects_.size(); ++f) {
         suspects_[f].radiance = powers_.radiance[f];
         suspects_[f].logError = powers_.logError[f];
+        suspects_[f].told = powers_.told[f];
     }
     stage_.advance(0);
 }
@@ -457,6 +484,14 @@ void LampSearch::dropNeedless(float missedIfWall)
     }
 }
 
+std::string unknownAt(glm::vec3 place)
+{
+    return fmt::format("the scan does not tell how bright the light at {:.2f}, {:.2f}, {:.2f} is, "
+                       "for it lights little that can be seen; its radiance is a guess. Set it in "
+                       "lights.json and pass that with --lights",
+                       place.x, place.y, place.z);
+}
+
 FoundLamps LampSearch::run()
 {
     FoundLamps found;
@@ -481,9 +516,12 @@ FoundLamps LampSearch::run()
     dropWalls();
     std::stable_sort(suspects_.begin(), suspects_.end(),
                      [](const Suspect& a, const Suspect& b) { return a.power() > b.power(); });
-    for (Suspect& suspect : suspects_)
+    for (Suspect& suspect : suspects_) {
+        const bool isDetermined = suspect.told >= kTold;
+        if (!isDetermined) found.warnings.push_back(unknownAt(suspect.candidate.centre));
         found.lamps.push_back({std::move(suspect.candidate.patches), suspect.radiance,
-                               suspect.logError, std::move(suspect.onSides)});
+                               suspect.logError, std::move(suspect.onSides), isDetermined});
+    }
     found.ambient = powers_.ambient;
     found.residual = powers_.residual;
     stage_.advance();

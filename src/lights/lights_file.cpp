@@ -50,6 +50,7 @@ ordered_json toJson(const Fixture& fixture, size_t id)
                         {"power", toJson(fixture.power())},
                         {"on", true}};
     if (fixture.error != glm::vec3(0.0f)) object["error"] = toJson(fixture.error);
+    if (!fixture.determined) object["determined"] = false;
     return object;
 }
 
@@ -164,8 +165,9 @@ void warnOfUnknown(const Item& item, std::initializer_list<const char*> known,
 
 Fixture fixtureFrom(const Item& item, std::vector<std::string>& warnings)
 {
-    warnOfUnknown(item, {"id", "centre", "normal", "area", "radiance", "power", "error", "on"},
-                  warnings);
+    warnOfUnknown(
+        item, {"id", "centre", "normal", "area", "radiance", "power", "error", "determined", "on"},
+        warnings);
     Fixture fixture;
     fixture.centre = vectorAt(item, "centre");
     fixture.normal = facingAt(item);
