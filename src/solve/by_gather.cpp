@@ -1,6 +1,7 @@
 #include "solve/by_gather.h"
 
 #include "albedo/gather_closure.h"
+#include "fit/stray.h"
 #include "shading/gathered_light.h"
 #include "solve/found_room.h"
 
@@ -52,7 +53,8 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     solution.closure = closeLoop(room.hits, room.radiance, sides, ambient);
     const auto light =
         lightOf(texels, scene, room, indirectOfFronts(texels.surfels, room.hits, sides, ambient));
-    solution.shade = shadingOf(texels, light);
+    const TexelShading shade = shadingOf(texels, light);
+    solution.shade = withoutStray(shade, fitStray(texels, room.radiance, shade));
     solution.trust = trustByView(room.hits, texels.surfels.count());
     doubtEdges(texels.surfels, room.radiance, lightOnSurfels(texels.surfels, *light),
                solution.trust);

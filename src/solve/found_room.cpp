@@ -99,7 +99,7 @@ void keepSunlit(const FoundLamps& all, FoundRoom& room)
     for (const FoundLamp& lamp : all.lamps) {
         if (!isSunlit(room.sun->outside, room.sun->sun, lamp)) continue;
         const auto isIt = [&](const FoundLamp& other) {
-            return other.patches[0].surfel == lamp.patches[0].surfel;
+            return other.patches[0].position == lamp.patches[0].position;
         };
         const auto same = std::find_if(room.found.lamps.begin(), room.found.lamps.end(), isIt);
         FoundLamp& kept =
