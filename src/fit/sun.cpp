@@ -131,7 +131,6 @@ private:
     [[nodiscard]] Sun measured(const Patch& patch, glm::vec3 direction) const;
     [[nodiscard]] glm::vec3 irradianceOn(uint32_t s) const;
 
-    const Texels& texels_;
     const Surfels& surfels_;
     const RayScene& outside_;
     const SurfelRadiance& radiance_;
@@ -163,8 +162,8 @@ bool isPane(const FoundLamp& lamp)
 
 SunSearch::SunSearch(const Texels& texels, const RayScene& outside, const SurfelRadiance& radiance,
                      const LitSides& sides, const FoundLamps& found)
-    : texels_(texels), surfels_(texels.surfels), outside_(outside), radiance_(radiance),
-      sides_(sides), found_(found), lamp_(texels.surfels.count(), -1), look_(texels.surfels.count())
+    : surfels_(texels.surfels), outside_(outside), radiance_(radiance), sides_(sides),
+      found_(found), lamp_(texels.surfels.count(), -1), look_(texels.surfels.count())
 {
     glm::vec3 normal;
     std::vector<uint8_t> isRound(found.lamps.size(), 0);

@@ -28,9 +28,9 @@ Decomposition solve(const Scan& scan, const DelightOptions& options = {})
     return delight(scan, options, progress);
 }
 
-float degreesOff(const Sun& sun)
+float degreesOff(const Sun& sun, glm::vec3 wanted = SunRoom::kTowardsSun)
 {
-    const float cosine = glm::dot(sun.direction, glm::normalize(SunRoom::kTowardsSun));
+    const float cosine = glm::dot(sun.direction, glm::normalize(wanted));
     return std::acos(std::min(cosine, 1.0f)) * 180.0f / kPi;
 }
 
@@ -99,6 +99,19 @@ TEST(Sun, PatchIsDividedOutWhereItIsNotBurntOut)
     const FloorAlbedo floor(room, result);
     EXPECT_NEAR(floor.beside, SunRoom::kFloor.g, 0.1f * SunRoom::kFloor.g);
     EXPECT_NEAR(floor.inPatch, floor.beside, 0.1f * floor.beside);
+}
+
+TEST(Sun, IsFoundAnywhereInTheSky)
+{
+    for (const glm::vec3 towards :
+         {glm::vec3(1, 0.6f, -0.2f), glm::vec3(1, 1.2f, 0), glm::vec3(1, 2, 0.8f)})
+        for (const glm::vec3 irradiance : {kBurning, kFaint}) {
+            const Decomposition result = solve(SunRoom(irradiance, 0.0f, towards).scan);
+            EXPECT_TRUE(result.lights().sun) << towards.y << " " << irradiance.x;
+            if (!result.lights().sun) continue;
+            EXPECT_LT(degreesOff(*result.lights().sun, towards), 2.0f)
+                << towards.y << " " << irradiance.x;
+        }
 }
 
 TEST(Sun, ShinesThroughAPane)

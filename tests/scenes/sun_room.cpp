@@ -17,15 +17,15 @@ Panel ceilingPanel()
 }
 
 /// Where the sun throws a point of the window.
-glm::vec3 onFloor(float y, float z)
+glm::vec3 onFloor(float y, float z, glm::vec3 towardsSun)
 {
-    return glm::vec3(SunRoom::kSize.x, y, z) - y / SunRoom::kTowardsSun.y * SunRoom::kTowardsSun;
+    return glm::vec3(SunRoom::kSize.x, y, z) - y / towardsSun.y * towardsSun;
 }
 
-std::vector<ShiningPanel> lampsOf(glm::vec3 patch, float pane)
+std::vector<ShiningPanel> lampsOf(glm::vec3 patch, float pane, glm::vec3 towardsSun)
 {
     std::vector<ShiningPanel> lamps{{ceilingPanel(), {16.0f, 15.0f, 14.0f}}};
-    if (patch.g > 0.0f) lamps.push_back({SunRoom::patchPanel(), patch});
+    if (patch.g > 0.0f) lamps.push_back({SunRoom::patchPanel(towardsSun), patch});
     if (pane > 0.0f) lamps.push_back({SunRoom::window(), glm::vec3(pane)});
     return lamps;
 }
@@ -53,10 +53,10 @@ Panel SunRoom::window()
     return {{kSize.x, kLow, kLeft}, {0, 0, kWidth}, {0, kHigh - kLow, 0}};
 }
 
-Panel SunRoom::patchPanel()
+Panel SunRoom::patchPanel(glm::vec3 towardsSun)
 {
-    const glm::vec3 far = onFloor(kHigh, kLeft);
-    return {far, {0, 0, kWidth}, onFloor(kLow, kLeft) - far};
+    const glm::vec3 far = onFloor(kHigh, kLeft, towardsSun);
+    return {far, {0, 0, kWidth}, onFloor(kLow, kLeft, towardsSun) - far};
 }
 
 glm::vec3 SunRoom::albedo(glm::vec3 place, glm::vec3 normal)
@@ -68,9 +68,8 @@ glm::vec3 SunRoom::albedo(glm::vec3 place, glm::vec3 normal)
     return normal.y < -0.5f ? glm::vec3(0.7f) : glm::vec3(0.55f, 0.52f, 0.5f);
 }
 
-SunRoom::SunRoom(glm::vec3 sun, float paneRadiance)
-    : box(kSize, lampsOf(kFloor * sun / 3.14159265f, paneRadiance), albedo),
-      patch(kFloor * sun / 3.14159265f),
+SunRoom::SunRoom(glm::vec3 sun, float paneRadiance, glm::vec3 towardsSun)
+    : box(kSize, lampsOf(kFloor * sun / 3.14159265f, paneRadiance, towardsSun), albedo),
       scan(panels(panelsOf(paneRadiance > 0.0f), kPixels,
                   [this](glm::vec3 p, glm::vec3 n) { return box.photo(p, n); }))
 {}

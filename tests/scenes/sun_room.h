@@ -14,14 +14,13 @@ struct SunRoom
     static constexpr glm::vec3 kFloor{0.5f, 0.45f, 0.4f};     // its albedo
 
     LitBox box;
-    glm::vec3 patch; // radiance of the patch
-    Scan scan;       // a photo of it
+    Scan scan; // a photo of it
 
-    /// `sun` is the irradiance on the floor from it and all else, about 1 from the panel alone.
+    /// `sun` is the irradiance in the patch, from it and all else; the panel alone gives about 1.
     /// `paneRadiance` 0: there is none.
-    explicit SunRoom(glm::vec3 sun, float paneRadiance = 0.0f);
+    explicit SunRoom(glm::vec3 sun, float paneRadiance = 0.0f, glm::vec3 towardsSun = kTowardsSun);
 
-    [[nodiscard]] static Panel patchPanel();
+    [[nodiscard]] static Panel patchPanel(glm::vec3 towardsSun = kTowardsSun);
     [[nodiscard]] static Panel window();
     [[nodiscard]] static glm::vec3 albedo(glm::vec3 place, glm::vec3 normal);
 };
