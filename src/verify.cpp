@@ -47,6 +47,7 @@ Verification verify(const std::filesystem::path& folder, const VerifyOptions& op
     const RayScene scene(scan);
     const Texels texels = rasterizeAtlas(scan, progress, surfelsOf(run.gather.quality));
     const FoundRoom found = findRoom(texels, scene, asThen, progress);
+    if (found.sun) result.warnings.emplace_back(kSunIsNotTraced);
     const TracedRoom room = tracedRoomOf(texels, found, meanAlbedo(texels, found.radiance, albedo));
     const auto places =
         renderAgain(texels, PathTracer(texels, scene, room), albedo, options, progress);

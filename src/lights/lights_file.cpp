@@ -83,6 +83,15 @@ ordered_json toJson(const PointLight& light, const std::vector<Fixture>& fixture
     return object;
 }
 
+ordered_json toJson(const Sun& sun)
+{
+    ordered_json object{{"direction", toJson(sun.direction)},
+                        {"irradiance", toJson(sun.irradiance)}};
+    if (sun.error != glm::vec3(0.0f)) object["error"] = toJson(sun.error);
+    if (!sun.determined) object["determined"] = false;
+    return object;
+}
+
 // ---- reading
 
 /// An object of the file and how to call it in a sentence.
@@ -179,6 +188,19 @@ Fixture fixtureFrom(const Item& item, std::vector<std::string>& warnings)
     return fixture;
 }
 
+Sun sunFrom(const Item& item, std::vector<std::string>& warnings)
+{
+    if (!item.object.is_object()) malformed(item.what, "must be an object in { }");
+    warnOfUnknown(item, {"direction", "irradiance", "error", "determined"}, warnings);
+    Sun sun;
+    const glm::vec3 way = vectorAt(item, "direction");
+    const float length = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
+    if (!(length > 0.0f)) malformed(item.what, "\"direction\" must point somewhere");
+    sun.direction = way / length;
+    sun.irradiance = lightAt(item, "irradiance");
+    return sun;
+}
+
 int fixtureAt(const Item& item, size_t fixtures)
 {
     const json& value = *item.find("fixture");
@@ -271,6 +293,7 @@ std::string lightsAsJson(const Lights& lights)
     for (const PointLight& light : lights.points)
         document["lights"].push_back(toJson(light, lights.fixtures));
     document["ambient"] = toJson(lights.ambient);
+    if (lights.sun) document["sun"] = toJson(*lights.sun);
     return document.dump(1, '\t') + "\n";
 }
 
@@ -281,7 +304,7 @@ Lights readLights(const std::filesystem::path& file, std::vector<std::string>& w
     const json document =
         parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name);
     const Item top{document, name};
-    warnOfUnknown(top, {"format", "units", "fixtures", "lights", "ambient"}, warnings);
+    warnOfUnknown(top, {"format", "units", "fixtures", "lights", "ambient", "sun"}, warnings);
     if (const json* format = top.find("format"); format != nullptr && *format != kFormat)
         malformed(name, fmt::format("its format is {}, this version reads \"{}\"",
                                     printable(*format), kFormat));
@@ -295,9 +318,10 @@ Lights readLights(const std::filesystem::path& file, std::vector<std::string>& w
     addLightsOfWholeFixtures(lights);
     dropDark(lights.points);
     if (top.find("ambient") != nullptr) lights.ambient = lightAt(top, "ambient");
-    if (lights.points.empty() && lights.ambient == glm::vec3(0.0f))
-        malformed(name,
-                  "holds no light: it needs \"lights\", \"fixtures\" or \"ambient\" that shine");
+    if (const json* sun = top.find("sun")) lights.sun = sunFrom({*sun, name + ": sun"}, warnings);
+    if (lights.points.empty() && lights.ambient == glm::vec3(0.0f) && !lights.sun)
+        malformed(name, "holds no light: it needs \"lights\", \"fixtures\", \"ambient\" or "
+                        "\"sun\" that shine");
     return lights;
 }
 

@@ -14,6 +14,10 @@ namespace relamp
 Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
                           const DelightOptions& options, Progress& progress);
 
+/// What is said where the sun shines in: no path looks for it.
+constexpr const char* kSunIsNotTraced = "the sun shines in, and paths do not look for it: its "
+                                        "patch is rendered too dark, its bounce light is there";
+
 /// A found room as paths see it.
 TracedRoom tracedRoomOf(const Texels& texels, const FoundRoom& room, std::vector<glm::vec3> albedo);
 
