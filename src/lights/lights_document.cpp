@@ -28,9 +28,9 @@ LightsDocument::LightsDocument(std::string name, const std::string& text)
 {
     const JsonItem all = top();
     if (const nlohmann::json* format = all.find("format"); format != nullptr && *format != kFormat)
-        all.refuse(fmt::format("its format is {}, this version reads \"{}\"", printable(*format),
-                               kFormat),
-                   "format");
+        all.refuse(
+            fmt::format("its format is {}, this version reads \"{}\"", printable(*format), kFormat),
+            "format");
 }
 
 } // namespace relamp
