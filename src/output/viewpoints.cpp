@@ -1,6 +1,7 @@
 #include "output/viewpoints.h"
 
 #include "base/parallel.h"
+#include "output/camera_rays.h"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +17,7 @@ namespace
 
 constexpr int kPlaces = 9; // along each side of the room's plan
 constexpr int kYaws = 16;
-constexpr float kPitch = -0.15f; // radians; people look slightly down into a room
-constexpr float kAspect = 1.6f;
+constexpr float kPitch = -0.15f;    // radians; people look slightly down into a room
 constexpr float kEyeHeight = 1.55f; // m above the floor
 constexpr float kElbowRoom = 0.3f;  // m to the nearest thing
 
@@ -77,18 +77,15 @@ float scoreOf(const RayScene& scene, const Camera& camera, float depth)
     constexpr int kAcross = 16;
     constexpr int kDown = 10;
     float sum = 0.0f;
+    RowOfRays row;
+    const CameraRays rays(camera, {kAcross, kDown});
     for (int y = 0; y < kDown; ++y)
-        for (int x = 0; x < kAcross; ++x) {
-            const float px = (2.0f * static_cast<float>(x) + 1.0f) / kAcross - 1.0f;
-            const float py = (2.0f * static_cast<float>(y) + 1.0f) / kDown - 1.0f;
-            const Hit hit = scene.intersect(
-                {.origin = camera.position, .direction = camera.direction(px, py, kAspect)});
+        lookAlong(y, 1, rays, scene, row, [&](size_t, const Ray&, const Hit& hit) {
             if (hit.missed() || !hit.front)
                 sum -= 0.5f;
-            else
-                sum += std::sqrt(
-                    std::min(hit.distance / depth, 1.0f)); // far walls, but not only far walls
-        }
+            else // far walls, but not only far walls
+                sum += std::sqrt(std::min(hit.distance / depth, 1.0f));
+        });
     return sum / (kAcross * kDown);
 }
 

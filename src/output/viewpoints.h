@@ -1,6 +1,6 @@
 #pragma once
 
-#include "output/camera.h"
+#include "relamp/camera.h"
 #include "relamp/scan.h"
 #include "scan/rays.h"
 

@@ -1,0 +1,74 @@
+#include "output/room_view.h"
+
+#include "scan/surface_point.h"
+
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
+namespace relamp
+{
+namespace
+{
+
+/// The first front that a ray meets behind the back that it met.
+Hit frontBehind(const RayScene& scene, Ray ray, Hit hit)
+{
+    constexpr int kMostBacks = 64; // a ray that slides along a wall may meet one again and again
+    constexpr float kOnward = 1e-4f;
+    for (int i = 0; i < kMostBacks && !hit.missed() && !hit.front; ++i) {
+        ray.nearest = hit.distance * (1.0f + kOnward) + kOnward;
+        hit = scene.intersect(ray);
+    }
+    return hit;
+}
+
+bool isInside(const Bounds& box, glm::vec3 place)
+{
+    return glm::all(glm::lessThanEqual(box.low, place)) &&
+           glm::all(glm::lessThanEqual(place, box.high));
+}
+
+} // namespace
+
+RoomView::RoomView(const Texels& texels, const RayScene& scene)
+    : texels_(texels), scene_(scene), charts_(texels), box_(boundsOf(*texels.scan))
+{}
+
+std::vector<glm::vec3> RoomView::look(const CameraRays& camera, int samples,
+                                      std::span<const Image> pages, const Backdrop& backdrop,
+                                      Progress& progress) const
+{
+    const std::vector<Radiance> radiance(pages.begin(), pages.end());
+    const auto width = static_cast<size_t>(camera.size().width);
+    const auto height = static_cast<size_t>(camera.size().height);
+    const float share = 1.0f / static_cast<float>(samples * samples);
+    const bool throughBacks = !isInside(box_, camera.through(0.0f, 0.0f).origin);
+    const auto seen = [&](const Ray& ray, Hit hit) {
+        if (throughBacks) hit = frontBehind(scene_, ray, hit);
+        if (hit.missed()) return backdrop.beyond(ray.direction);
+        if (!hit.front) return backdrop.back;
+        PixelMix mix = pixelsAt(texels_, hit);
+        charts_.keepToChart(hit.triangle, mix);
+        glm::vec3 sum(0.0f);
+        for (size_t k = 0; k < 4; ++k) sum += mix.weight[k] * radiance[mix.page][mix.pixel[k]];
+        return sum;
+    };
+
+    constexpr size_t kRows = 8;
+    Progress::Stage stage(progress, "picture", height);
+    std::vector<glm::vec3> picture(width * height, glm::vec3(0.0f));
+    forEachChunk(height, kRows, [&](size_t begin, size_t end) {
+        RowOfRays row;
+        for (size_t y = begin; y < end; ++y) {
+            glm::vec3* line = &picture[y * width];
+            lookAlong(static_cast<int>(y), samples, camera, scene_, row,
+                      [&](size_t x, const Ray& ray, const Hit& hit) {
+                          line[x] += share * seen(ray, hit);
+                      });
+        }
+        stage.advance(end - begin);
+    });
+    return picture;
+}
+
+} // namespace relamp
