@@ -118,6 +118,7 @@ struct DelitRoom
     std::vector<Image> confidence;   // the same, 0: a guess; empty: all can be trusted
     Lights captured;                 // what the scan was lit by
     GatherOptions gather;            // how its lamps were found
+    bool isLit = true;               // whether the texture shows that light, and so the lamps
     std::filesystem::path transport; // where RelightOptions::transport belongs; empty for a GLB
     std::vector<std::string> warnings;
 };

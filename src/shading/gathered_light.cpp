@@ -118,28 +118,28 @@ void shadeDirect(const GatheredLight& light, const PageTexels& page, size_t begi
     }
 }
 
-void interpolate(const Texels& texels, const GatheredLight& light, const PageTexels& page,
+} // namespace
+
+void interpolate(const Texels& texels, std::span<const glm::vec3> irradiance, size_t page,
                  size_t begin, const TexelBlock& block, RgbBlock& out)
 {
     const Surfels& surfels = texels.surfels;
     const float reach = kReach * surfels.size;
-    forEachRunOf(page, begin, block, [&](uint32_t surfel, size_t first, size_t end) {
+    forEachRunOf(texels.pages[page], begin, block, [&](uint32_t surfel, size_t first, size_t end) {
         Taps taps;
         for (const uint32_t s : surfels.neighborsOf(surfel))
-            taps.add(surfels, s, light.indirect[s]);
+            taps.add(surfels, s, irradiance[s]);
         const InterpolateArgs args{&block, &taps, first, end, 1.0f / (reach * reach), &out};
         runKernel<interpolateKernel>(bestInstructionSet(), args);
     });
 }
-
-} // namespace
 
 TexelShading shadingOf(const Texels& texels, std::shared_ptr<const GatheredLight> light)
 {
     return [&texels, light = std::move(light)](size_t p, size_t begin, const TexelBlock& block,
                                                ShadingBlock& out) {
         const PageTexels& page = texels.pages[p];
-        interpolate(texels, *light, page, begin, block, out.indirect);
+        interpolate(texels, light->indirect, p, begin, block, out.indirect);
         shadeDirect(*light, page, begin, block, out.direct);
     };
 }

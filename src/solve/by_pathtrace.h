@@ -6,6 +6,9 @@
 #include "solve/found_room.h"
 #include "solve/solution.h"
 
+#include <memory>
+#include <vector>
+
 namespace relamp
 {
 
@@ -13,6 +16,10 @@ namespace relamp
 /// path tracing off the albedo that is being recovered. The texture is not asked what the light is.
 Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
                           const DelightOptions& options, Progress& progress);
+
+/// Shades every texel by paths through a room.
+TexelShading shadingOf(const Texels& texels, const RayScene& scene,
+                       std::shared_ptr<const TracedRoom> room, const PathtraceOptions& options);
 
 /// A found room as paths see it.
 TracedRoom tracedRoomOf(const Texels& texels, const FoundRoom& room, std::vector<glm::vec3> albedo);
