@@ -90,6 +90,11 @@ struct Bounds
 
     [[nodiscard]] glm::vec3 extent() const { return high - low; }
     [[nodiscard]] glm::vec3 centre() const { return 0.5f * (low + high); }
+    [[nodiscard]] bool contains(glm::vec3 p) const
+    {
+        return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y &&
+               p.z <= high.z;
+    }
 };
 
 /// The box around all triangles; of a scan without any, a point.

@@ -17,7 +17,7 @@ namespace relamp
 class CameraRays
 {
 public:
-    CameraRays(const Camera& camera, Size size) : camera_(camera), size_(size)
+    CameraRays(const Camera& camera, Size size) : position_(camera.position), size_(size)
     {
         const auto width = static_cast<float>(size.width);
         const auto height = static_cast<float>(size.height);
@@ -29,17 +29,17 @@ public:
         corner_ = camera.forward - 0.5f * width * column_ - 0.5f * height * row_;
     }
 
+    [[nodiscard]] glm::vec3 position() const { return position_; }
     [[nodiscard]] Size size() const { return size_; }
 
     /// Through a point of the picture, in pixels; (0, 0) is its upper left corner.
     [[nodiscard]] Ray through(float x, float y) const
     {
-        return {.origin = camera_.position,
-                .direction = glm::normalize(corner_ + x * column_ + y * row_)};
+        return {.origin = position_, .direction = glm::normalize(corner_ + x * column_ + y * row_)};
     }
 
 private:
-    Camera camera_;
+    glm::vec3 position_;
     Size size_;
     glm::vec3 column_{0.0f}; // from a pixel to its right neighbour, 1 m ahead
     glm::vec3 row_{0.0f};    // to the one below

@@ -2,9 +2,6 @@
 
 #include "scan/surface_point.h"
 
-#include <glm/common.hpp>
-#include <glm/vector_relational.hpp>
-
 namespace relamp
 {
 namespace
@@ -22,12 +19,6 @@ Hit frontBehind(const RayScene& scene, Ray ray, Hit hit)
     return hit;
 }
 
-bool isInside(const Bounds& box, glm::vec3 place)
-{
-    return glm::all(glm::lessThanEqual(box.low, place)) &&
-           glm::all(glm::lessThanEqual(place, box.high));
-}
-
 } // namespace
 
 RoomView::RoomView(const Texels& texels, const RayScene& scene)
@@ -42,7 +33,7 @@ std::vector<glm::vec3> RoomView::look(const CameraRays& camera, int samples,
     const auto width = static_cast<size_t>(camera.size().width);
     const auto height = static_cast<size_t>(camera.size().height);
     const float share = 1.0f / static_cast<float>(samples * samples);
-    const bool throughBacks = !isInside(box_, camera.through(0.0f, 0.0f).origin);
+    const bool throughBacks = !box_.contains(camera.position());
     const auto seen = [&](const Ray& ray, Hit hit) {
         if (throughBacks) hit = frontBehind(scene_, ray, hit);
         if (hit.missed()) return backdrop.beyond(ray.direction);

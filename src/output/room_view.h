@@ -16,6 +16,9 @@
 namespace relamp
 {
 
+constexpr float kNothing = 0.02f;  // of white, in pictures for people: where no surface is seen
+constexpr float kBackside = 0.08f; // where one is seen from behind
+
 /// What is seen where no surface shows its front, as radiance.
 struct Backdrop
 {
@@ -29,6 +32,8 @@ class RoomView
 {
 public:
     RoomView(const Texels& texels, const RayScene& scene);
+
+    [[nodiscard]] const Scan& scan() const { return *texels_.scan; }
 
     /// What a camera sees: linear radiance, row 0 on top, mean of `samples` x `samples` rays
     /// through every pixel. `pages` has the radiance of all texels, a picture a page of the scan.

@@ -10,7 +10,7 @@ namespace relamp
 {
 
 /// Reads a camera file, described in docs/guide/relighting.md. `warnings` receives a sentence a key
-/// that is not known. Throws Error(cannotRead | malformed) naming the file and the key.
+/// that is not known. Throws Error(cannotRead | malformed) naming the line and the key.
 Camera readCamera(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
 } // namespace relamp
