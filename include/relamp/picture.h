@@ -38,12 +38,8 @@ public:
     Photographer(Photographer&&) noexcept;
     Photographer& operator=(Photographer&&) noexcept;
 
-    /// The camera that a person asks for: "auto", a good view from inside; a number, the glTF
-    /// file's own camera of that index; else a camera file, described in docs/guide/relighting.md.
-    /// `warnings` receives a sentence a key that was passed over. Throws Error(cannotRead |
-    /// malformed | unsupported).
-    [[nodiscard]] Camera cameraFor(const std::string& choice,
-                                   std::vector<std::string>& warnings) const;
+    /// A view from inside the room that shows much of it.
+    [[nodiscard]] Camera goodView() const;
 
     /// What the camera sees where `pages`, a picture a page of the scan, is the light on the walls:
     /// linear half RGB. Where a hole shows nothing but the sky, or a surface its back, that is 0.
@@ -65,6 +61,13 @@ private:
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// The camera that a person asks for: a number is the scan's own camera of that index (glTF), all
+/// else a camera file, described in docs/guide/relighting.md. `warnings` receives a sentence a key
+/// that was passed over. Throws Error(cannotRead | malformed), and Error(unsupported) where the
+/// scan has no such camera.
+RELAMP_API Camera cameraFor(const std::string& choice, const Scan& scan,
+                            std::vector<std::string>& warnings);
 
 /// The same camera a part of a full turn on: from inside the room it turns where it stands, from
 /// outside it goes around the room.

@@ -6,6 +6,7 @@
 #include "relamp/lights.h"
 #include "relamp/progress.h"
 #include "relamp/scan.h"
+#include "relamp/view.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -127,6 +128,7 @@ struct DelitOptions
 {
     std::filesystem::path scan; // where the scan is now; empty: where the report says
     std::vector<std::filesystem::path> albedo; // instead of the room's own, one a page
+    ScanOptions asScan;                        // how to read what is no folder
 };
 
 /// Reads what relamp delight wrote: its folder; or a GLB or other scan whose texture is an albedo.
@@ -170,10 +172,10 @@ private:
 RELAMP_API std::vector<Image> relight(const DelitRoom& room, const Relighting& lighting,
                                       const RelightOptions& options, Progress& progress);
 
-/// Writes the light that was set as textures: `file` ends in .exr, one picture a page
-/// (name.0.exr, name.1.exr where there are several), or in .glb, the scan unlit with the light in
-/// its textures, times `exposure`. All files or none. Throws Error(cannotWrite | cancelled).
+/// Writes the light that was set as textures: `file` ends in .exr, one picture of linear radiance a
+/// page (name.0.exr, name.1.exr where there are several); or in .glb, the scan unlit with the light
+/// in its textures, as `view` shows it. All files or none. Throws Error(cannotWrite | cancelled).
 RELAMP_API void writeBaked(const Relighter& relighter, const std::filesystem::path& file,
-                           float exposure, Progress& progress);
+                           const ViewOptions& view, Progress& progress);
 
 } // namespace relamp

@@ -117,7 +117,8 @@ void JsonItem::warnOfUnknown(std::initializer_list<const char*> known,
     for (const auto& [key, value] : object.items()) {
         const auto isKey = [&, name = key](const char* k) { return name == k; };
         if (std::none_of(known.begin(), known.end(), isKey))
-            warnings.push_back(fmt::format("{}: \"{}\" is not known and was passed over", what, key));
+            warnings.push_back(
+                fmt::format("{}: \"{}\" is not known and was passed over", what, key));
     }
 }
 

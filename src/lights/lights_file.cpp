@@ -19,8 +19,8 @@ namespace
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr float kLargestShare = 1e6f;  // of a fixture; 1 is all of it
-constexpr float kDark = 1e-9f;         // intensity; what is less is switched off
+constexpr float kLargestShare = 1e6f; // of a fixture; 1 is all of it
+constexpr float kDark = 1e-9f;        // intensity; what is less is switched off
 
 // ---- writing
 

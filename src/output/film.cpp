@@ -17,6 +17,16 @@ namespace
 /// Calls `take(frame)` for one after the other; what it gives is sRGB.
 using TakeFrame = std::function<std::vector<uint8_t>(int frame)>;
 
+bool isVideo(const std::filesystem::path& target)
+{
+    return target.extension() == ".mp4";
+}
+
+Size sizeOf(const Film& film)
+{
+    return {film.picture.width, film.picture.height};
+}
+
 std::string nameOfFrame(int frame)
 {
     return fmt::format("frame_{:04}.png", frame + 1);
@@ -44,7 +54,7 @@ void writeFolder(const std::filesystem::path& folder, const Film& film, const Ta
 {
     StagedFolder staged(folder, progress);
     for (int frame = 0; frame < film.frames; ++frame) {
-        const auto png = encodePng(take(frame), {film.picture.width, film.picture.height}, 3);
+        const auto png = encodePng(take(frame), sizeOf(film), 3);
         writeFile(staged / nameOfFrame(frame), std::as_bytes(std::span(png)));
     }
     progress.check();
@@ -54,14 +64,22 @@ void writeFolder(const std::filesystem::path& folder, const Film& film, const Ta
 void writeVideo(const std::filesystem::path& file, const Film& film, const TakeFrame& take,
                 Progress& progress)
 {
-    VideoFile video(file, {film.picture.width, film.picture.height}, film.framesPerSecond,
-                    progress);
+    VideoFile video(file, sizeOf(film), film.framesPerSecond, progress);
     for (int frame = 0; frame < film.frames; ++frame) video.add(take(frame));
     progress.check();
     video.commit();
 }
 
 } // namespace
+
+void checkFilm(const Film& film, const std::filesystem::path& target)
+{
+    Progress nobody;
+    if (isVideo(target))
+        const VideoFile trial(target, sizeOf(film), film.framesPerSecond, nobody);
+    else
+        const StagedFolder trial(target, nobody);
+}
 
 void writeFilm(Relighter& relighter, const Photographer& photographer, const Film& film,
                const std::filesystem::path& target, Progress& progress)
@@ -84,7 +102,7 @@ void writeFilm(Relighter& relighter, const Photographer& photographer, const Fil
         stage.advance();
         return rgb;
     };
-    if (target.extension() == ".mp4")
+    if (isVideo(target))
         writeVideo(target, film, take, progress);
     else
         writeFolder(target, film, take, progress);

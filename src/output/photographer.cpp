@@ -110,11 +110,9 @@ Photographer::~Photographer() = default;
 Photographer::Photographer(Photographer&&) noexcept = default;
 Photographer& Photographer::operator=(Photographer&&) noexcept = default;
 
-Camera Photographer::cameraFor(const std::string& choice, std::vector<std::string>& warnings) const
+Camera Photographer::goodView() const
 {
-    if (choice == "auto") return chooseViewpoints(state_->scan(), state_->scene, 1).front();
-    if (const auto index = indexFrom(choice)) return cameraOfFile(state_->scan(), *index);
-    return readCamera(choice, warnings);
+    return chooseViewpoints(state_->scan(), state_->scene, 1).front();
 }
 
 Image Photographer::take(std::span<const Image> pages, const Camera& camera,
@@ -161,6 +159,12 @@ void Photographer::write(std::span<const Image> pages, const Camera& camera,
     }
     progress.check();
     staged.commit();
+}
+
+Camera cameraFor(const std::string& choice, const Scan& scan, std::vector<std::string>& warnings)
+{
+    if (const auto index = indexFrom(choice)) return cameraOfFile(scan, *index);
+    return readCamera(choice, warnings);
 }
 
 Camera turned(const Camera& camera, const Scan& scan, double partOfTurn)

@@ -74,9 +74,12 @@ ActiveLights activate(const Texels& texels, const Transport& transport, const Li
         mark(patches, active.shines);
         for (const ClippedPatch& patch : patches)
             if (patch.surfel != Surfels::kNone) active.emission[patch.surfel] = radiance;
-        active.lights.push_back(
-            {{}, lit.fixture, patches, true, radiance,
-             std::make_shared<const LightSource>(AreaLight(patches))});
+        active.lights.push_back({{},
+                                 lit.fixture,
+                                 patches,
+                                 true,
+                                 radiance,
+                                 std::make_shared<const LightSource>(AreaLight(patches))});
     }
     return active;
 }

@@ -19,8 +19,8 @@ namespace relamp
 /// A light that is on.
 struct ActiveLight
 {
-    NewLight light;    // where it is no fixture
-    Fixture fixture;   // where it is one
+    NewLight light;                    // where it is no fixture
+    Fixture fixture;                   // where it is one
     std::vector<ClippedPatch> surface; // and what shines of it
     bool isFixture = false;
     glm::vec3 emission{0.0f};
@@ -34,8 +34,8 @@ bool castSameShadows(const ActiveLight& a, const ActiveLight& b);
 struct ActiveLights
 {
     std::vector<ActiveLight> lights;
-    std::vector<glm::vec3> sky;      // of SkyBins
-    std::vector<uint8_t> shines;     // of surfels; not 0: its burnt-out texels are a lamp that is on
+    std::vector<glm::vec3> sky;  // of SkyBins
+    std::vector<uint8_t> shines; // of surfels; not 0: its burnt-out texels are a lamp that is on
     std::vector<glm::vec3> emission; // of these texels
     std::vector<uint8_t> panes;      // of surfels; empty: none is a window's
 };

@@ -27,7 +27,8 @@ void addBounce(const Relighter::State& state, const ActiveLight& light,
     for (BounceLight met :
          reflectiveShadowMaps(state.texels, state.scene, one, state.options.thesis.rsmSize)) {
         const glm::vec3 away = glm::normalize(met.position - centre);
-        met.flux *= light.source->intensityTowards(away) * glm::min(albedo[met.page][met.pixel], 1.0f);
+        met.flux *=
+            light.source->intensityTowards(away) * glm::min(albedo[met.page][met.pixel], 1.0f);
         leaving.push_back(met);
     }
 }

@@ -41,11 +41,9 @@ public:
             const glm::vec2 u{random.next(), random.next()};
             const Look look = light.source->look(origin, place.normal, share, u);
             if (look.irradiance <= 0.0f) continue;
-            const Ray ray{
-                .origin = origin, .direction = look.direction, .farthest = look.distance};
+            const Ray ray{.origin = origin, .direction = look.direction, .farthest = look.distance};
             uint8_t blocked = 0;
-            (light.source->isSun() ? wallsWithoutPanes_ : walls_)
-                .blocked({&ray, 1}, {&blocked, 1});
+            (light.source->isSun() ? wallsWithoutPanes_ : walls_).blocked({&ray, 1}, {&blocked, 1});
             if (blocked == 0) sum += look.irradiance / kPi * light.emission;
         }
         return sum;

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "relamp/progress.h"
 #include "relight/active_lights.h"
 #include "relight/obstacles.h"
 #include "relight/radiosity.h"
 #include "relight/shadows.h"
 #include "relight/transport.h"
-#include "relamp/progress.h"
 #include "scan/texels.h"
 #include "shading/texel_shading.h"
 

@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr float kPi = 3.14159265f;
-constexpr float kAllAround = -2.0f;    // below any cosine
+constexpr float kAllAround = -2.0f;     // below any cosine
 constexpr float kLeastDistance = 1e-3f; // m; nearer to a point its light grows no more
 constexpr float kOffPoint = 1e-3f;      // m, a ray's end from a light that is not in the scan
 constexpr float kOffFixture = 0.015f;   // m; a lamp's surface is as uneven as any of a scan
@@ -50,9 +50,9 @@ AreaLight rectangleOf(const NewLight& light)
         for (int i = 0; i < kPatchesAcross; ++i) {
             const float u = (static_cast<float>(i) + 0.5f) / kPatchesAcross - 0.5f;
             const float v = (static_cast<float>(j) + 0.5f) / kPatchesAcross - 0.5f;
-            patches.push_back(patchAt(light.position + u * light.size.x * frame[0] +
-                                          v * light.size.y * frame[1],
-                                      frame[2], area));
+            patches.push_back(
+                patchAt(light.position + u * light.size.x * frame[0] + v * light.size.y * frame[1],
+                        frame[2], area));
         }
     return AreaLight(std::move(patches));
 }
@@ -162,8 +162,7 @@ LightSource::LightSource(const NewLight& light)
     }
 }
 
-LightSource::LightSource(AreaLight surface)
-    : shape_(Sun{{0.0f, 1.0f, 0.0f}, 0.0f})
+LightSource::LightSource(AreaLight surface) : shape_(Sun{{0.0f, 1.0f, 0.0f}, 0.0f})
 {
     LampPatches patches(surface, kPatchesOfFixture);
     shape_ = Surface{std::move(surface), std::move(patches), kOffFixture};

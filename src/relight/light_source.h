@@ -35,8 +35,8 @@ public:
     /// Irradiance at the texels of a block, nothing in the way. May write a group of lanes beyond.
     void open(const TexelBlock& block, float* irradiance,
               InstructionSet set = bestInstructionSet()) const;
-    /// A way from a place on a surface to the point of the light that `share` (0..1) and `u` choose;
-    /// the mean irradiance of evenly spread ones is that of the light.
+    /// A way from a place on a surface to the point of the light that `share` (0..1) and `u`
+    /// choose; the mean irradiance of evenly spread ones is that of the light.
     [[nodiscard]] Look look(glm::vec3 place, glm::vec3 normal, float share, glm::vec2 u) const;
     [[nodiscard]] bool isSun() const { return std::holds_alternative<Sun>(shape_); }
     /// Whether every point of it is the same: rays differ by where they start alone.
@@ -71,7 +71,8 @@ private:
         float radius; // rad
     };
 
-    [[nodiscard]] Look lookAt(const Bulb& bulb, glm::vec3 place, glm::vec3 normal, glm::vec2 u) const;
+    [[nodiscard]] Look lookAt(const Bulb& bulb, glm::vec3 place, glm::vec3 normal,
+                              glm::vec2 u) const;
     [[nodiscard]] Look lookAt(const Surface& surface, glm::vec3 place, glm::vec3 normal,
                               float share) const;
     [[nodiscard]] Look lookAt(const Sun& sun, glm::vec3 normal, glm::vec2 u) const;

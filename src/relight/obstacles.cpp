@@ -9,7 +9,7 @@ namespace relamp
 namespace
 {
 
-constexpr int kMostPanes = 16;   // on one way; a pane is scanned in layers
+constexpr int kMostPanes = 16;    // on one way; a pane is scanned in layers
 constexpr float kOffPane = 1e-3f; // m
 
 } // namespace

@@ -19,8 +19,8 @@ struct Bounced
     int bounces = 0;                   // that were followed; the rest is the sum of their series
 };
 
-/// All bounces of the light in a room of matte surfaces: radiance <- albedo / pi * irradiance, until
-/// what is left is less than can be seen.
+/// All bounces of the light in a room of matte surfaces: radiance <- albedo / pi * irradiance,
+/// until what is left is less than can be seen.
 ///
 /// `albedo` is one a surfel, both sides of it, 0..1; `direct` irradiance straight from lights, one
 /// a list; `sky` the radiance of SkyBins.

@@ -41,10 +41,8 @@ Texels checkedTexels(const DelitRoom& room, Progress& progress)
 Relighter::State::State(const DelitRoom& of, const RelightOptions& with, Progress& progress)
     : room(of), options(with), scene(of.scan), texels(checkedTexels(of, progress)),
       radiance(collectRadiance(texels, progress)), albedo(texels, of.albedo, of.confidence),
-      transport(
-          transportOfRoom(of, texels, scene, radiance, with, warningsOfRoom, progress)),
-      radiosity(texels, scene, transport, radiance.isClipped,
-                static_cast<size_t>(with.shadowRays))
+      transport(transportOfRoom(of, texels, scene, radiance, with, warningsOfRoom, progress)),
+      radiosity(texels, scene, transport, radiance.isClipped, static_cast<size_t>(with.shadowRays))
 {}
 
 Relighter::Relighter(const DelitRoom& room, const RelightOptions& options, Progress& progress)

@@ -13,9 +13,9 @@ std::vector<glm::vec3> reflecting(const Relighter::State& state)
     std::vector<glm::vec3> albedo = state.albedo.ofSurfels();
     for (size_t s = 0; s < albedo.size(); ++s)
         if (state.active.shines[s] != 0)
-            albedo[s] *= state.radiance.plainArea[s] /
-                         std::max(state.radiance.plainArea[s] + state.radiance.clippedArea[s],
-                                  1e-20f);
+            albedo[s] *=
+                state.radiance.plainArea[s] /
+                std::max(state.radiance.plainArea[s] + state.radiance.clippedArea[s], 1e-20f);
     return albedo;
 }
 

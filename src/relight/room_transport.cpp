@@ -23,8 +23,7 @@ constexpr size_t kMostRays = 256;
 /// not show, a disc or a ball.
 std::vector<std::vector<ClippedPatch>> surfacesOfFixtures(const DelitRoom& room,
                                                           const Texels& texels,
-                                                          const RayScene& scene,
-                                                          Progress& progress)
+                                                          const RayScene& scene, Progress& progress)
 {
     if (room.captured.fixtures.empty()) return {};
     FoundLamps found;
@@ -55,9 +54,8 @@ Transport transportOfRoom(const DelitRoom& room, const Texels& texels, const Ray
                           std::vector<std::string>& warnings, Progress& progress)
 {
     const size_t rays = raysOf(options, texels.surfels.count());
-    const uint64_t key = options.transport.empty()
-                             ? 0
-                             : keyOfTransport(texels, room.captured.fixtures, rays);
+    const uint64_t key =
+        options.transport.empty() ? 0 : keyOfTransport(texels, room.captured.fixtures, rays);
     if (!options.transport.empty())
         if (auto kept = loadTransport(options.transport, key, texels)) return std::move(*kept);
 

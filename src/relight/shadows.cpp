@@ -58,8 +58,7 @@ public:
     {}
 
     /// Adds rays [first, end) of a texel's sequence.
-    void add(const Footprints& prints, size_t texel, size_t first, size_t end,
-             AreaSample& sum)
+    void add(const Footprints& prints, size_t texel, size_t first, size_t end, AreaSample& sum)
     {
         const auto salt = static_cast<uint32_t>(texel);
         const glm::vec2 shift(hashedShift(salt, 3), hashedShift(salt, 4));
@@ -77,9 +76,8 @@ public:
                                           glm::fract(turn + glm::vec2(share, 0.41421356f * at)));
             if (look.irradiance <= 0.0f) continue;
             sum.open += look.irradiance;
-            rays_[count_] = {.origin = origin,
-                             .direction = look.direction,
-                             .farthest = look.distance};
+            rays_[count_] = {
+                .origin = origin, .direction = look.direction, .farthest = look.distance};
             gains_[count_] = look.irradiance;
             sums_[count_++] = &sum;
         }
@@ -122,8 +120,8 @@ std::vector<AreaSample> directOfSides(const Texels& texels, const Obstacles& obs
                 const glm::vec3 normal = sides[i].isBack() ? -site.normal : site.normal;
                 const float share =
                     (static_cast<float>(k) + hashedShift(index, 0)) / static_cast<float>(kOrigins);
-                const glm::vec2 u = evenPoint(static_cast<float>(k), glm::vec2(hashedShift(index, 1),
-                                                                               hashedShift(index, 2)));
+                const glm::vec2 u = evenPoint(
+                    static_cast<float>(k), glm::vec2(hashedShift(index, 1), hashedShift(index, 2)));
                 const glm::vec3 origin = site.position + kOffSurface * normal;
                 const Look look = light.look(origin, normal, share, u);
                 if (look.irradiance <= 0.0f) continue;
@@ -193,8 +191,7 @@ Shadows::OfPage Shadows::look(size_t p, std::span<const State> states, const Obs
             const size_t texel = page.runs[run].begin;
             sums.assign(page.runs[run + 1].begin - texel, {});
             const size_t few = std::min(kFirstRays, rays);
-            for (size_t i = 0; i < sums.size(); ++i)
-                batch.add(prints, texel + i, 0, few, sums[i]);
+            for (size_t i = 0; i < sums.size(); ++i) batch.add(prints, texel + i, 0, few, sums[i]);
             batch.trace();
             for (size_t i = 0; i < sums.size(); ++i)
                 if (sums[i].visible > 0.0f && sums[i].visible < kAllOfIt * sums[i].open)
@@ -221,8 +218,8 @@ bool Shadows::at(size_t p, size_t begin, size_t count, float* share) const
         for (; at < end; ++at) {
             float value = first == kAll ? 1.0f : 0.0f;
             if (first != kAll && first != kNone)
-                value = static_cast<float>(found.shares[first + at - page.runs[run].begin]) /
-                        255.0f;
+                value =
+                    static_cast<float>(found.shares[first + at - page.runs[run].begin]) / 255.0f;
             share[at - begin] = value;
             isSeen |= value > 0.0f;
         }

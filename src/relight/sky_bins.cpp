@@ -50,11 +50,10 @@ glm::vec3 skyRadiance(const Sky& sky, glm::vec3 direction)
     const float down = std::acos(std::clamp(direction.y, -1.0f, 1.0f)) / kPi;
     const auto width = static_cast<size_t>(image.width);
     const auto height = static_cast<size_t>(image.height);
-    const auto column = static_cast<size_t>((around - std::floor(around)) *
-                                            static_cast<float>(width));
+    const auto column =
+        static_cast<size_t>((around - std::floor(around)) * static_cast<float>(width));
     const auto row = static_cast<size_t>(down * static_cast<float>(height));
-    return sky.radiance *
-           picture[std::min(row, height - 1) * width + std::min(column, width - 1)];
+    return sky.radiance * picture[std::min(row, height - 1) * width + std::min(column, width - 1)];
 }
 
 std::vector<glm::vec3> skyInBins(const Sky& sky)
@@ -68,10 +67,9 @@ std::vector<glm::vec3> skyInBins(const Sky& sky)
                 const float x = (static_cast<float>(i) + 0.5f) / kSamples;
                 const float y = (static_cast<float>(j) + 0.5f) / kSamples;
                 sum += skyRadiance(
-                    sky, directionAt((static_cast<float>(bin % SkyBins::kAround) + x) /
-                                         SkyBins::kAround,
-                                     (static_cast<float>(bin / SkyBins::kAround) + y) /
-                                         SkyBins::kUp));
+                    sky,
+                    directionAt((static_cast<float>(bin % SkyBins::kAround) + x) / SkyBins::kAround,
+                                (static_cast<float>(bin / SkyBins::kAround) + y) / SkyBins::kUp));
             }
         bins[bin] = sum / static_cast<float>(kSamples * kSamples);
     });

@@ -60,8 +60,8 @@ void gatherRadiance(const Transport& transport, std::span<const glm::vec4> radia
     forEachChunk(transport.lists(), 512, [&](size_t begin, size_t end) {
         for (size_t list = begin; list < end; ++list) {
             const uint32_t* target = &transport.target[transport.first[list]];
-            const size_t count = isFew ? transport.few[list]
-                                       : transport.first[list + 1] - transport.first[list];
+            const size_t count =
+                isFew ? transport.few[list] : transport.first[list + 1] - transport.first[list];
             glm::vec4 sum[4] = {glm::vec4(0.0f), glm::vec4(0.0f), glm::vec4(0.0f), glm::vec4(0.0f)};
             size_t i = 0;
             for (; i + 4 <= count; i += 4) // four sums, for an addition takes four cycles

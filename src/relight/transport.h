@@ -17,10 +17,10 @@ namespace relamp
 /// surface each of its fixtures has. Found once, kept in a file.
 struct Transport
 {
-    std::vector<Side> sides;         // whose light is followed, one a list; fronts first
-    std::vector<uint32_t> first{0};  // of lists, and one more: where its targets begin
-    std::vector<uint32_t> target;    // what its rays met, each as likely: an index of radiances
-    std::vector<uint32_t> few;       // of lists: so many targets are an even choice of all
+    std::vector<Side> sides;        // whose light is followed, one a list; fronts first
+    std::vector<uint32_t> first{0}; // of lists, and one more: where its targets begin
+    std::vector<uint32_t> target;   // what its rays met, each as likely: an index of radiances
+    std::vector<uint32_t> few;      // of lists: so many targets are an even choice of all
     std::vector<std::vector<ClippedPatch>> fixtures; // surface of each captured one
 
     [[nodiscard]] size_t lists() const { return sides.size(); }

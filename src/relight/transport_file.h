@@ -1,7 +1,7 @@
 #pragma once
 
-#include "relight/transport.h"
 #include "relamp/lights.h"
+#include "relight/transport.h"
 #include "scan/texels.h"
 
 #include <cstdint>

@@ -127,8 +127,7 @@ void interpolate(const Texels& texels, std::span<const glm::vec3> irradiance, si
     const float reach = kReach * surfels.size;
     forEachRunOf(texels.pages[page], begin, block, [&](uint32_t surfel, size_t first, size_t end) {
         Taps taps;
-        for (const uint32_t s : surfels.neighborsOf(surfel))
-            taps.add(surfels, s, irradiance[s]);
+        for (const uint32_t s : surfels.neighborsOf(surfel)) taps.add(surfels, s, irradiance[s]);
         const InterpolateArgs args{&block, &taps, first, end, 1.0f / (reach * reach), &out};
         runKernel<interpolateKernel>(bestInstructionSet(), args);
     });

@@ -25,8 +25,8 @@ struct GatheredLight
     std::vector<glm::vec3> indirect; // irradiance at surfels' fronts that did not come from a lamp
 };
 
-/// Shading of texels [begin, begin + block.count) of a page, interpolated between what the surfels of
-/// one surface receive: `irradiance`, one a surfel.
+/// Shading of texels [begin, begin + block.count) of a page, interpolated between what the surfels
+/// of one surface receive: `irradiance`, one a surfel.
 void interpolate(const Texels& texels, std::span<const glm::vec3> irradiance, size_t page,
                  size_t begin, const TexelBlock& block, RgbBlock& out);
 

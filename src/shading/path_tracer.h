@@ -25,7 +25,8 @@ struct TracedRoom
     glm::vec3 ambient{0.0f}; // radiance of what lies outside the scan
     // Share of `ambient` that comes from a direction; all of it where there is no such function.
     std::function<glm::vec3(glm::vec3 direction)> outside;
-    // What a white surface shows at a place, right on average, of lights that no ray meets; or none.
+    // What a white surface shows at a place, right on average, of lights that no ray meets; or
+    // none.
     std::function<glm::vec3(const TexelSite& place, Random& random)> unseenLights;
 };
 
