@@ -91,15 +91,18 @@ void writeUnlit(const RelightArguments& arguments, const relamp::DelitRoom& room
 }
 
 void writeRelit(const RelightArguments& arguments, relamp::Relighter& relighter,
-                const relamp::Sky& sky, const Wish& wish, relamp::Progress& progress)
+                const relamp::Relighting& lighting, const Wish& wish, relamp::Progress& progress)
 {
     if (arguments.bake)
         return relamp::writeBaked(relighter, arguments.output, arguments.picture.options.view,
                                   progress);
     const relamp::Photographer photographer(relighter);
     relamp::Film film = filmOf(arguments.picture, wish);
-    film.camera = wish.camera ? *wish.camera : photographer.goodView();
-    film.picture.sky = sky;
+    film.camera = wish.camera  ? *wish.camera
+                  : film.turns ? photographer.goodPlaceToTurn()
+                               : photographer.goodView();
+    film.picture.sky = lighting.sky;
+    film.picture.lamps = lighting.lights;
     if (arguments.picture.isFilm())
         relamp::writeFilm(relighter, photographer, film, arguments.output, progress);
     else
@@ -119,7 +122,7 @@ void write(RelightArguments& arguments, const relamp::DelitRoom& room,
     if (!arguments.keepNothing) arguments.options.transport = room.transport;
     relamp::Relighter relighter(room, arguments.options, progress);
     relighter.light(lighting, progress);
-    writeRelit(arguments, relighter, lighting.sky, wish, progress);
+    writeRelit(arguments, relighter, lighting, wish, progress);
     notes.insert(notes.end(), relighter.warnings().begin(), relighter.warnings().end());
 }
 

@@ -21,9 +21,10 @@ struct PictureOptions
 {
     int width = 1280; // pixels, 1..16384
     int height = 720;
-    int samples = 2;  // rays through a pixel, along each of its sides, 1..16
-    ViewOptions view; // of pictures for people; EXR and `take` give the light itself
-    Sky sky;          // seen through holes of the scan
+    int samples = 2;             // rays through a pixel, along each of its sides, 1..16
+    ViewOptions view;            // of pictures for people; EXR and `take` give the light itself
+    Sky sky;                     // seen through holes of the scan
+    std::vector<NewLight> lamps; // seen themselves, if they have a surface; as bright as they shine
 };
 
 /// Takes pictures of a room, whatever light is on its walls. What it takes them of must outlive it.
@@ -40,9 +41,11 @@ public:
 
     /// A view from inside the room that shows much of it.
     [[nodiscard]] Camera goodView() const;
+    /// A view from where most of the room is seen in one turn.
+    [[nodiscard]] Camera goodPlaceToTurn() const;
 
     /// What the camera sees where `pages`, a picture a page of the scan, is the light on the walls:
-    /// linear half RGB. Where a hole shows nothing but the sky, or a surface its back, that is 0.
+    /// linear half RGB. Where a hole shows no sky, or a surface its back, that is 0.
     [[nodiscard]] Image take(std::span<const Image> pages, const Camera& camera,
                              const PictureOptions& options, Progress& progress) const;
 

@@ -93,6 +93,7 @@ void writeFilm(Relighter& relighter, const Photographer& photographer, const Fil
             const Relighting lighting = film.timeline->at(frame / last);
             relighter.light(lighting, progress);
             picture.sky = lighting.sky;
+            picture.lamps = lighting.lights;
         }
         if (film.timeline != nullptr || pages.empty()) pages = radianceOfPages(relighter, progress);
         const Camera camera = film.turns ? turned(film.camera, relighter.room().scan,

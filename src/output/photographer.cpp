@@ -87,10 +87,10 @@ struct Photographer::State
 
     [[nodiscard]] std::vector<glm::vec3> look(std::span<const Image> pages, const Camera& camera,
                                               const PictureOptions& options,
-                                              const Backdrop& backdrop, Progress& progress) const
+                                              const Surroundings& around, Progress& progress) const
     {
         return view.look(CameraRays(camera, {options.width, options.height}), options.samples,
-                         pages, backdrop, progress);
+                         pages, around, progress);
     }
 
     std::unique_ptr<OwnRoom> own; // null where a relighter has it
@@ -115,11 +115,17 @@ Camera Photographer::goodView() const
     return chooseViewpoints(state_->scan(), state_->scene, 1).front();
 }
 
+Camera Photographer::goodPlaceToTurn() const
+{
+    return chooseTurningPlace(state_->scan(), state_->scene);
+}
+
 Image Photographer::take(std::span<const Image> pages, const Camera& camera,
                          const PictureOptions& options, Progress& progress) const
 {
     const auto sky = [&](glm::vec3 direction) { return skyRadiance(options.sky, direction); };
-    return imageOf(state_->look(pages, camera, options, {.beyond = sky}, progress),
+    return imageOf(state_->look(pages, camera, options,
+                                {.beyond = sky, .lamps = seenLamps(options.lamps)}, progress),
                    {options.width, options.height});
 }
 
@@ -131,8 +137,9 @@ std::vector<uint8_t> Photographer::develop(std::span<const Image> pages, const C
     const auto beyond = [&](glm::vec3 direction) {
         return glm::max(skyRadiance(options.sky, direction), nothing);
     };
-    const Backdrop backdrop{beyond, glm::vec3(view.radianceOf(kBackside))};
-    const auto light = state_->look(pages, camera, options, backdrop, progress);
+    const Surroundings around{beyond, glm::vec3(view.radianceOf(kBackside)),
+                              seenLamps(options.lamps)};
+    const auto light = state_->look(pages, camera, options, around, progress);
     const SrgbFromHalf srgb;
     std::vector<uint8_t> rgb(3 * light.size());
     forEachChunk(light.size(), 4096, [&](size_t begin, size_t end) {

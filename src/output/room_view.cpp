@@ -2,6 +2,9 @@
 
 #include "scan/surface_point.h"
 
+#include <limits>
+#include <optional>
+
 namespace relamp
 {
 namespace
@@ -19,6 +22,21 @@ Hit frontBehind(const RayScene& scene, Ray ray, Hit hit)
     return hit;
 }
 
+/// Radiance of the first lamp that a ray meets before it hits a surface.
+std::optional<glm::vec3> lampBefore(const Hit& hit, const Ray& ray,
+                                    const std::vector<SeenLamp>& lamps)
+{
+    float nearest = hit.missed() ? std::numeric_limits<float>::max() : hit.distance;
+    std::optional<glm::vec3> radiance;
+    for (const SeenLamp& lamp : lamps) {
+        const auto glow = lamp.along(ray);
+        if (!glow || glow->distance >= nearest) continue;
+        nearest = glow->distance;
+        radiance = glow->radiance;
+    }
+    return radiance;
+}
+
 } // namespace
 
 RoomView::RoomView(const Texels& texels, const RayScene& scene)
@@ -26,7 +44,7 @@ RoomView::RoomView(const Texels& texels, const RayScene& scene)
 {}
 
 std::vector<glm::vec3> RoomView::look(const CameraRays& camera, int samples,
-                                      std::span<const Image> pages, const Backdrop& backdrop,
+                                      std::span<const Image> pages, const Surroundings& around,
                                       Progress& progress) const
 {
     const std::vector<Radiance> radiance(pages.begin(), pages.end());
@@ -36,8 +54,9 @@ std::vector<glm::vec3> RoomView::look(const CameraRays& camera, int samples,
     const bool throughBacks = !box_.contains(camera.position());
     const auto seen = [&](const Ray& ray, Hit hit) {
         if (throughBacks) hit = frontBehind(scene_, ray, hit);
-        if (hit.missed()) return backdrop.beyond(ray.direction);
-        if (!hit.front) return backdrop.back;
+        if (const auto glow = lampBefore(hit, ray, around.lamps)) return *glow;
+        if (hit.missed()) return around.beyond(ray.direction);
+        if (!hit.front) return around.back;
         PixelMix mix = pixelsAt(texels_, hit);
         charts_.keepToChart(hit.triangle, mix);
         glm::vec3 sum(0.0f);

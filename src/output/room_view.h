@@ -3,6 +3,7 @@
 #include "output/camera_rays.h"
 #include "relamp/image.h"
 #include "relamp/progress.h"
+#include "relight/seen_lamp.h"
 #include "scan/charts.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
@@ -19,11 +20,12 @@ namespace relamp
 constexpr float kNothing = 0.02f;  // of white, in pictures for people: where no surface is seen
 constexpr float kBackside = 0.08f; // where one is seen from behind
 
-/// What is seen where no surface shows its front, as radiance.
-struct Backdrop
+/// What is seen beside the light on the walls, as radiance.
+struct Surroundings
 {
     std::function<glm::vec3(glm::vec3 direction)> beyond; // through holes; required
     glm::vec3 back{0.0f};                                 // of a surface seen from behind
+    std::vector<SeenLamp> lamps;
 };
 
 /// A room ready to be looked at, whatever light is on its walls. `texels` and `scene` must outlive
@@ -42,7 +44,7 @@ public:
     /// box, what turns its back is passed through, as if the room's near walls were taken away.
     [[nodiscard]] std::vector<glm::vec3> look(const CameraRays& camera, int samples,
                                               std::span<const Image> pages,
-                                              const Backdrop& backdrop, Progress& progress) const;
+                                              const Surroundings& around, Progress& progress) const;
 
 private:
     const Texels& texels_;

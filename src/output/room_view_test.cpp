@@ -16,7 +16,7 @@ namespace relamp
 namespace
 {
 
-const Backdrop kDark{.beyond = [](glm::vec3) { return glm::vec3(0.0f); }};
+const Surroundings kDark{.beyond = [](glm::vec3) { return glm::vec3(0.0f); }};
 
 /// A scan with its own texture for light on it.
 struct Seen
@@ -29,9 +29,9 @@ struct Seen
     }
 
     [[nodiscard]] std::vector<glm::vec3> look(const Camera& camera, Size size, int samples = 1,
-                                              const Backdrop& backdrop = kDark)
+                                              const Surroundings& around = kDark)
     {
-        return view.look(CameraRays(camera, size), samples, pages, backdrop, progress);
+        return view.look(CameraRays(camera, size), samples, pages, around, progress);
     }
 
     Progress progress;
@@ -116,7 +116,7 @@ TEST(RoomView, NeighboursOnThePageDoNotMix)
 TEST(RoomView, HolesShowWhatIsBeyond)
 {
     Seen floor(scenes::square(2.0f, 16, scenes::plain(glm::vec3(0.5f))));
-    const Backdrop sky{.beyond = [](glm::vec3 d) { return glm::vec3(0.0f, 0.0f, d.y); }};
+    const Surroundings sky{.beyond = [](glm::vec3 d) { return glm::vec3(0.0f, 0.0f, d.y); }};
     Camera up = kDown;
     up.forward = {0.0f, 1.0f, 0.0f};
     EXPECT_NEAR(floor.look(up, {1, 1}, 1, sky)[0].b, 1.0f, 1e-5f);
@@ -130,18 +130,36 @@ TEST(RoomView, BacksAreSeenFromInsideAndPassedFromOutside)
     const scenes::Panel shelf{{0, 1, 0}, {0, 0, 2}, {2, 0, 0}};
     const std::vector<scenes::Panel> both{floor, shelf};
     Seen shelves(scenes::panels(both, 16, scenes::plain(glm::vec3(0.5f))));
-    const Backdrop backdrop{.beyond = [](glm::vec3) { return glm::vec3(0.75f); },
-                            .back = glm::vec3(0.25f)};
+    const Surroundings around{.beyond = [](glm::vec3) { return glm::vec3(0.75f); },
+                              .back = glm::vec3(0.25f)};
     Camera up = kDown;
     up.forward = {0.0f, 1.0f, 0.0f};
     up.position.y = 0.5f;
-    EXPECT_EQ(shelves.look(up, {1, 1}, 1, backdrop)[0].g, 0.25f);
+    EXPECT_EQ(shelves.look(up, {1, 1}, 1, around)[0].g, 0.25f);
     up.position.y = -0.5f;
-    EXPECT_EQ(shelves.look(up, {1, 1}, 1, backdrop)[0].g, 0.75f);
+    EXPECT_EQ(shelves.look(up, {1, 1}, 1, around)[0].g, 0.75f);
     // And from outside, a closed room shows the far wall's front through the near one's back.
     Seen room(scenes::room({3.0f, 2.5f, 4.0f}, 24, scenes::plain(glm::vec3(0.5f))));
     const Camera outside{.position = {1.5f, 1.0f, 9.0f}};
-    EXPECT_NEAR(room.look(outside, {1, 1}, 1, backdrop)[0].g, 0.5f, 1e-3f);
+    EXPECT_NEAR(room.look(outside, {1, 1}, 1, around)[0].g, 0.5f, 1e-3f);
+}
+
+// A lamp is seen before what lies behind it, and not through what stands before it.
+TEST(RoomView, LampsAreSeenWhereTheyAre)
+{
+    Seen floor(scenes::square(2.0f, 16, scenes::plain(glm::vec3(0.5f))));
+    NewLight sphere{.type = LightType::sphere,
+                    .emission = glm::vec3(7.0f),
+                    .position = {1.0f, 0.5f, 1.0f},
+                    .radius = 0.1f};
+    Surroundings around = kDark;
+    around.lamps = seenLamps(std::span(&sphere, 1));
+    const auto picture = floor.look(kDown, {3, 3}, 1, around);
+    EXPECT_NEAR(picture[4].g, 7.0f, 1e-4f);
+    EXPECT_NEAR(picture[0].g, 0.5f, 1e-3f);
+    sphere.position.y = -0.5f;
+    around.lamps = seenLamps(std::span(&sphere, 1));
+    EXPECT_NEAR(floor.look(kDown, {3, 3}, 1, around)[4].g, 0.5f, 1e-3f);
 }
 
 TEST(RoomView, IsTheSameOnAnyNumberOfThreads)

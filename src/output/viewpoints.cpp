@@ -95,9 +95,8 @@ float likeness(const Camera& a, const Camera& b)
     return std::max(0.0f, glm::dot(a.forward, b.forward));
 }
 
-} // namespace
-
-std::vector<Camera> chooseViewpoints(const Scan& scan, const RayScene& scene, int count)
+/// kYaws views from each of the places where one can stand; those from elsewhere score 0.
+std::vector<View> viewsOf(const Scan& scan, const RayScene& scene)
 {
     const Bounds room = boundsOf(scan);
     const std::vector<glm::vec3> places = candidatePlaces(scan, scene);
@@ -115,21 +114,55 @@ std::vector<Camera> chooseViewpoints(const Scan& scan, const RayScene& scene, in
             view.score = inside * std::max(scoreOf(scene, view.camera, depth), 1e-4f);
         }
     });
+    return views;
+}
+
+bool scoresLess(const View& a, const View& b)
+{
+    return a.score < b.score;
+}
+
+/// Where there is no place inside: all of it, from outside.
+Camera fromOutside(const Scan& scan)
+{
+    const Bounds room = boundsOf(scan);
+    return {.position = room.centre() + glm::vec3(0.0f, 0.3f, 1.2f) * glm::length(room.extent()),
+            .forward = glm::normalize(glm::vec3(0.0f, -0.25f, -1.0f))};
+}
+
+} // namespace
+
+std::vector<Camera> chooseViewpoints(const Scan& scan, const RayScene& scene, int count)
+{
+    std::vector<View> views = viewsOf(scan, scene);
     std::vector<Camera> chosen;
     while (static_cast<int>(chosen.size()) < count) {
-        const auto best =
-            std::max_element(views.begin(), views.end(),
-                             [](const View& a, const View& b) { return a.score < b.score; });
+        const auto best = std::max_element(views.begin(), views.end(), scoresLess);
         if (best->score <= 0.0f) break;
         const Camera camera = best->camera;
         chosen.push_back(camera);
         for (View& view : views) view.score *= 1.0f - likeness(view.camera, camera);
     }
-    if (chosen.empty()) // nowhere inside: look at it from outside
-        chosen.push_back(
-            {.position = room.centre() + glm::vec3(0.0f, 0.3f, 1.2f) * glm::length(room.extent()),
-             .forward = glm::normalize(glm::vec3(0.0f, -0.25f, -1.0f))});
+    if (chosen.empty()) chosen.push_back(fromOutside(scan));
     return chosen;
+}
+
+Camera chooseTurningPlace(const Scan& scan, const RayScene& scene)
+{
+    const std::vector<View> views = viewsOf(scan, scene);
+    size_t best = 0;
+    float bestSum = 0.0f;
+    for (size_t place = 0; place < views.size(); place += kYaws) {
+        float sum = 0.0f;
+        for (size_t i = place; i < place + kYaws; ++i) sum += views[i].score;
+        if (sum > bestSum) {
+            bestSum = sum;
+            best = place;
+        }
+    }
+    if (bestSum == 0.0f) return fromOutside(scan);
+    const auto begin = views.begin() + static_cast<ptrdiff_t>(best);
+    return std::max_element(begin, begin + kYaws, scoresLess)->camera;
 }
 
 } // namespace relamp

@@ -13,4 +13,7 @@ namespace relamp
 /// the others do not look. Always at least one; the same for the same scan.
 std::vector<Camera> chooseViewpoints(const Scan& scan, const RayScene& scene, int count);
 
+/// A camera where one sees most of the room while turning around.
+Camera chooseTurningPlace(const Scan& scan, const RayScene& scene);
+
 } // namespace relamp
