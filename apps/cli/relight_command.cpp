@@ -240,14 +240,14 @@ void addRelightCommand(CLI::App& app, Run& run)
     command.add_flag("--no-transport", arguments->keepNothing,
                      "Neither read nor write DIR/transport.bin");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
-    command.final_callback([arguments] {
-        const std::string complaint = complaintOfOutput(*arguments);
-        if (!complaint.empty()) throw CLI::ValidationError("--output", complaint);
-    });
     command.footer("Examples:\n"
                    "  relamp relight kitchen --lights lamp.json -o frame.png --view agx\n"
                    "  relamp relight kitchen --timeline day.json -o day.mp4\n"
                    "  relamp relight kitchen --lights lamp.json --bake -o radiance.exr\n"
                    "  relamp relight kitchen --fixture all=on --fixture 2=off --bake -o baked.glb");
-    command.callback([arguments, &run] { run = [arguments] { return ::run(*arguments); }; });
+    command.callback([arguments, &run] {
+        const std::string complaint = complaintOfOutput(*arguments);
+        if (!complaint.empty()) throw CLI::ValidationError("--output", complaint);
+        run = [arguments] { return ::run(*arguments); };
+    });
 }
