@@ -33,10 +33,7 @@ class RadiosityLight
 public:
     /// The arguments must outlive this.
     RadiosityLight(const Texels& texels, const RayScene& scene, const Transport& transport,
-                   std::span<const std::vector<uint8_t>> isClipped, size_t shadowRays)
-        : texels_(texels), scene_(scene), transport_(transport), isClipped_(isClipped),
-          shadowRays_(shadowRays)
-    {}
+                   std::span<const std::vector<uint8_t>> isClipped, size_t shadowRays);
 
     /// Takes over the light; `albedo` is that of surfels.
     void set(const ActiveLights& active, std::span<const glm::vec3> albedo, Progress& progress);
@@ -52,6 +49,7 @@ private:
     const Transport& transport_;
     std::span<const std::vector<uint8_t>> isClipped_;
     size_t shadowRays_;
+    std::vector<uint8_t> isOpen_; // of surfels; 0: buried
 
     std::vector<uint8_t> panes_;
     std::vector<std::shared_ptr<const ShadowedLight>> lights_;

@@ -22,17 +22,17 @@ struct Relighter::State
     State& operator=(const State&) = delete;
 
     const DelitRoom& room;
-    RelightOptions options; // with what was left open filled in
+    RelightOptions options;
+    std::vector<std::string> warningsOfRoom;
     RayScene scene;
     Texels texels;
     SurfelRadiance radiance;
-    RoomAlbedo albedo;
     Transport transport;
+    RoomAlbedo albedo;
     RadiosityLight radiosity;
 
     ActiveLights active;
-    TexelShading shade; // empty until a light was set
-    std::vector<std::string> warningsOfRoom;
+    TexelShading shade;                // empty until a light was set
     std::vector<std::string> warnings; // these and those of the light
 };
 

@@ -2,11 +2,13 @@
 
 #include "fit/given_lamps.h"
 #include "relamp/error.h"
+#include "relight/buried.h"
 #include "relight/transport_file.h"
 #include "shading/hit_lists.h"
 #include "solve/found_room.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -49,7 +51,7 @@ size_t raysOf(const RelightOptions& options, size_t surfels)
     return std::clamp(kRaysOfScan / std::max<size_t>(surfels, 1), kFewestRays, kMostRays);
 }
 
-Transport transportOfRoom(const DelitRoom& room, const Texels& texels, const RayScene& scene,
+Transport transportOfRoom(const DelitRoom& room, Texels& texels, const RayScene& scene,
                           const SurfelRadiance& radiance, const RelightOptions& options,
                           std::vector<std::string>& warnings, Progress& progress)
 {
@@ -57,11 +59,19 @@ Transport transportOfRoom(const DelitRoom& room, const Texels& texels, const Ray
     const uint64_t key =
         options.transport.empty() ? 0 : keyOfTransport(texels, room.captured.fixtures, rays);
     if (!options.transport.empty())
-        if (auto kept = loadTransport(options.transport, key, texels)) return std::move(*kept);
+        if (auto kept = loadTransport(options.transport, key, texels)) {
+            texels.buried = kept->buried;
+            return std::move(*kept);
+        }
 
+    // Lamps are found on surfels as they were when the light was taken out.
+    std::vector<std::vector<ClippedPatch>> fixtures =
+        surfacesOfFixtures(room, texels, scene, progress);
+    texels.buried = findBuried(texels, scene, progress);
     Transport transport =
         transportOf(texels, castHitLists(texels, scene, radiance, rays, progress), rays);
-    transport.fixtures = surfacesOfFixtures(room, texels, scene, progress);
+    transport.fixtures = std::move(fixtures);
+    transport.buried = texels.buried;
     if (options.transport.empty()) return transport;
     const Progress::Stage stage(progress, "write");
     try {

@@ -22,6 +22,7 @@ struct Transport
     std::vector<uint32_t> target;   // what its rays met, each as likely: an index of radiances
     std::vector<uint32_t> few;      // of lists: so many targets are an even choice of all
     std::vector<std::vector<ClippedPatch>> fixtures; // surface of each captured one
+    std::vector<std::vector<uint8_t>> buried;        // Texels::buried
 
     [[nodiscard]] size_t lists() const { return sides.size(); }
     /// Radiances are those of the lists, then of SkyBins, then nothing.

@@ -121,6 +121,8 @@ bool isSound(const Transport& transport, const Texels& texels)
     for (const auto& fixture : transport.fixtures)
         for (const ClippedPatch& patch : fixture)
             if (patch.surfel != Surfels::kNone && patch.surfel >= surfels) return false;
+    for (size_t p = 0; p < transport.buried.size(); ++p)
+        if (transport.buried[p].size() != texels.pages[p].count()) return false;
     const size_t radiances = transport.radiances();
     return std::all_of(transport.target.begin(), transport.target.end(),
                        [&](uint32_t target) { return target < radiances; });
@@ -171,6 +173,11 @@ std::optional<Transport> loadTransport(const std::filesystem::path& file, uint64
     Transport transport;
     std::vector<uint32_t> sides;
     uint64_t fixtures = 0;
+    uint64_t pages = 0;
+    if (!reader.take(pages) || (pages != 0 && pages != texels.pages.size())) return {};
+    transport.buried.resize(pages);
+    for (auto& page : transport.buried)
+        if (!reader.take(page)) return {};
     if (!reader.take(sides) || !reader.take(transport.first) || !reader.take(transport.target) ||
         !reader.take(transport.few) || !reader.take(fixtures) || fixtures > bytes.size())
         return {};
@@ -190,6 +197,8 @@ void saveTransport(const std::filesystem::path& file, uint64_t key, const Transp
     Writer content;
     std::vector<uint32_t> sides;
     for (const Side side : transport.sides) sides.push_back(side.index);
+    content.add(uint64_t{transport.buried.size()});
+    for (const auto& page : transport.buried) content.add(page);
     content.add(sides);
     content.add(transport.first);
     content.add(transport.target);
