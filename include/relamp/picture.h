@@ -45,12 +45,11 @@ public:
     [[nodiscard]] Camera goodPlaceToTurn() const;
 
     /// What the camera sees where `pages`, a picture a page of the scan, is the light on the walls:
-    /// linear half RGB. Where a hole shows no sky, or a surface its back, that is 0.
+    /// linear half RGB. A hole shows the sky; from inside, the back of a surface is black.
     [[nodiscard]] Image take(std::span<const Image> pages, const Camera& camera,
                              const PictureOptions& options, Progress& progress) const;
 
-    /// The same through the view, for people: sRGB, three bytes a pixel. Holes and backs are dark
-    /// grey, whatever the exposure.
+    /// The same through the view, for people: sRGB, three bytes a pixel.
     [[nodiscard]] std::vector<uint8_t> develop(std::span<const Image> pages, const Camera& camera,
                                                const PictureOptions& options,
                                                Progress& progress) const;

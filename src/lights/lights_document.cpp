@@ -28,9 +28,9 @@ LightsDocument::LightsDocument(std::string name, const std::string& text, const 
 {
     const JsonItem all = top();
     if (const nlohmann::json* found = all.find("format"); found != nullptr && *found != format)
-        all.refuse(fmt::format("its format is {}, this version reads \"{}\"", printable(*found),
-                               format),
-                   "format");
+        all.refuse(
+            fmt::format("its format is {}, this version reads \"{}\"", printable(*found), format),
+            "format");
 }
 
 } // namespace relamp

@@ -87,10 +87,11 @@ struct Photographer::State
 
     [[nodiscard]] std::vector<glm::vec3> look(std::span<const Image> pages, const Camera& camera,
                                               const PictureOptions& options,
-                                              const Surroundings& around, Progress& progress) const
+                                              Progress& progress) const
     {
+        const auto sky = [&](glm::vec3 direction) { return skyRadiance(options.sky, direction); };
         return view.look(CameraRays(camera, {options.width, options.height}), options.samples,
-                         pages, around, progress);
+                         pages, {.beyond = sky, .lamps = seenLamps(options.lamps)}, progress);
     }
 
     std::unique_ptr<OwnRoom> own; // null where a relighter has it
@@ -123,23 +124,14 @@ Camera Photographer::goodPlaceToTurn() const
 Image Photographer::take(std::span<const Image> pages, const Camera& camera,
                          const PictureOptions& options, Progress& progress) const
 {
-    const auto sky = [&](glm::vec3 direction) { return skyRadiance(options.sky, direction); };
-    return imageOf(state_->look(pages, camera, options,
-                                {.beyond = sky, .lamps = seenLamps(options.lamps)}, progress),
-                   {options.width, options.height});
+    return imageOf(state_->look(pages, camera, options, progress), {options.width, options.height});
 }
 
 std::vector<uint8_t> Photographer::develop(std::span<const Image> pages, const Camera& camera,
                                            const PictureOptions& options, Progress& progress) const
 {
     const ViewTransform view(options.view);
-    const glm::vec3 nothing(view.radianceOf(kNothing));
-    const auto beyond = [&](glm::vec3 direction) {
-        return glm::max(skyRadiance(options.sky, direction), nothing);
-    };
-    const Surroundings around{beyond, glm::vec3(view.radianceOf(kBackside)),
-                              seenLamps(options.lamps)};
-    const auto light = state_->look(pages, camera, options, around, progress);
+    const auto light = state_->look(pages, camera, options, progress);
     const SrgbFromHalf srgb;
     std::vector<uint8_t> rgb(3 * light.size());
     forEachChunk(light.size(), 4096, [&](size_t begin, size_t end) {

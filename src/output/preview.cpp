@@ -4,7 +4,6 @@
 #include "base/parallel.h"
 #include "image/transfer.h"
 #include "output/camera_rays.h"
-#include "output/room_view.h"
 #include "scan/surface_point.h"
 
 #include <algorithm>
@@ -22,6 +21,8 @@ constexpr size_t kRow = size_t{kColumns} * kWidth;
 constexpr size_t kShadingColumn = size_t{2} * kWidth; // the last
 constexpr int kSamples = 2;                           // along each side of a pixel
 constexpr int kLongestSide = 2048;                    // of a page in a preview
+constexpr float kNothing = 0.02f;                     // where no surface is seen
+constexpr float kBackside = 0.08f;                    // where one is seen from behind
 
 glm::vec3 rgbAt(const std::vector<uint16_t>& layer, size_t pixel)
 {

@@ -56,7 +56,7 @@ std::vector<glm::vec3> RoomView::look(const CameraRays& camera, int samples,
         if (throughBacks) hit = frontBehind(scene_, ray, hit);
         if (const auto glow = lampBefore(hit, ray, around.lamps)) return *glow;
         if (hit.missed()) return around.beyond(ray.direction);
-        if (!hit.front) return around.back;
+        if (!hit.front) return glm::vec3(0.0f);
         PixelMix mix = pixelsAt(texels_, hit);
         charts_.keepToChart(hit.triangle, mix);
         glm::vec3 sum(0.0f);

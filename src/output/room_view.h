@@ -17,14 +17,10 @@
 namespace relamp
 {
 
-constexpr float kNothing = 0.02f;  // of white, in pictures for people: where no surface is seen
-constexpr float kBackside = 0.08f; // where one is seen from behind
-
 /// What is seen beside the light on the walls, as radiance.
 struct Surroundings
 {
     std::function<glm::vec3(glm::vec3 direction)> beyond; // through holes; required
-    glm::vec3 back{0.0f};                                 // of a surface seen from behind
     std::vector<SeenLamp> lamps;
 };
 
@@ -40,8 +36,9 @@ public:
     /// What a camera sees: linear radiance, row 0 on top, mean of `samples` x `samples` rays
     /// through every pixel. `pages` has the radiance of all texels, a picture a page of the scan.
     ///
-    /// Between texels it is bilinear, and stays in the chart that is seen. From outside the scan's
-    /// box, what turns its back is passed through, as if the room's near walls were taken away.
+    /// Between texels it is bilinear, and stays in the chart that is seen. Backs of surfaces are
+    /// black; from outside the scan's box they are passed through, as if the room's near walls were
+    /// taken away.
     [[nodiscard]] std::vector<glm::vec3> look(const CameraRays& camera, int samples,
                                               std::span<const Image> pages,
                                               const Surroundings& around, Progress& progress) const;

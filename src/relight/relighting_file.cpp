@@ -128,10 +128,10 @@ void RelightingReader::readLight(const JsonItem& item)
 {
     // What delight writes of a fixture: the fixture itself is what shines.
     if (item.has("fixture")) return;
-    item.warnOfUnknown({"type",     "position",   "direction", "normal",  "along", "size",
-                        "radius",   "cone",       "blend",     "angle",   "ies",   "intensity",
-                        "radiance", "irradiance", "lumens",    "candela", "nits",  "lux",
-                        "kelvin",   "colour",     "on",        "dim",     "name"},
+    item.warnOfUnknown({"type",     "position",   "direction", "normal", "along",   "size",
+                        "radius",   "cone",       "blend",     "angle",  "ies",     "intensity",
+                        "radiance", "irradiance", "lumens",    "watts",  "candela", "nits",
+                        "lux",      "kelvin",     "colour",    "on",     "dim",     "name"},
                        warnings_);
     NewLight light;
     light.type = typeOf(item);
@@ -154,7 +154,7 @@ void RelightingReader::readLight(const JsonItem& item)
 void RelightingReader::readFixture(const JsonItem& item)
 {
     item.warnOfUnknown({"id", "centre", "normal", "area", "radiance", "power", "error", "on", "dim",
-                        "lumens", "kelvin", "colour", "window", "name"},
+                        "lumens", "watts", "kelvin", "colour", "window", "name"},
                        warnings_);
     LitFixture lit;
     size_t place = captured_.fixtures.size();
