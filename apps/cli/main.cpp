@@ -52,6 +52,7 @@ int main(int argc, char** argv)
                "  relamp info kitchen.glb\n"
                "  relamp delight kitchen.glb -o kitchen\n"
                "  relamp relight kitchen --fixture all=on --bake -o baked.glb\n"
+               "  relamp relight kitchen --lights lamp.json -o lamp.png\n"
                "  relamp verify kitchen\n"
                "relamp COMMAND --help tells more.");
     Run run;

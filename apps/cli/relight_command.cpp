@@ -1,14 +1,19 @@
 #include "command.h"
 #include "interrupt.h"
+#include "picture_arguments.h"
 #include "scan_arguments.h"
 #include "terminal.h"
 
+#include "relamp/film.h"
 #include "relamp/relight.h"
 #include "relamp/threads.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +27,7 @@ struct RelightArguments
     ScanArguments room; // a folder of delight's, or a scan whose texture is an albedo
     relamp::DelitOptions delit;
     relamp::RelightOptions options;
-    relamp::ViewOptions view;
+    PictureArguments picture;
     std::filesystem::path lights;
     std::vector<std::string> fixtures;
     std::filesystem::path output;
@@ -42,6 +47,85 @@ relamp::Relighting lightingOf(const RelightArguments& arguments, const relamp::L
     return lighting;
 }
 
+/// What is asked for beside light, found before anything takes long.
+struct Wish
+{
+    std::optional<relamp::Camera> camera; // none: the photographer chooses
+    std::optional<relamp::Timeline> timeline;
+};
+
+Wish wishOf(const RelightArguments& arguments, const relamp::DelitRoom& room,
+            std::vector<std::string>& notes)
+{
+    Wish wish;
+    const PictureArguments& picture = arguments.picture;
+    if (picture.camera != "auto") wish.camera = relamp::cameraFor(picture.camera, room.scan, notes);
+    if (!picture.timeline.empty()) wish.timeline.emplace(picture.timeline, room.captured, notes);
+    return wish;
+}
+
+relamp::Film filmOf(const PictureArguments& picture, const Wish& wish)
+{
+    relamp::Film film{.picture = picture.options, .framesPerSecond = picture.framesPerSecond};
+    film.turns = picture.turntable > 0;
+    film.frames = picture.turntable;
+    if (wish.timeline) film.timeline = &*wish.timeline;
+    if (wish.timeline && !film.turns)
+        film.frames = std::clamp(
+            static_cast<int>(std::lround(wish.timeline->seconds() * film.framesPerSecond)), 1,
+            9999);
+    return film;
+}
+
+/// The room as it was scanned, or as it is without light.
+void writeUnlit(const RelightArguments& arguments, const relamp::DelitRoom& room, const Wish& wish,
+                relamp::Progress& progress)
+{
+    std::vector<relamp::Image> scanned;
+    if (arguments.picture.show == Show::scan)
+        for (const relamp::Page& page : room.scan.pages) scanned.push_back(page.image);
+    const relamp::Photographer photographer(room, progress);
+    photographer.write(scanned.empty() ? room.albedo : scanned,
+                       wish.camera ? *wish.camera : photographer.goodView(),
+                       arguments.picture.options, arguments.output, progress);
+}
+
+void writeRelit(const RelightArguments& arguments, relamp::Relighter& relighter,
+                const relamp::Relighting& lighting, const Wish& wish, relamp::Progress& progress)
+{
+    if (arguments.bake)
+        return relamp::writeBaked(relighter, arguments.output, arguments.picture.options.view,
+                                  progress);
+    const relamp::Photographer photographer(relighter);
+    relamp::Film film = filmOf(arguments.picture, wish);
+    film.camera = wish.camera  ? *wish.camera
+                  : film.turns ? photographer.goodPlaceToTurn()
+                               : photographer.goodView();
+    film.picture.sky = lighting.sky;
+    film.picture.lamps = lighting.lights;
+    if (arguments.picture.isFilm())
+        relamp::writeFilm(relighter, photographer, film, arguments.output, progress);
+    else
+        photographer.write(relamp::radianceOfPages(relighter, progress), film.camera, film.picture,
+                           arguments.output, progress);
+}
+
+/// What took light, and what of it or of the room is doubtful.
+void write(RelightArguments& arguments, const relamp::DelitRoom& room,
+           std::vector<std::string>& notes, relamp::Progress& progress)
+{
+    const Wish wish = wishOf(arguments, room, notes);
+    if (arguments.picture.show != Show::relit) return writeUnlit(arguments, room, wish, progress);
+    if (arguments.picture.isFilm())
+        relamp::checkFilm(filmOf(arguments.picture, wish), arguments.output);
+    const relamp::Relighting lighting = lightingOf(arguments, room.captured, notes);
+    if (!arguments.keepNothing) arguments.options.transport = room.transport;
+    relamp::Relighter relighter(room, arguments.options, progress);
+    relighter.light(lighting, progress);
+    writeRelit(arguments, relighter, lighting, wish, progress);
+    notes.insert(notes.end(), relighter.warnings().begin(), relighter.warnings().end());
+}
+
 int run(RelightArguments& arguments)
 {
     const Talk talk = arguments.quiet ? Talk::quiet : Talk::normal;
@@ -54,20 +138,34 @@ int run(RelightArguments& arguments)
     const relamp::DelitRoom room =
         relamp::readDelitRoom(arguments.room.file, arguments.delit, progress);
     std::vector<std::string> notes = room.warnings;
-    const relamp::Relighting lighting = lightingOf(arguments, room.captured, notes);
-    if (!arguments.keepNothing) arguments.options.transport = room.transport;
-    relamp::Relighter relighter(room, arguments.options, progress);
-    relighter.light(lighting, progress);
-    relamp::writeBaked(relighter, arguments.output, arguments.view, progress);
+    write(arguments, room, notes, progress);
 
     endProgressDisplay(talk);
-    notes.insert(notes.end(), relighter.warnings().begin(), relighter.warnings().end());
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (talk == Talk::quiet) return 0;
     fmt::print("{}: {} in {:.1f} s\n", arguments.room.file.string(), arguments.output.string(),
                elapsed.count());
     for (const std::string& note : notes) printProblem("note: " + note);
     return 0;
+}
+
+/// What stands against writing `output`, or nothing; it is a matter of its name.
+std::string complaintOfOutput(const RelightArguments& arguments)
+{
+    const std::string ending = arguments.output.extension().string();
+    const bool isPicture = ending == ".png" || ending == ".exr";
+    const PictureArguments& picture = arguments.picture;
+    if (arguments.bake && (picture.isFilm() || picture.show != Show::relit))
+        return "--bake goes with one light, neither with films nor with --show";
+    if (arguments.bake && ending != ".exr" && ending != ".glb")
+        return "with --bake, the name after -o must end in .exr or .glb";
+    if (picture.isFilm() && picture.show != Show::relit) return "--show goes with single pictures";
+    if (picture.isFilm() && (isPicture || ending == ".glb"))
+        return "a film is a folder of pictures or ends in .mp4; name one with -o";
+    if (!arguments.bake && !picture.isFilm() && !isPicture)
+        return "the name after -o must end in .png or .exr; or add --bake, --turntable or "
+               "--timeline";
+    return "";
 }
 
 void addSolverOptions(CLI::App& command, relamp::RelightOptions& options)
@@ -131,22 +229,25 @@ void addRelightCommand(CLI::App& app, Run& run)
                                             "texture is an albedo");
     command
         .add_option("-o,--output", arguments->output,
-                    "With --bake: radiance.exr, one a page, or a model, baked.glb")
+                    "A picture, .png or .exr; of films a folder, or .mp4; with --bake "
+                    "radiance.exr, one a page, or a model, baked.glb")
         ->required()
         ->type_name("FILE");
-    command.add_flag("--bake", arguments->bake, "Bake the light into textures")->required();
+    command.add_flag("--bake", arguments->bake, "Bake the light into textures");
     addLightOptions(command, *arguments);
-    command
-        .add_option("--exposure", arguments->view.exposure,
-                    "Stops that a baked model is brighter than the light [0]")
-        ->check(between(-32.0, 32.0))
-        ->type_name("EV");
+    addPictureArguments(command, arguments->picture);
     addSolverOptions(command, arguments->options);
     command.add_flag("--no-transport", arguments->keepNothing,
                      "Neither read nor write DIR/transport.bin");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
     command.footer("Examples:\n"
+                   "  relamp relight kitchen --lights lamp.json -o frame.png --view agx\n"
+                   "  relamp relight kitchen --timeline day.json -o day.mp4\n"
                    "  relamp relight kitchen --lights lamp.json --bake -o radiance.exr\n"
                    "  relamp relight kitchen --fixture all=on --fixture 2=off --bake -o baked.glb");
-    command.callback([arguments, &run] { run = [arguments] { return ::run(*arguments); }; });
+    command.callback([arguments, &run] {
+        const std::string complaint = complaintOfOutput(*arguments);
+        if (!complaint.empty()) throw CLI::ValidationError("--output", complaint);
+        run = [arguments] { return ::run(*arguments); };
+    });
 }

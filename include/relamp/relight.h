@@ -45,7 +45,8 @@ enum class LightType {
     sun // from far away
 };
 
-/// A light that somebody puts up. It is not seen itself, and nothing is lit by it from behind.
+/// A light that somebody puts up. In pictures it is seen if it has a surface; in textures it is
+/// not, and nothing is lit by it from behind.
 struct NewLight
 {
     LightType type = LightType::point;

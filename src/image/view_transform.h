@@ -18,10 +18,6 @@ public:
     /// Linear 0..1, what the screen shows, of linear radiance >= 0.
     [[nodiscard]] glm::vec3 displayed(glm::vec3 radiance) const;
 
-    /// Radiance that is shown as about this much of white, for what stays as it is whatever the
-    /// exposure.
-    [[nodiscard]] float radianceOf(float displayed) const { return displayed / scale_; }
-
 private:
     View view_;
     float scale_; // of radiance

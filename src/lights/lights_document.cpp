@@ -19,17 +19,17 @@ std::string textOf(const std::filesystem::path& file)
 
 } // namespace
 
-LightsDocument::LightsDocument(const std::filesystem::path& file)
-    : LightsDocument(file.string(), textOf(file))
+LightsDocument::LightsDocument(const std::filesystem::path& file, const char* format)
+    : LightsDocument(file.string(), textOf(file), format)
 {}
 
-LightsDocument::LightsDocument(std::string name, const std::string& text)
+LightsDocument::LightsDocument(std::string name, const std::string& text, const char* format)
     : name_(std::move(name)), document_(parseJson(text, name_)), lines_(text)
 {
     const JsonItem all = top();
-    if (const nlohmann::json* format = all.find("format"); format != nullptr && *format != kFormat)
+    if (const nlohmann::json* found = all.find("format"); found != nullptr && *found != format)
         all.refuse(
-            fmt::format("its format is {}, this version reads \"{}\"", printable(*format), kFormat),
+            fmt::format("its format is {}, this version reads \"{}\"", printable(*found), format),
             "format");
 }
 

@@ -17,12 +17,12 @@ public:
     static constexpr const char* kFormat = "relamp lights 1";
 
     /// Throws Error(cannotRead | malformed).
-    explicit LightsDocument(const std::filesystem::path& file);
+    explicit LightsDocument(const std::filesystem::path& file, const char* format = kFormat);
 
     [[nodiscard]] JsonItem top() const { return {document_, name_, lines_, ""}; }
 
 private:
-    LightsDocument(std::string name, const std::string& text);
+    LightsDocument(std::string name, const std::string& text, const char* format);
 
     std::string name_;
     nlohmann::json document_;

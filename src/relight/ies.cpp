@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <string_view>
 
@@ -21,6 +20,7 @@ namespace
 constexpr size_t kLargestFile = size_t{16} << 20;
 constexpr size_t kMostAngles = 10000;                    // of a kind; a fine measurement has 361
 constexpr double kLargestCandela = 1e12;                 // a lighthouse has 1e7
+constexpr double kSmallestStep = 1e-3;                   // degrees, from an angle to the next
 constexpr double kAngleTolerance = 0.01;                 // degrees; files round
 constexpr std::string_view kBlanks = " \t\r\n,\f\v\x1a"; // and the end of file of old systems
 
@@ -181,7 +181,8 @@ std::vector<double> anglesFrom(Numbers& numbers, size_t count, double highest, c
     std::vector<double> angles(count);
     for (double& angle : angles)
         angle = numbers.nextBetween(-kAngleTolerance, highest + kAngleTolerance, what);
-    if (std::adjacent_find(angles.begin(), angles.end(), std::greater_equal<>()) != angles.end())
+    const auto isNoStep = [](double a, double b) { return b - a < kSmallestStep; };
+    if (std::adjacent_find(angles.begin(), angles.end(), isNoStep) != angles.end())
         malformed(name, fmt::format("line {}: the list of which {} is one must ascend",
                                     numbers.line(), what));
     return angles;
@@ -232,6 +233,7 @@ Turn fullTurn(const std::vector<double>& horizontals)
 /// Integral of a linear function of the angle, a at t0 and b at t1, times its sine.
 double zone(double t0, double t1, double a, double b)
 {
+    if (t1 <= t0) return 0.0; // rounded to the same
     const double slope = (b - a) / (t1 - t0);
     return a * std::cos(t0) - b * std::cos(t1) + slope * (std::sin(t1) - std::sin(t0));
 }

@@ -72,6 +72,10 @@ EmissionWish emissionWishOf(const JsonItem& item)
         wish.colour = colour / brightness;
     }
     if (item.has("lumens")) wish.lumens = item.size("lumens");
+    if (item.has("watts")) {
+        if (wish.lumens) item.refuse("\"watts\" and \"lumens\" say the same; name one", "watts");
+        wish.lumens = kLumensPerWatt * item.size("watts");
+    }
     return wish;
 }
 
@@ -93,10 +97,11 @@ glm::vec3 emissionOf(const JsonItem& item, const NewLight& light, const Photomet
     const Units units = unitsOf(light.type);
     const bool isPhotometric = item.has(units.photometric);
     const int given = static_cast<int>(item.has(units.rgb)) + static_cast<int>(isPhotometric) +
-                      static_cast<int>(units.lumens && item.has("lumens"));
+                      static_cast<int>(units.lumens && (item.has("lumens") || item.has("watts")));
     const std::string choices =
-        units.lumens ? fmt::format("\"{}\", \"{}\" or \"lumens\"", units.rgb, units.photometric)
-                     : fmt::format("\"{}\" or \"{}\"", units.rgb, units.photometric);
+        units.lumens
+            ? fmt::format("\"{}\", \"{}\", \"lumens\" or \"watts\"", units.rgb, units.photometric)
+            : fmt::format("\"{}\" or \"{}\"", units.rgb, units.photometric);
     if (given > 1) item.refuse(fmt::format("has more than one of {}", choices));
     if (given == 0 && !light.profile) item.refuse(fmt::format("needs {}", choices));
     if (item.has(units.rgb)) return item.lightAt(units.rgb);

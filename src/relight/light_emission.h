@@ -22,11 +22,11 @@ struct EmissionWish
     [[nodiscard]] glm::vec3 colourOr(glm::vec3 otherwise, const PhotometricWhite& white) const;
 };
 
-/// Reads "kelvin", "colour" and "lumens".
+/// Reads "kelvin", "colour", and "lumens" or "watts" (of light, not of electricity).
 EmissionWish emissionWishOf(const JsonItem& item);
 
 /// Emission of a light whose shape is known, from the one of "intensity", "radiance", "irradiance",
-/// "lumens", "candela", "nits" and "lux" that fits its type and stands there.
+/// "lumens", "watts", "candela", "nits" and "lux" that fits its type and stands there.
 glm::vec3 emissionOf(const JsonItem& item, const NewLight& light, const PhotometricWhite& white);
 
 /// Solid angle, sr, over which a spot of these angles sends as much as if it did not fade out.

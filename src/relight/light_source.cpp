@@ -22,20 +22,6 @@ constexpr float kOffFixture = 0.015f;   // m; a lamp's surface is as uneven as a
 constexpr int kPatchesAcross = 8;       // of a rectangle; a disc has as many in all
 constexpr int kPatchesOfFixture = 32;
 
-/// Columns: along, across, direction.
-glm::mat3 frameOf(const NewLight& light)
-{
-    const glm::vec3 axis = glm::normalize(light.direction);
-    glm::vec3 along = light.along - glm::dot(light.along, axis) * axis;
-    if (glm::length(along) < 1e-4f) { // level, if it can be
-        const glm::vec3 up =
-            std::abs(axis.y) < 0.999f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(0.0f, 0.0f, 1.0f);
-        along = glm::cross(up, axis);
-    }
-    along = glm::normalize(along);
-    return {along, glm::cross(axis, along), axis};
-}
-
 ClippedPatch patchAt(glm::vec3 position, glm::vec3 normal, float area)
 {
     return {position, normal, area, Surfels::kNone};
@@ -99,6 +85,19 @@ void facingKernel(const FacingArgs& args)
 }
 
 } // namespace
+
+glm::mat3 frameOf(const NewLight& light)
+{
+    const glm::vec3 axis = glm::normalize(light.direction);
+    glm::vec3 along = light.along - glm::dot(light.along, axis) * axis;
+    if (glm::length(along) < 1e-4f) { // level, if it can be
+        const glm::vec3 up =
+            std::abs(axis.y) < 0.999f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(0.0f, 0.0f, 1.0f);
+        along = glm::cross(up, axis);
+    }
+    along = glm::normalize(along);
+    return {along, glm::cross(axis, along), axis};
+}
 
 float LightProfile::at(float verticalAngle, float horizontalAngle) const
 {

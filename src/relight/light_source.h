@@ -15,6 +15,9 @@
 namespace relamp
 {
 
+/// How a light stands. Columns: along, across, direction.
+glm::mat3 frameOf(const NewLight& light);
+
 /// One way to a light: where to look, and what comes from there if nothing is in the way.
 struct Look
 {

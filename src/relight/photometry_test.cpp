@@ -1,5 +1,8 @@
 #include "relight/photometry.h"
 
+#include "relamp/error.h"
+#include "relight/light_emission.h"
+
 #include <glm/gtc/constants.hpp>
 #include <glm/vec2.hpp>
 #include <gmock/gmock.h>
@@ -38,6 +41,22 @@ TEST(Photometry, LumensDoNotDependOnTheColour)
             intensityFromLumens(800.0f, kSphere, blackbodyColour(kelvin), kNits);
         EXPECT_NEAR(luminanceOf(intensity), 63.66f, 0.01f) << kelvin;
     }
+}
+
+// A lights file says the same in every unit: 683 lm are a watt of light, and 4 pi of them a
+// candela.
+TEST(Photometry, UnitsOfALightsFileAgree)
+{
+    const JsonLines lines("{}");
+    const auto luminance = [&](const nlohmann::json& light) {
+        const JsonItem item{light, "lamp.json: light 0", lines, ""};
+        return luminanceOf(emissionOf(item, NewLight{}, kNits));
+    };
+    EXPECT_NEAR(luminance({{"watts", 10}}), 6830.0f / kSphere, 0.01f);
+    EXPECT_NEAR(luminance({{"lumens", 6830}, {"kelvin", 2700}}), 6830.0f / kSphere, 0.01f);
+    EXPECT_NEAR(luminance({{"candela", 543.5}}), 543.5f, 0.01f);
+    EXPECT_NEAR(luminance({{"intensity", {2, 2, 2}}}), 2.0f, 1e-5f);
+    EXPECT_THROW(luminance({{"watts", 1}, {"lumens", 1}}), Error);
 }
 
 // A matte panel of A m^2 and luminance L sends pi L A lumens.

@@ -1,3 +1,4 @@
+#include "relight/relighting_file.h"
 #include "base/fail.h"
 #include "lights/lights_document.h"
 #include "relamp/relight.h"
@@ -24,12 +25,12 @@ constexpr float kPerDegree = kPi / 180.0f;
 class RelightingReader
 {
 public:
-    RelightingReader(const std::filesystem::path& file, const Lights& captured,
+    RelightingReader(std::filesystem::path folder, const Lights& captured,
                      std::vector<std::string>& warnings)
-        : file_(file), captured_(captured), warnings_(warnings), document_(file)
+        : folder_(std::move(folder)), captured_(captured), warnings_(warnings)
     {}
 
-    Relighting read();
+    Relighting read(const JsonItem& top);
 
 private:
     void readWhite(const JsonItem& top);
@@ -40,10 +41,9 @@ private:
     void readShape(const JsonItem& item, NewLight& light) const;
     [[nodiscard]] std::filesystem::path besideFile(const JsonItem& item, const char* key) const;
 
-    std::filesystem::path file_;
+    std::filesystem::path folder_; // in which the files lie that are named
     const Lights& captured_;
     std::vector<std::string>& warnings_;
-    LightsDocument document_;
     PhotometricWhite white_;
     Relighting lighting_;
 };
@@ -121,17 +121,17 @@ void RelightingReader::readShape(const JsonItem& item, NewLight& light) const
 
 std::filesystem::path RelightingReader::besideFile(const JsonItem& item, const char* key) const
 {
-    return file_.parent_path() / item.text(key, "");
+    return folder_ / item.text(key, "");
 }
 
 void RelightingReader::readLight(const JsonItem& item)
 {
     // What delight writes of a fixture: the fixture itself is what shines.
     if (item.has("fixture")) return;
-    item.warnOfUnknown({"type",     "position",   "direction", "normal",  "along", "size",
-                        "radius",   "cone",       "blend",     "angle",   "ies",   "intensity",
-                        "radiance", "irradiance", "lumens",    "candela", "nits",  "lux",
-                        "kelvin",   "colour",     "on",        "dim",     "name"},
+    item.warnOfUnknown({"type",     "position",   "direction", "normal", "along",   "size",
+                        "radius",   "cone",       "blend",     "angle",  "ies",     "intensity",
+                        "radiance", "irradiance", "lumens",    "watts",  "candela", "nits",
+                        "lux",      "kelvin",     "colour",    "on",     "dim",     "name"},
                        warnings_);
     NewLight light;
     light.type = typeOf(item);
@@ -154,7 +154,7 @@ void RelightingReader::readLight(const JsonItem& item)
 void RelightingReader::readFixture(const JsonItem& item)
 {
     item.warnOfUnknown({"id", "centre", "normal", "area", "radiance", "power", "error", "on", "dim",
-                        "lumens", "kelvin", "colour", "window", "name"},
+                        "lumens", "watts", "kelvin", "colour", "window", "name"},
                        warnings_);
     LitFixture lit;
     size_t place = captured_.fixtures.size();
@@ -208,7 +208,7 @@ void RelightingReader::readSky(const JsonItem& top)
     const json* object = top.find("sky");
     if (object == nullptr) return;
     if (!object->is_object()) top.refuse("\"sky\" must be an object in { }", "sky");
-    const JsonItem item{*object, top.what + ": sky", top.lines, "/sky"};
+    const JsonItem item{*object, top.what + ": sky", top.lines, top.path + "/sky"};
     item.warnOfUnknown({"radiance", "nits", "kelvin", "colour", "environment", "turn"}, warnings_);
     Sky& sky = lighting_.sky;
     const EmissionWish wish = emissionWishOf(item);
@@ -227,15 +227,14 @@ void RelightingReader::readWhite(const JsonItem& top)
     const json* object = top.find("white");
     if (object == nullptr) return;
     if (!object->is_object()) top.refuse("\"white\" must be an object in { }", "white");
-    const JsonItem item{*object, top.what + ": white", top.lines, "/white"};
+    const JsonItem item{*object, top.what + ": white", top.lines, top.path + "/white"};
     item.warnOfUnknown({"nits", "kelvin"}, warnings_);
     if (item.has("nits")) white_.luminance = positive(item, "nits");
     if (const EmissionWish wish = emissionWishOf(item); wish.kelvin) white_.kelvin = *wish.kelvin;
 }
 
-Relighting RelightingReader::read()
+Relighting RelightingReader::read(const JsonItem& top)
 {
-    const JsonItem top = document_.top();
     top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient", "sky", "white"},
                       warnings_);
     lighting_ = darkened(captured_);
@@ -248,10 +247,17 @@ Relighting RelightingReader::read()
 
 } // namespace
 
+Relighting relightingFrom(const JsonItem& top, const std::filesystem::path& folder,
+                          const Lights& captured, std::vector<std::string>& warnings)
+{
+    return RelightingReader(folder, captured, warnings).read(top);
+}
+
 Relighting readRelighting(const std::filesystem::path& file, const Lights& captured,
                           std::vector<std::string>& warnings)
 {
-    return RelightingReader(file, captured, warnings).read();
+    const LightsDocument document(file);
+    return relightingFrom(document.top(), file.parent_path(), captured, warnings);
 }
 
 } // namespace relamp
