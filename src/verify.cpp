@@ -2,6 +2,7 @@
 
 #include "albedo/closed_loop.h"
 #include "output/result_folder.h"
+#include "shading/buried.h"
 #include "solve/by_pathtrace.h"
 #include "solve/found_room.h"
 
@@ -19,7 +20,8 @@ Verification verify(const std::filesystem::path& folder, const VerifyOptions& op
     asThen.lights = readLights(folder / "lights.json", result.warnings);
 
     const RayScene scene(scan);
-    const Texels texels = rasterizeAtlas(scan, progress, surfelsOf(run.gather.quality));
+    Texels texels = rasterizeAtlas(scan, progress, surfelsOf(run.gather.quality));
+    texels.buried = findBuried(texels, scene, progress);
     const FoundRoom found = findRoom(texels, scene, asThen, progress);
     const TracedRoom room = tracedRoomOf(texels, found, meanAlbedo(texels, found.radiance, albedo));
     const auto places =

@@ -1,7 +1,7 @@
 #include "relight/by_radiosity.h"
 
 #include "base/parallel.h"
-#include "relight/buried.h"
+#include "shading/buried.h"
 #include "shading/gathered_light.h"
 #include "shading/lit_sides.h"
 
@@ -39,38 +39,14 @@ void darkenBuried(const Texels& texels, size_t page, size_t begin, size_t count,
                 if (buried[i] != 0) channel[i] = 0.0f;
 }
 
-/// Nothing arrives under a wardrobe; what is interpolated beside it must not hear of that: such
-/// surfels get the mean of the open ones around.
-std::vector<glm::vec3> withoutBuried(const Surfels& surfels, std::span<const glm::vec3> irradiance,
-                                     std::span<const uint8_t> isOpen)
-{
-    std::vector<glm::vec3> open(irradiance.begin(), irradiance.end());
-    forEachChunk(open.size(), 1024, [&](size_t begin, size_t end) {
-        for (size_t s = begin; s < end; ++s) {
-            if (isOpen[s] != 0) continue;
-            glm::vec3 sum(0.0f);
-            float count = 0.0f;
-            for (const uint32_t n : surfels.neighborsOf(s)) {
-                if (isOpen[n] == 0) continue;
-                sum += irradiance[n];
-                count += 1.0f;
-            }
-            if (count > 0.0f) open[s] = sum / count;
-        }
-    });
-    return open;
-}
-
 } // namespace
 
 RadiosityLight::RadiosityLight(const Texels& texels, const RayScene& scene,
                                const Transport& transport,
                                std::span<const std::vector<uint8_t>> isClipped, size_t shadowRays)
     : texels_(texels), scene_(scene), transport_(transport), isClipped_(isClipped),
-      shadowRays_(shadowRays), isOpen_(buriedSurfels(texels))
-{
-    for (uint8_t& isOpen : isOpen_) isOpen = isOpen == 0 ? 1 : 0;
-}
+      shadowRays_(shadowRays), isBuried_(buriedSurfels(texels))
+{}
 
 void RadiosityLight::findShadows(const ActiveLights& active, Progress& progress)
 {
@@ -117,7 +93,7 @@ void RadiosityLight::set(const ActiveLights& active, std::span<const glm::vec3> 
     }
     const Bounced bounced = bounce(transport_, albedo, direct, active.sky);
     indirect_ = std::make_shared<const std::vector<glm::vec3>>(
-        withoutNoise(texels_.surfels, withoutBuried(texels_.surfels, bounced.irradiance, isOpen_),
+        withoutNoise(texels_.surfels, withoutBuried(texels_.surfels, bounced.irradiance, isBuried_),
                      bounced.noise));
 }
 

@@ -1,7 +1,7 @@
 #include "relight/room_albedo.h"
 
 #include "albedo/fill.h"
-#include "relight/buried.h"
+#include "shading/buried.h"
 
 #include <glm/common.hpp>
 

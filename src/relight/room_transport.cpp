@@ -2,8 +2,8 @@
 
 #include "fit/given_lamps.h"
 #include "relamp/error.h"
-#include "relight/buried.h"
 #include "relight/transport_file.h"
+#include "shading/buried.h"
 #include "shading/hit_lists.h"
 #include "solve/found_room.h"
 
@@ -64,10 +64,9 @@ Transport transportOfRoom(const DelitRoom& room, Texels& texels, const RayScene&
             return std::move(*kept);
         }
 
-    // Lamps are found on surfels as they were when the light was taken out.
+    texels.buried = findBuried(texels, scene, progress);
     std::vector<std::vector<ClippedPatch>> fixtures =
         surfacesOfFixtures(room, texels, scene, progress);
-    texels.buried = findBuried(texels, scene, progress);
     Transport transport =
         transportOf(texels, castHitLists(texels, scene, radiance, rays, progress));
     transport.fixtures = std::move(fixtures);

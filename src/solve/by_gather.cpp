@@ -1,6 +1,7 @@
 #include "solve/by_gather.h"
 
 #include "albedo/gather_closure.h"
+#include "shading/buried.h"
 #include "shading/gathered_light.h"
 #include "solve/found_room.h"
 
@@ -47,9 +48,11 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     const LitSides sides = litSidesOf(texels, scene, room);
     const glm::vec3 ambient = room.found.ambient;
     solution.closure = closeLoop(room.hits, room.radiance, sides, ambient);
-    solution.shade = shadingOf(
-        texels, lightOf(texels, scene, room.found,
-                        indirectOfFronts(texels.surfels, room.hits, sides, ambient), room.options));
+    std::vector<glm::vec3> indirect =
+        withoutBuried(texels.surfels, indirectOfFronts(texels.surfels, room.hits, sides, ambient),
+                      buriedSurfels(texels));
+    solution.shade =
+        shadingOf(texels, lightOf(texels, scene, room.found, std::move(indirect), room.options));
     if (options.albedo.fill) solution.fill = fillOf(texels.surfels, room.radiance, sides.albedo);
     solution.lights = lightsOf(room.found);
     solution.merged = solution.lights.points;

@@ -5,7 +5,10 @@
 #include "scan/texels.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 namespace relamp
 {
@@ -21,5 +24,11 @@ std::vector<std::vector<uint8_t>> findBuried(const Texels& texels, const RayScen
 
 /// Surfels all of whose texels are buried: not 0.
 std::vector<uint8_t> buriedSurfels(const Texels& texels);
+
+/// Irradiance of surfels as what lies between them may be interpolated: nothing arrives under a
+/// wardrobe, and what is beside it must not hear of that, so buried surfels get the mean of the
+/// open ones around.
+std::vector<glm::vec3> withoutBuried(const Surfels& surfels, std::span<const glm::vec3> irradiance,
+                                     std::span<const uint8_t> isBuried);
 
 } // namespace relamp

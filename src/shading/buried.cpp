@@ -1,4 +1,4 @@
-#include "relight/buried.h"
+#include "shading/buried.h"
 
 #include "base/parallel.h"
 #include "shading/hit_lists.h"
@@ -90,6 +90,26 @@ std::vector<uint8_t> buriedSurfels(const Texels& texels)
                 if (texels.buried[p][i] == 0) isBuried[page.runs[run].surfel] = 0;
     }
     return isBuried;
+}
+
+std::vector<glm::vec3> withoutBuried(const Surfels& surfels, std::span<const glm::vec3> irradiance,
+                                     std::span<const uint8_t> isBuried)
+{
+    std::vector<glm::vec3> open(irradiance.begin(), irradiance.end());
+    forEachChunk(open.size(), 1024, [&](size_t begin, size_t end) {
+        for (size_t s = begin; s < end; ++s) {
+            if (isBuried[s] == 0) continue;
+            glm::vec3 sum(0.0f);
+            float count = 0.0f;
+            for (const uint32_t n : surfels.neighborsOf(s)) {
+                if (isBuried[n] != 0) continue;
+                sum += irradiance[n];
+                count += 1.0f;
+            }
+            if (count > 0.0f) open[s] = sum / count;
+        }
+    });
+    return open;
 }
 
 } // namespace relamp
