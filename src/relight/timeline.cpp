@@ -89,12 +89,13 @@ json Blend::ofObjects(const json& a, const json& b, const std::string& path) con
     for (const std::string& key : keys) {
         const auto inA = a.find(key);
         const auto inB = b.find(key);
+        const std::string below = fmt::format("{}/{}", path, key);
         if (inA != a.end() && inB != b.end())
-            object[key] = of(*inA, *inB, path + "/" + key);
+            object[key] = of(*inA, *inB, below);
         else if (key == "dim") // 1 where it is not said
-            object[key] = of(a.value(key, json(1.0)), b.value(key, json(1.0)), path + "/" + key);
+            object[key] = of(a.value(key, json(1.0)), b.value(key, json(1.0)), below);
         else if (key != "on") // true where it is not said
-            refuse(path + "/" + key, fmt::format("is in one of this and {} alone", to_.what));
+            refuse(below, fmt::format("is in one of this and {} alone", to_.what));
         else if (const auto& holder = share_ < 1.0 ? a : b; holder.contains(key))
             object[key] = holder[key];
     }
