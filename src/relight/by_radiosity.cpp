@@ -109,18 +109,16 @@ void RadiosityLight::set(const ActiveLights& active, std::span<const glm::vec3> 
 {
     findShadows(active, progress);
     const Progress::Stage stage(progress, "bounces");
-    std::vector<glm::vec3> direct(transport_.lists(), glm::vec3(0.0f));
+    std::vector<glm::vec3> direct(transport_.sides.size(), glm::vec3(0.0f));
     emissions_.clear();
     for (size_t l = 0; l < lights_.size(); ++l) {
         emissions_.push_back(active.lights[l].emission);
         addDirect(lights_[l]->onSides, emissions_[l], direct);
     }
     const Bounced bounced = bounce(transport_, albedo, direct, active.sky);
-    const size_t surfels = texels_.surfels.count();
-    const std::vector<glm::vec3> open =
-        withoutBuried(texels_.surfels, std::span(bounced.irradiance).first(surfels), isOpen_);
     indirect_ = std::make_shared<const std::vector<glm::vec3>>(
-        withoutNoise(texels_.surfels, open, std::span(bounced.noise).first(surfels)));
+        withoutNoise(texels_.surfels, withoutBuried(texels_.surfels, bounced.irradiance, isOpen_),
+                     bounced.noise));
 }
 
 TexelShading RadiosityLight::shading() const

@@ -22,7 +22,7 @@ namespace relamp
 struct ShadowedLight
 {
     ActiveLight light;
-    std::vector<AreaSample> onSides; // one a list of the transport
+    std::vector<AreaSample> onSides; // one a side of the transport
     Shadows shadows;
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "relight/transport.h"
-#include "scan/surfels.h"
 
 #include <span>
 #include <vector>
@@ -14,7 +13,7 @@ namespace relamp
 /// Light that comes by way of surfaces and from the sky.
 struct Bounced
 {
-    std::vector<glm::vec3> irradiance; // one a list
+    std::vector<glm::vec3> irradiance; // on fronts of surfels
     std::vector<float> noise;          // standard error of its luminance
     int bounces = 0;                   // that were followed; the rest is the sum of their series
 };
@@ -23,7 +22,7 @@ struct Bounced
 /// until what is left is less than can be seen.
 ///
 /// `albedo` is one a surfel, both sides of it, 0..1; `direct` irradiance straight from lights, one
-/// a list; `sky` the radiance of SkyBins.
+/// a side of the transport; `sky` the radiance of SkyBins.
 Bounced bounce(const Transport& transport, std::span<const glm::vec3> albedo,
                std::span<const glm::vec3> direct, std::span<const glm::vec3> sky);
 

@@ -69,7 +69,7 @@ Transport transportOfRoom(const DelitRoom& room, Texels& texels, const RayScene&
         surfacesOfFixtures(room, texels, scene, progress);
     texels.buried = findBuried(texels, scene, progress);
     Transport transport =
-        transportOf(texels, castHitLists(texels, scene, radiance, rays, progress), rays);
+        transportOf(texels, castHitLists(texels, scene, radiance, rays, progress));
     transport.fixtures = std::move(fixtures);
     transport.buried = texels.buried;
     if (options.transport.empty()) return transport;

@@ -102,30 +102,39 @@ ClippedPatch patchOf(const PatchRecord& record)
             record.surfel};
 }
 
+bool isSound(const SightLists& lists, size_t receivers, size_t radiances)
+{
+    if (lists.first.size() != receivers + 1 || lists.first.front() != 0 ||
+        lists.first.back() != lists.target.size())
+        return false;
+    for (size_t list = 0; list < receivers; ++list)
+        if (lists.first[list] >= lists.first[list + 1]) return false;
+    return std::all_of(lists.target.begin(), lists.target.end(),
+                       [&](uint32_t target) { return target < radiances; });
+}
+
 /// Whether every index points at something.
 bool isSound(const Transport& transport, const Texels& texels)
 {
     const size_t surfels = texels.surfels.count();
-    const auto isOfScan = [&](Side side) { return side.surfel() < surfels; };
-    if (transport.lists() < surfels || transport.first.size() != transport.lists() + 1 ||
-        transport.few.size() != transport.lists() || transport.first.front() != 0 ||
-        transport.first.back() != transport.target.size() ||
-        !std::all_of(transport.sides.begin(), transport.sides.end(), isOfScan))
+    const size_t sides = transport.sides.size();
+    if (sides < surfels || transport.clusterOf.size() != sides ||
+        transport.weight.size() != sides || transport.ofClusters.first.empty() ||
+        !isSound(transport.ofFronts, surfels, sides + Transport::radiancesBeyond()) ||
+        !isSound(transport.ofClusters, transport.clusters(),
+                 transport.clusters() + Transport::radiancesBeyond()))
         return false;
-    for (size_t s = 0; s < surfels; ++s)
-        if (transport.sides[s].index != Side::front(static_cast<uint32_t>(s)).index) return false;
-    for (size_t list = 0; list < transport.lists(); ++list)
-        if (transport.first[list] >= transport.first[list + 1] || transport.few[list] == 0 ||
-            transport.few[list] > transport.first[list + 1] - transport.first[list])
+    for (size_t i = 0; i < sides; ++i)
+        if (transport.sides[i].surfel() >= surfels ||
+            transport.clusterOf[i] >= transport.clusters() ||
+            (i < surfels && transport.sides[i].index != 2 * i))
             return false;
     for (const auto& fixture : transport.fixtures)
         for (const ClippedPatch& patch : fixture)
             if (patch.surfel != Surfels::kNone && patch.surfel >= surfels) return false;
     for (size_t p = 0; p < transport.buried.size(); ++p)
         if (transport.buried[p].size() != texels.pages[p].count()) return false;
-    const size_t radiances = transport.radiances();
-    return std::all_of(transport.target.begin(), transport.target.end(),
-                       [&](uint32_t target) { return target < radiances; });
+    return true;
 }
 
 } // namespace
@@ -178,8 +187,11 @@ std::optional<Transport> loadTransport(const std::filesystem::path& file, uint64
     transport.buried.resize(pages);
     for (auto& page : transport.buried)
         if (!reader.take(page)) return {};
-    if (!reader.take(sides) || !reader.take(transport.first) || !reader.take(transport.target) ||
-        !reader.take(transport.few) || !reader.take(fixtures) || fixtures > bytes.size())
+    if (!reader.take(sides) || !reader.take(transport.clusterOf) ||
+        !reader.take(transport.weight) || !reader.take(transport.ofFronts.first) ||
+        !reader.take(transport.ofFronts.target) || !reader.take(transport.ofClusters.first) ||
+        !reader.take(transport.ofClusters.target) || !reader.take(fixtures) ||
+        fixtures > bytes.size())
         return {};
     for (uint64_t i = 0; i < fixtures; ++i) {
         std::vector<PatchRecord> records;
@@ -200,9 +212,12 @@ void saveTransport(const std::filesystem::path& file, uint64_t key, const Transp
     content.add(uint64_t{transport.buried.size()});
     for (const auto& page : transport.buried) content.add(page);
     content.add(sides);
-    content.add(transport.first);
-    content.add(transport.target);
-    content.add(transport.few);
+    content.add(transport.clusterOf);
+    content.add(transport.weight);
+    content.add(transport.ofFronts.first);
+    content.add(transport.ofFronts.target);
+    content.add(transport.ofClusters.first);
+    content.add(transport.ofClusters.target);
     content.add(uint64_t{transport.fixtures.size()});
     for (const auto& fixture : transport.fixtures) {
         std::vector<PatchRecord> records;
