@@ -44,6 +44,7 @@ ordered_json toJson(const Fixture& fixture, size_t id)
                         {"power", toJson(fixture.power())},
                         {"on", true}};
     if (fixture.error != glm::vec3(0.0f)) object["error"] = toJson(fixture.error);
+    if (!fixture.determined) object["determined"] = false;
     return object;
 }
 
@@ -80,8 +81,9 @@ ordered_json toJson(const PointLight& light, const std::vector<Fixture>& fixture
 
 Fixture fixtureFrom(const JsonItem& item, std::vector<std::string>& warnings)
 {
-    item.warnOfUnknown({"id", "centre", "normal", "area", "radiance", "power", "error", "on"},
-                       warnings);
+    item.warnOfUnknown(
+        {"id", "centre", "normal", "area", "radiance", "power", "error", "determined", "on"},
+        warnings);
     Fixture fixture;
     fixture.centre = item.vectorAt("centre");
     fixture.normal = item.facing("normal");

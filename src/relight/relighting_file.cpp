@@ -153,8 +153,9 @@ void RelightingReader::readLight(const JsonItem& item)
 
 void RelightingReader::readFixture(const JsonItem& item)
 {
-    item.warnOfUnknown({"id", "centre", "normal", "area", "radiance", "power", "error", "on", "dim",
-                        "lumens", "watts", "kelvin", "colour", "window", "name"},
+    item.warnOfUnknown({"id", "centre", "normal", "area", "radiance", "power", "error",
+                        "determined", "on", "dim", "lumens", "watts", "kelvin", "colour", "window",
+                        "name"},
                        warnings_);
     LitFixture lit;
     size_t place = captured_.fixtures.size();
