@@ -3,7 +3,7 @@
 #include "base/fail.h"
 #include "base/json.h"
 #include "lights/fixtures.h"
-#include "lights/lights_document.h"
+#include "lights/json_document.h"
 
 #include <algorithm>
 #include <array>
@@ -163,7 +163,7 @@ void addLightsOfWholeFixtures(Lights& lights)
 
 std::string lightsAsJson(const Lights& lights)
 {
-    ordered_json document{{"format", LightsDocument::kFormat},
+    ordered_json document{{"format", kLightsFormat},
                           {"units",
                            "metres, Y up; radiance 1 = the texture's white; intensity in radiance "
                            "m^2, power in radiance m^2 sr; linear Rec. 709"}};
@@ -179,7 +179,7 @@ std::string lightsAsJson(const Lights& lights)
 
 Lights readLights(const std::filesystem::path& file, std::vector<std::string>& warnings)
 {
-    const LightsDocument document(file);
+    const JsonDocument document(file, kLightsFormat);
     const JsonItem top = document.top();
     top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient"}, warnings);
 
