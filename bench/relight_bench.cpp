@@ -3,6 +3,7 @@
 
 #include "sample_room.h"
 
+#include "relamp/picture.h"
 #include "relamp/relight.h"
 #include "relight/relighter_state.h"
 #include "relight/relit_page.h"
@@ -114,10 +115,24 @@ void bake(benchmark::State& state)
     for (auto _ : state) benchmark::DoNotOptimize(r.relighter.radiance(0, r.progress));
 }
 
+/// 1280 x 720 in AgX, the light already on the walls.
+void picture(benchmark::State& state)
+{
+    Relit& r = relit();
+    r.relighter.light(lamp(0), r.progress);
+    const std::vector<Image> pages = radianceOfPages(r.relighter, r.progress);
+    const Photographer photographer(r.relighter);
+    const Camera camera = photographer.goodView();
+    const PictureOptions options{.view = {.view = View::agx}};
+    for (auto _ : state)
+        benchmark::DoNotOptimize(photographer.develop(pages, camera, options, r.progress));
+}
+
 BENCHMARK(newPlace)->Name("relight/new_place")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(newPower)->Name("relight/new_power")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(shadows)->Name("relight/shadows")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(bounces)->Name("relight/bounces")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(picture)->Name("relight/picture")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(bake)->Name("relight/bake")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 } // namespace

@@ -102,7 +102,8 @@ const Decomposition::State& Decomposition::state() const
 PageLayers Decomposition::layers(size_t page, Progress& progress) const
 {
     const Solution& solution = state_->solution;
-    return makeLayers(state_->texels, page, {solution.shade, solution.shining, solution.fill},
+    return makeLayers(state_->texels, page,
+                      {solution.shade, solution.shining, solution.trust, solution.fill},
                       solution.options.albedo, progress);
 }
 

@@ -176,9 +176,11 @@ TEST(Delight, EmittingTexelsGoToTheEmissionAndAreNoAlbedo)
         if (radiance[i].g < 0.999f) continue;
         EXPECT_EQ(layers.emission[3 * i], 255);
         EXPECT_EQ(layers.confidence[i], 0);
+        EXPECT_EQ(layers.doubt[i], Doubt::shines);
         ++shining;
     }
     EXPECT_GT(shining, 100u);
+    EXPECT_NEAR(layers.area[static_cast<size_t>(Doubt::shines)], 0.64, 0.06); // m^2
 }
 
 TEST(Delight, IsTheSameOnOneThreadAndOnEight)
@@ -195,6 +197,8 @@ TEST(Delight, IsTheSameOnOneThreadAndOnEight)
         EXPECT_EQ(one.direct, eight.direct);
         EXPECT_EQ(one.indirect, eight.indirect);
         EXPECT_EQ(one.confidence, eight.confidence);
+        EXPECT_EQ(one.doubt, eight.doubt);
+        EXPECT_EQ(one.area, eight.area);
     }
 }
 

@@ -19,6 +19,7 @@ struct Fixture
     float area = 0.0f;        // m^2 of its surface
     glm::vec3 radiance{0.0f}; // RGB, 1 = the texture's white
     glm::vec3 error{0.0f};    // standard error of radiance as a share of it; 0 where none is known
+    bool determined = true;   // false: the scan does not tell its radiance, which is a guess
 
     /// Flux pi * radiance * area, in radiance * m^2 * sr.
     [[nodiscard]] glm::vec3 power() const { return 3.14159265f * area * radiance; }

@@ -17,9 +17,9 @@ RELAMP_API void checkOutput(const std::filesystem::path& scanFile,
                             const std::filesystem::path& folder);
 
 /// Writes all that delight found into `folder`, whole or not at all: `<scan>.glb`, albedo, shading,
-/// direct and indirect EXR, albedo and confidence PNG, lights.json, preview.png and report.json, as
-/// docs/guide/results.md describes them. What a former run wrote there is replaced, file by file
-/// once all are complete and report.json last; other files stay.
+/// direct and indirect EXR, albedo, confidence and reasons PNG, lights.json, preview.png and
+/// report.json, as docs/guide/results.md describes them. What a former run wrote there is replaced,
+/// file by file once all are complete and report.json last; other files stay.
 ///
 /// `scanFile` is named in the report. Returns the report's text. Throws Error(cannotWrite |
 /// cancelled).

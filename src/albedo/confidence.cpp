@@ -1,5 +1,6 @@
 #include "albedo/confidence.h"
 
+#include "base/ramp.h"
 #include "image/burnt_out.shared.h"
 
 #include <algorithm>
@@ -13,23 +14,38 @@ namespace
 constexpr float kSafelyBelow = 0.9f;
 constexpr float kWellLit = 4.0f; // times `darkest`
 
-float ramp(float from, float to, float value)
-{
-    return std::clamp((value - from) / (to - from), 0.0f, 1.0f);
-}
-
 } // namespace
 
-float confidence(glm::vec3 radiance, bool clips, glm::vec3 shading, float darkest)
+uint8_t Confidence::byte() const
 {
-    const float whole = clips ? ramp(kBurntOut, kSafelyBelow, brightestChannel(radiance)) : 1.0f;
-    const float weakest = std::min({shading.r, shading.g, shading.b});
-    return whole * ramp(darkest, kWellLit * darkest, weakest);
+    return static_cast<uint8_t>(std::lround(255.0f * value));
 }
 
-uint8_t confidenceByte(float confidence)
+Confidence confidenceOf(glm::vec3 radiance, bool clips, glm::vec3 shading, float darkest,
+                        SurfelTrust trust)
 {
-    return static_cast<uint8_t>(std::lround(255.0f * confidence));
+    struct Factor
+    {
+        float left;
+        Doubt doubt;
+    };
+    const float weakest = std::min({shading.r, shading.g, shading.b});
+    const Factor factors[] = {
+        {clips ? ramp(kBurntOut, kSafelyBelow, brightestChannel(radiance)) : 1.0f, Doubt::clipped},
+        {ramp(darkest, kWellLit * darkest, weakest), Doubt::unlit},
+        {trust.seen, Doubt::unseen},
+        {trust.front, Doubt::backFace},
+        {trust.edges, Doubt::penumbra}};
+    Confidence confidence;
+    float least = 1.0f;
+    for (const Factor& factor : factors) {
+        confidence.value *= factor.left;
+        if (factor.left >= least) continue;
+        least = factor.left;
+        confidence.doubt = factor.doubt;
+    }
+    if (confidence.byte() >= 128) confidence.doubt = Doubt::none;
+    return confidence;
 }
 
 } // namespace relamp

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "albedo/doubts.h"
+#include "relamp/delight.h"
+
 #include <cstdint>
 
 #include <glm/vec3.hpp>
@@ -7,11 +10,19 @@
 namespace relamp
 {
 
-/// How far an albedo can be believed, 0..1: 0 where the texture is burnt out or the shading did not
-/// reach `darkest`, rising to 1 where all channels are below nine tenths of white and the shading
-/// is four times `darkest`. White means nothing in a texture that does not clip there.
-float confidence(glm::vec3 radiance, bool clips, glm::vec3 shading, float darkest);
+/// How far an albedo can be believed, 0..1, and what speaks most against it.
+struct Confidence
+{
+    float value = 1.0f;
+    Doubt doubt = Doubt::none; // none from one half on
 
-uint8_t confidenceByte(float confidence);
+    [[nodiscard]] uint8_t byte() const;
+};
+
+/// 0 where the texture is burnt out or the shading did not reach `darkest`, rising to 1 where all
+/// channels are below nine tenths of white and the shading is four times `darkest`; times what
+/// `trust` leaves. White means nothing in a texture that does not clip there.
+Confidence confidenceOf(glm::vec3 radiance, bool clips, glm::vec3 shading, float darkest,
+                        SurfelTrust trust = {});
 
 } // namespace relamp

@@ -1,6 +1,5 @@
 #include "albedo/divide.h"
 
-#include "albedo/confidence.h"
 #include "base/half.h"
 
 #include <gtest/gtest.h>
@@ -33,23 +32,6 @@ TEST(Divide, GivesBackTheAlbedoOfALitSurface)
 TEST(Divide, NeverDividesByLessThanTheDarkestShading)
 {
     EXPECT_NEAR(divideOne(0.01f, 0.0f, 0.0f, 0.1f), 0.1f, 1e-3f);
-}
-
-TEST(Confidence, IsLostWhereTheTextureIsBurntOutOrUnlit)
-{
-    const glm::vec3 lit(1.0f);
-    EXPECT_EQ(confidence(glm::vec3(1.0f), true, lit, 0.02f), 0.0f);
-    EXPECT_EQ(confidence({0.99f, 0.2f, 0.2f}, true, lit, 0.02f), 0.0f); // one channel is enough
-    EXPECT_EQ(confidence(glm::vec3(0.01f), true, glm::vec3(0.015f), 0.02f), 0.0f);
-    EXPECT_EQ(confidence(glm::vec3(0.5f), true, lit, 0.02f), 1.0f);
-    EXPECT_EQ(confidenceByte(1.0f), 255);
-}
-
-// A float texture says how bright its brightest is.
-TEST(Confidence, IsKeptAboveWhiteWhereTheTextureDoesNotClip)
-{
-    EXPECT_EQ(confidence(glm::vec3(7.0f), false, glm::vec3(9.0f), 0.02f), 1.0f);
-    EXPECT_EQ(confidence(glm::vec3(7.0f), false, glm::vec3(0.01f), 0.02f), 0.0f);
 }
 
 } // namespace relamp

@@ -9,6 +9,8 @@
 #include "lights/emitters.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 
 namespace relamp
 {
@@ -17,6 +19,7 @@ namespace
 
 constexpr float kAlbedoOfFixtures =
     0.6f; // a lamp's own glass cannot be seen for its light; confidence says so
+constexpr double kUnitsOfArea = 1e9; // a square metre; a thousandth of a square millimetre is one
 
 void storeRgb(std::vector<uint16_t>& layer, uint32_t pixel, const RgbBlock& block, size_t i)
 {
@@ -39,6 +42,7 @@ private:
     void storeTexel(const TexelBlock& block, const ShadingBlock& shade, const AlbedoBlock& albedo,
                     size_t i, uint32_t pixel);
     void fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around, uint16_t* rho) const;
+    void addAreas(size_t begin, const TexelBlock& block);
     void fillGutters();
 
     size_t page_;
@@ -48,6 +52,7 @@ private:
     const AlbedoOptions& options_;
     PageLayers layers_;
     std::vector<uint8_t> covered_;
+    std::array<std::atomic<uint64_t>, kDoubts> area_{};
     bool ofVertices_;
     bool clips_;
 };
@@ -65,6 +70,7 @@ LayerMaker::LayerMaker(const Texels& texels, size_t page, const SolvedTexels& so
         layer->resize(3 * image.pixels());
     layers_.emission.resize(3 * image.pixels());
     layers_.confidence.resize(image.pixels());
+    layers_.doubt.resize(image.pixels());
     covered_.resize(image.pixels());
 }
 
@@ -108,7 +114,8 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
             layers_.emission[3 * size_t{pixel} + static_cast<size_t>(c)] =
                 srgbByteFromLinear(radiance[c]);
         }
-        return; // confidence stays 0
+        layers_.doubt[pixel] = Doubt::shines; // confidence stays 0
+        return;
     }
     rho[0] = albedo.r[i];
     rho[1] = albedo.g[i];
@@ -116,8 +123,11 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
     const glm::vec3 total(shade.direct.r[i] + shade.indirect.r[i],
                           shade.direct.g[i] + shade.indirect.g[i],
                           shade.direct.b[i] + shade.indirect.b[i]);
-    layers_.confidence[pixel] =
-        confidenceByte(confidence(radiance, clips_, total, options_.darkest));
+    const Confidence confidence =
+        confidenceOf(radiance, clips_, total, options_.darkest,
+                     solved_.trust.empty() ? SurfelTrust{} : solved_.trust[block.surfel[i]]);
+    layers_.confidence[pixel] = confidence.byte();
+    layers_.doubt[pixel] = confidence.doubt;
     if (!solved_.fill.empty()) fillChannels(radiance, total, solved_.fill[block.surfel[i]], rho);
 }
 
@@ -130,8 +140,21 @@ void LayerMaker::makeBlock(size_t begin, size_t count)
     loader_.loadSurfel(begin, count, block);
     solved_.shade(page_, begin, block, shading);
     divide(block, shading, options_.darkest, albedo);
+    loader_.loadArea(begin, count, block);
     for (size_t i = 0; i < count; ++i)
         storeTexel(block, shading, albedo, i, texels_.pixel[begin + i]);
+    addAreas(begin, block);
+}
+
+/// Whole numbers, whose sum does not depend on their order.
+void LayerMaker::addAreas(size_t begin, const TexelBlock& block)
+{
+    std::array<double, kDoubts> area{};
+    for (size_t i = 0; i < block.count; ++i)
+        area[static_cast<size_t>(layers_.doubt[texels_.pixel[begin + i]])] +=
+            static_cast<double>(block.area[i]);
+    for (size_t d = 0; d < kDoubts; ++d)
+        area_[d] += static_cast<uint64_t>(std::llround(kUnitsOfArea * area[d]));
 }
 
 void LayerMaker::fillGutters()
@@ -152,6 +175,8 @@ PageLayers LayerMaker::run(Progress::Stage& stage)
     const auto shines = [](uint8_t v) { return v != 0; };
     if (std::none_of(layers_.emission.begin(), layers_.emission.end(), shines))
         layers_.emission = {};
+    for (size_t d = 0; d < kDoubts; ++d)
+        layers_.area[d] = static_cast<double>(area_[d].load()) / kUnitsOfArea;
     fillGutters();
     return std::move(layers_);
 }

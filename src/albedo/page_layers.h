@@ -1,5 +1,6 @@
 #pragma once
 
+#include "albedo/doubts.h"
 #include "lights/shining.h"
 #include "relamp/delight.h"
 #include "scan/texels.h"
@@ -15,7 +16,8 @@ struct SolvedTexels
 {
     const TexelShading& shade;
     const Shining& shining;
-    std::span<const glm::vec3> fill; // albedo of surfels, for what cannot be trusted; or none
+    std::span<const SurfelTrust> trust; // in the shading of surfels; empty: full
+    std::span<const glm::vec3> fill;    // albedo of surfels, for what cannot be trusted; or none
 };
 
 /// Shades, divides and rates all texels of a page; those that shine go to `emission`.

@@ -2,14 +2,17 @@
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
+#include "fit/missed.h"
 #include "fit/pairs.h"
 #include "fit/powers.h"
 #include "lights/expand.shared.h"
+#include "shading/lamp_body.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -22,10 +25,14 @@ constexpr float kPi = 3.14159265f;
 constexpr size_t kMostCandidates = 64;
 constexpr size_t kPlaces = 6000;
 constexpr size_t kPlacesOfDraft = 2000;
-constexpr size_t kPairsFirst = 3; // a place, for the first look at all candidates
+constexpr size_t kPlacesBurntOut = 600;
+constexpr float kAllBurntOut = 0.9f; // of a surfel's area
+constexpr size_t kPairsFirst = 3;    // a place, for the first look at all candidates
 constexpr size_t kPairs = 6;
 constexpr size_t kRaysPerOrigin = 8; // at a place, to those that remain: noise would make them weak
 constexpr float kAboutWhite = 2.0f;  // luminance; a wall lights its surroundings as little as this
+constexpr float kHardlyWhite = 1.4f; // at the first look, which few rays make dim
+constexpr float kHardlyPower = 0.001f;
 constexpr float kLeastPower = 0.003f;   // share of the room's; below, a lamp does not matter
 constexpr float kBrightWall = 0.75f;    // albedo of what burns out first
 constexpr float kExplained = 0.8f;      // of white
@@ -43,6 +50,7 @@ constexpr float kSameSize = 2.5f;         // ratio of areas of one model
 constexpr float kFlat = 0.9f;             // length of a mean normal, and cosine between two
 constexpr float kSameLevel = 0.1f;        // m
 constexpr float kLeastModel = 0.01f;      // m^2; smaller things are not told apart by their shape
+constexpr float kTold = 0.5f;             // of the prior's variance; beyond, data decide
 constexpr float kTouching = 0.12f;        // m between pieces of one lamp
 constexpr float kPointedAt = 0.3f;        // m around a place that a person names
 constexpr float kAboutEqual = 3.0f;       // ratio of their radiances
@@ -56,6 +64,9 @@ struct Suspect
     glm::vec3 logError{0.0f};
     std::vector<AreaSample> onSides; // at radiance 1, one a hit list
     bool isGiven = false;            // a person says that it shines
+    size_t body = 0;                 // of the same number: two sides of one lamp
+    bool isUnseen = false;           // its far side, not scanned
+    float told = 1.0f;               // see Powers
 
     [[nodiscard]] float power() const { return candidate.area * luminance(radiance); }
 };
@@ -70,14 +81,17 @@ public:
 
 private:
     void choosePlaces(size_t most);
+    void chooseBurntOut();
     void takeCandidates(const GatherOptions& options);
     void look(Suspect& suspect, size_t raysPerOrigin) const;
     [[nodiscard]] std::vector<std::pair<uint32_t, uint32_t>> alikes() const;
     void fit(size_t pairsPerPlace, bool oneChannel);
     void updateField();
-    size_t dropWalls();
+    size_t dropHalves();
+    size_t dropWalls(float leastRadiance = kAboutWhite, float leastShare = kLeastPower);
     size_t dropExplained();
     void dropNeedless(float missedIfWall);
+    [[nodiscard]] std::vector<uint8_t> goneWith(size_t f) const;
     [[nodiscard]] std::vector<float> rises() const;
     void joinPieces();
     [[nodiscard]] float brightnessOfWallAt(size_t suspect) const;
@@ -90,7 +104,8 @@ private:
     const HitLists& hits_;
     const SurfelRadiance& radiance_;
     Progress::Stage stage_;
-    std::vector<uint32_t> places_; // surfels, which are also the lists of their fronts
+    std::vector<uint32_t> places_;       // surfels, which are also the lists of their fronts
+    std::vector<ClippedPatch> burntOut_; // of the last of these, which are
     std::vector<Suspect> suspects_;
     std::vector<std::string> warnings_;
     RadianceField field_;
@@ -105,6 +120,7 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
       stage_(progress, "lamps", kMostCandidates + 3), field_(fieldOf(radiance))
 {
     choosePlaces(options.quality == Quality::draft ? kPlacesOfDraft : kPlaces);
+    if (places_.size() > 1) chooseBurntOut();
     takeCandidates(options);
 }
 
@@ -155,9 +171,14 @@ void LampSearch::takeCandidates(const GatherOptions& options)
     for (size_t c = 0; c < candidates.size(); ++c) {
         stage_.advance();
         if (isRefused[c] != 0) continue;
-        Suspect suspect{.candidate = std::move(candidates[c]), .isGiven = isGiven[c] != 0};
+        Suspect suspect{
+            .candidate = std::move(candidates[c]), .isGiven = isGiven[c] != 0, .body = c};
         look(suspect, 1);
+        const Candidate unseen = unseenSideOf(suspect.candidate, texels_, scene_);
         suspects_.push_back(std::move(suspect));
+        if (unseen.patches.empty()) continue;
+        suspects_.push_back({.candidate = unseen, .body = c, .isUnseen = true});
+        look(suspects_.back(), 1);
     }
 }
 
@@ -171,6 +192,19 @@ void LampSearch::choosePlaces(size_t most)
             good.push_back(s);
     const size_t count = std::min(most, good.size());
     for (size_t i = 0; i < count; ++i) places_.push_back(good[i * good.size() / count]);
+}
+
+/// Burnt-out walls that bound the lamps from below; lamps are left out as long as they are some.
+void LampSearch::chooseBurntOut()
+{
+    std::vector<ClippedPatch> whole;
+    for (const ClippedPatch& patch : radiance_.clipped)
+        if (patch.area > kAllBurntOut * texels_.surfels.area[patch.surfel]) whole.push_back(patch);
+    const size_t count = std::min(kPlacesBurntOut, whole.size());
+    for (size_t i = 0; i < count; ++i) {
+        burntOut_.push_back(whole[i * whole.size() / count]);
+        places_.push_back(burntOut_.back().surfel);
+    }
 }
 
 /// Mean over the surfels around a place: bounce light changes slowly, its few rays are noisy.
@@ -196,12 +230,18 @@ FitData LampSearch::dataFor() const
     FitData data;
     data.lamps = suspects_.size();
     const Gathered gathered = gather(hits_, field_);
-    data.direct.resize(places_.size() * data.lamps);
+    const size_t measured = places_.size() - burntOut_.size();
     for (size_t i = 0; i < places_.size(); ++i) {
-        data.radiance.push_back(radiance_.plain[places_[i]]);
+        if (i >= measured) {
+            const ClippedPatch& patch = burntOut_[i - measured];
+            if (field_.shines[patch.surfel] != 0) continue;
+            data.radiance.push_back(patch.radiance);
+            ++data.burntOut;
+        } else {
+            data.radiance.push_back(radiance_.plain[places_[i]]);
+        }
         addGathered(gathered, places_[i], data);
-        for (size_t f = 0; f < data.lamps; ++f)
-            data.direct[i * data.lamps + f] = suspects_[f].direct[i];
+        for (const Suspect& suspect : suspects_) data.direct.push_back(suspect.direct[i]);
     }
     return data;
 }
@@ -224,7 +264,8 @@ std::vector<std::pair<uint32_t, uint32_t>> LampSearch::alikes() const
         for (uint32_t b = a + 1; b < suspects_.size(); ++b) {
             const Candidate& one = suspects_[a].candidate;
             const Candidate& other = suspects_[b].candidate;
-            if (std::min(one.area, other.area) > kLeastModel && areAlike(one, other))
+            const bool isBody = suspects_[a].body == suspects_[b].body;
+            if (isBody || (std::min(one.area, other.area) > kLeastModel && areAlike(one, other)))
                 alike.emplace_back(a, b);
         }
     return alike;
@@ -234,7 +275,8 @@ void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
 {
     std::fill(field_.shines.begin(), field_.shines.end(), uint8_t{0});
     for (const Suspect& suspect : suspects_)
-        for (const ClippedPatch& patch : suspect.candidate.patches) field_.shines[patch.surfel] = 1;
+        for (const ClippedPatch& patch : suspect.candidate.patches)
+            if (patch.surfel != Surfels::kNone) field_.shines[patch.surfel] = 1;
     const FitData data = dataFor();
     const auto pairs = drawPairs(data, places_, texels_.surfels, pairsPerPlace);
     PowersOptions options{.oneChannel = oneChannel, .alike = alikes()};
@@ -248,24 +290,38 @@ void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
     for (size_t f = 0; f < suspects_.size(); ++f) {
         suspects_[f].radiance = powers_.radiance[f];
         suspects_[f].logError = powers_.logError[f];
+        suspects_[f].told = powers_.told[f];
     }
     stage_.advance(0);
 }
 
-size_t LampSearch::dropWalls()
+/// The far side of what is no lamp.
+size_t LampSearch::dropHalves()
+{
+    std::set<size_t> bodies;
+    for (const Suspect& suspect : suspects_)
+        if (!suspect.isUnseen) bodies.insert(suspect.body);
+    return std::erase_if(suspects_, [&](const Suspect& suspect) {
+        return suspect.isUnseen && !bodies.contains(suspect.body);
+    });
+}
+
+size_t LampSearch::dropWalls(float leastRadiance, float leastShare)
 {
     float total = 0.0f;
     for (const Suspect& suspect : suspects_) total += suspect.power();
-    return std::erase_if(suspects_, [&](const Suspect& suspect) {
+    const size_t dropped = std::erase_if(suspects_, [&](const Suspect& suspect) {
         if (suspect.isGiven) return false;
-        return luminance(suspect.radiance) < kAboutWhite || suspect.power() < kLeastPower * total;
+        return luminance(suspect.radiance) < leastRadiance || suspect.power() < leastShare * total;
     });
+    return dropped + dropHalves();
 }
 
 /// Radiance that a bright wall in its place would have by the light of the others.
 float LampSearch::brightnessOfWallAt(size_t f) const
 {
-    const auto& patches = suspects_[f].candidate.patches;
+    std::vector<ClippedPatch> patches = suspects_[f].candidate.patches;
+    std::erase_if(patches, [](const auto& patch) { return patch.surfel == Surfels::kNone; });
     const size_t looks = std::min(kPatchesLookedAt, patches.size());
     std::vector<float> expected;
     for (size_t k = 0; k < looks; ++k) {
@@ -306,7 +362,7 @@ size_t LampSearch::dropExplained()
     });
     std::vector<uint8_t> gone(suspects_.size(), 0);
     for (const size_t f : order) {
-        if (suspects_[f].isGiven || !isExplained(f)) continue;
+        if (suspects_[f].isGiven || suspects_[f].isUnseen || !isExplained(f)) continue;
         gone[f] = 1;
         suspects_[f].radiance = glm::vec3(0.0f); // it explains nobody any more
     }
@@ -334,8 +390,9 @@ void LampSearch::joinPieces()
     for (uint32_t a = 0; a < suspects_.size(); ++a)
         for (uint32_t b = a + 1; b < suspects_.size(); ++b) {
             const float ratio = luminance(suspects_[a].radiance) / luminance(suspects_[b].radiance);
-            if (ratio < kAboutEqual && ratio > 1.0f / kAboutEqual &&
-                touch(suspects_[a].candidate, suspects_[b].candidate))
+            const bool isBody = suspects_[a].body == suspects_[b].body;
+            if (isBody || (ratio < kAboutEqual && ratio > 1.0f / kAboutEqual &&
+                           touch(suspects_[a].candidate, suspects_[b].candidate)))
                 sets.join(a, b);
         }
     std::map<uint32_t, Suspect> joined;
@@ -371,25 +428,16 @@ void LampSearch::updateField()
             .field;
 }
 
-FitData withoutLamp(const FitData& data, size_t lamp)
+/// Which lamps go where lamp `f` goes: its far side with it.
+std::vector<uint8_t> LampSearch::goneWith(size_t f) const
 {
-    FitData less = data;
-    --less.lamps;
-    less.direct.clear();
-    for (size_t i = 0; i < data.direct.size(); ++i)
-        if (i % data.lamps != lamp) less.direct.push_back(data.direct[i]);
-    return less;
-}
-
-std::vector<std::pair<uint32_t, uint32_t>>
-withoutLamp(std::vector<std::pair<uint32_t, uint32_t>> alike, uint32_t lamp)
-{
-    std::erase_if(alike, [=](const auto& p) { return p.first == lamp || p.second == lamp; });
-    for (auto& [a, b] : alike) {
-        a -= a > lamp ? 1 : 0;
-        b -= b > lamp ? 1 : 0;
-    }
-    return alike;
+    std::vector<uint8_t> gone(suspects_.size(), 0);
+    gone[f] = 1;
+    for (size_t other = 0; other < gone.size(); ++other)
+        if (suspects_[other].isUnseen && !suspects_[f].isUnseen &&
+            suspects_[other].body == suspects_[f].body)
+            gone[other] = 1;
+    return gone;
 }
 
 /// How much worse the pairs agree without one lamp, the others free to take its part.
@@ -401,15 +449,9 @@ std::vector<float> LampSearch::rises() const
     options.alike = alikes();
     options.start = powers_.radiance;
     options.start.push_back(powers_.ambient);
-    const float loss = fitPowers(data, pairs, options).loss;
-    std::vector<float> rises(suspects_.size());
-    forEach(suspects_.size(), [&](size_t f) {
-        PowersOptions without = options;
-        without.start.erase(without.start.begin() + static_cast<ptrdiff_t>(f));
-        without.alike = withoutLamp(options.alike, static_cast<uint32_t>(f));
-        rises[f] = fitPowers(withoutLamp(data, f), pairs, without).loss - loss;
-    });
-    return rises;
+    std::vector<std::vector<uint8_t>> gone(suspects_.size());
+    for (size_t f = 0; f < gone.size(); ++f) gone[f] = goneWith(f);
+    return missed(data, pairs, options, gone);
 }
 
 /// How much a lamp must be missed to stay. Where a wall would be burnt out, much; where it would be
@@ -426,7 +468,9 @@ void LampSearch::dropNeedless(float missedIfWall)
     while (suspects_.size() > 1) {
         std::vector<float> need = rises();
         for (size_t f = 0; f < need.size(); ++f) {
-            const float least = missedAtLeast(brightnessOfWallAt(f), missedIfWall);
+            const float least = suspects_[f].isUnseen
+                                    ? missedIfWall
+                                    : missedAtLeast(brightnessOfWallAt(f), missedIfWall);
             const bool stays = suspects_[f].isGiven || least <= 0.0f;
             need[f] = stays ? std::numeric_limits<float>::max() : need[f] / least;
         }
@@ -435,8 +479,17 @@ void LampSearch::dropNeedless(float missedIfWall)
         const float limit = std::max(least, kHardlyMissed);
         size_t f = 0;
         std::erase_if(suspects_, [&](const Suspect&) { return need[f++] <= limit; });
+        dropHalves();
         fit(kPairs, true);
     }
+}
+
+std::string unknownAt(glm::vec3 place)
+{
+    return fmt::format("the scan does not tell how bright the light at {:.2f}, {:.2f}, {:.2f} is, "
+                       "for it lights little that can be seen; its radiance is a guess. Set it in "
+                       "lights.json and pass that with --lights",
+                       place.x, place.y, place.z);
 }
 
 FoundLamps LampSearch::run()
@@ -445,7 +498,7 @@ FoundLamps LampSearch::run()
     found.warnings = std::move(warnings_);
     if (places_.size() < 2) return found;
     fit(kPairsFirst, true);
-    dropWalls();
+    dropWalls(kHardlyWhite, kHardlyPower);
     for (Suspect& suspect : suspects_) look(suspect, kRaysPerOrigin);
     stage_.advance();
     for (int round = 0; round < kMostRounds; ++round) {
@@ -463,9 +516,12 @@ FoundLamps LampSearch::run()
     dropWalls();
     std::stable_sort(suspects_.begin(), suspects_.end(),
                      [](const Suspect& a, const Suspect& b) { return a.power() > b.power(); });
-    for (Suspect& suspect : suspects_)
+    for (Suspect& suspect : suspects_) {
+        const bool isDetermined = suspect.told >= kTold;
+        if (!isDetermined) found.warnings.push_back(unknownAt(suspect.candidate.centre));
         found.lamps.push_back({std::move(suspect.candidate.patches), suspect.radiance,
-                               suspect.logError, std::move(suspect.onSides)});
+                               suspect.logError, std::move(suspect.onSides), isDetermined});
+    }
     found.ambient = powers_.ambient;
     found.residual = powers_.residual;
     stage_.advance();

@@ -20,6 +20,7 @@ struct FoundLamp
     glm::vec3 radiance{0.0f};        // RGB, 1 = the texture's white
     glm::vec3 logError{0.0f};        // standard error of log radiance
     std::vector<AreaSample> onSides; // at radiance 1, one a hit list; empty: not looked at
+    bool isDetermined = true;        // false: it lights too little that is seen to tell how bright
 };
 
 struct FoundLamps
@@ -35,7 +36,8 @@ struct FoundLamps
 /// All candidates are fitted as if they were lamps. One that comes out at about white lights
 /// nothing: it is a wall. One whose brightness the others explain, within the error of its own, is
 /// a wall too. What remains is fitted again, until nothing changes; pieces that touch and are about
-/// equally bright become one lamp. What a person says of a place in `options` is not doubted.
+/// equally bright become one lamp. What a person says of a place in `options` is not doubted;
+/// where such a lamp lights too little to tell how bright it is, a warning says so.
 FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists& hits,
                      const SurfelRadiance& radiance, const GatherOptions& options,
                      Progress& progress);

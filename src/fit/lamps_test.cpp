@@ -84,6 +84,29 @@ TEST(Lamps, RoomWithoutAnythingBurntOutHasNone)
     EXPECT_THAT(lampsOf(room, {}).lamps, testing::IsEmpty());
 }
 
+// A panel on the roof, where no surface that it lights is scanned.
+TEST(Lamps, LampThatLightsNothingSeenIsNotDetermined)
+{
+    const LitRoom room;
+    std::vector<scenes::Panel> walls = scenes::wallsOf(LitRoom::kSize);
+    walls.push_back({{1, 3, 1}, {0, 0, 0.5f}, {0.5f, 0, 0}});
+    const FoundLamps lamps =
+        lampsOf(scenes::Surfaces(scenes::panels(walls, 96,
+                                                [&](glm::vec3 place, glm::vec3 normal) {
+                                                    return place.y > 2.9f
+                                                               ? glm::vec3(1.0f)
+                                                               : room.box.photo(place, normal);
+                                                })),
+                {.lights = {{1.25f, 3.0f, 1.25f}}});
+    ASSERT_EQ(lamps.lamps.size(), 2u);
+    EXPECT_TRUE(lamps.lamps[0].isDetermined);
+    EXPECT_FALSE(lamps.lamps[1].isDetermined);
+    EXPECT_LT(distanceTo(lamps.lamps[1], {1.25f, 3.0f, 1.25f}), 0.3f);
+    EXPECT_NEAR(lamps.lamps[1].radiance.g, 1.0f, 0.1f);
+    EXPECT_THAT(lamps.warnings, testing::ElementsAre(testing::HasSubstr(
+                                    "how bright the light at 1.25, 3.00, 1.25 is")));
+}
+
 TEST(Lamps, SurfelsOfLampsShine)
 {
     FoundLamps lamps;

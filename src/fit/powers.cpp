@@ -15,6 +15,8 @@ namespace relamp
 namespace
 {
 
+constexpr double kPi = 3.14159265358979;
+constexpr double kBrightestPaper = 0.9;   // albedo
 constexpr double kLeastIrradiance = 1e-3; // what no measured place falls below
 constexpr double kSmallest = -4.0;        // log radiance
 constexpr double kLargest = 8.5;
@@ -35,20 +37,20 @@ public:
     Channel(const FitData& data, int c)
         : data_(data), c_(c), unknowns_(data.lamps + 1), log_(unknowns_, 0.0)
     {
-        for (size_t i = 0; i < data.places(); ++i) {
+        for (size_t i = 0; i < data.radiance.size(); ++i) {
             logRadiance_.push_back(std::log(std::max(pick(data.radiance[i]), 1e-4)));
             gathered_.push_back(pick(data.gathered[i]));
         }
         log_ = wanted();
-        logIrradiance_.resize(data.places());
-        share_.resize(data.places() * unknowns_);
+        logIrradiance_.resize(data.radiance.size());
+        share_.resize(data.radiance.size() * unknowns_);
     }
 
     void PrepareForEvaluation(bool, bool) override
     {
         std::vector<double> value(unknowns_);
         for (size_t f = 0; f < unknowns_; ++f) value[f] = std::exp(log_[f]);
-        forEachChunk(data_.places(), 512, [&](size_t begin, size_t end) {
+        forEachChunk(logRadiance_.size(), 512, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) evaluate(i, value);
         });
     }
@@ -64,7 +66,8 @@ public:
     [[nodiscard]] std::vector<double> wanted() const
     {
         std::vector<double> logs(unknowns_, 0.0);
-        logs.back() = medianOf(logRadiance_);
+        const auto end = logRadiance_.begin() + static_cast<ptrdiff_t>(data_.places());
+        logs.back() = medianOf({logRadiance_.begin(), end});
         return logs;
     }
     [[nodiscard]] double residual(MaterialPair pair) const
@@ -72,8 +75,19 @@ public:
         return logRadiance_[pair.p] - logRadiance_[pair.q] - logIrradiance_[pair.p] +
                logIrradiance_[pair.q];
     }
+    /// How much too dark a burnt-out place is even as the brightest paper; 0 where it is not.
+    [[nodiscard]] double lack(size_t burntOut) const
+    {
+        const size_t place = data_.places() + burntOut;
+        const double least = logRadiance_[place] + std::log(kPi / kBrightestPaper);
+        return std::max(least - logIrradiance_[place], 0.0);
+    }
     /// d log E / d unknown at a place: the share of the irradiance that comes from it.
     [[nodiscard]] const double* shares(uint32_t place) const { return &share_[place * unknowns_]; }
+    [[nodiscard]] const double* sharesBurntOut(size_t place) const
+    {
+        return &share_[(data_.places() + place) * unknowns_];
+    }
 
 private:
     void evaluate(size_t i, const std::vector<double>& value)
@@ -97,8 +111,21 @@ private:
     std::vector<double> share_;
 };
 
-/// log (L_p / L_q) - log (E_p / E_q) of all pairs, with the Cauchy loss already in each residual:
-/// sign(r) sqrt(b log(1 + r^2 / b)), b = scale^2. One block of residuals, as there is one of
+/// A residual with the Cauchy loss already in it: sign(r) sqrt(b log(1 + r^2 / b)), b = scale^2.
+struct Robust
+{
+    double value;
+    double slope; // d value / d r
+
+    Robust(double r, double b)
+    {
+        const double size = std::sqrt(b * std::log(1.0 + r * r / b));
+        value = std::copysign(size, r);
+        slope = size > 1e-9 ? std::abs(r) / ((1.0 + r * r / b) * size) : 1.0;
+    }
+};
+
+/// log (L_p / L_q) - log (E_p / E_q) of all pairs. One block of residuals, as there is one of
 /// unknowns; a block a pair would take Ceres longer than the sums in it.
 class PairsCost : public ceres::CostFunction
 {
@@ -122,20 +149,53 @@ public:
 private:
     void evaluate(size_t i, double* residuals, double* jacobian) const
     {
-        const double r = channel_.residual(pairs_[i]);
-        const double size = std::sqrt(b_ * std::log(1.0 + r * r / b_));
-        residuals[i] = std::copysign(size, r);
+        const Robust robust(channel_.residual(pairs_[i]), b_);
+        residuals[i] = robust.value;
         if (jacobian == nullptr) return;
-        const double slope = size > 1e-9 ? std::abs(r) / ((1.0 + r * r / b_) * size) : 1.0;
         const double* p = channel_.shares(pairs_[i].p);
         const double* q = channel_.shares(pairs_[i].q);
         double* row = jacobian + i * channel_.count();
-        for (size_t f = 0; f < channel_.count(); ++f) row[f] = slope * (q[f] - p[f]);
+        for (size_t f = 0; f < channel_.count(); ++f) row[f] = robust.slope * (q[f] - p[f]);
     }
 
     const Channel& channel_;
     std::span<const MaterialPair> pairs_;
     double b_;
+};
+
+/// What is burnt out and no lamp must get the light for it. Robust, for a highlight on polish gets
+/// less.
+class BurntOutCost : public ceres::CostFunction
+{
+public:
+    BurntOutCost(const Channel& channel, size_t places, double scale, double weight)
+        : channel_(channel), places_(places), b_(scale * scale), weight_(weight)
+    {
+        set_num_residuals(static_cast<int>(places));
+        mutable_parameter_block_sizes()->push_back(static_cast<int32_t>(channel.count()));
+    }
+
+    bool Evaluate(double const* const*, double* residuals, double** jacobians) const override
+    {
+        double* jacobian = jacobians == nullptr ? nullptr : jacobians[0];
+        for (size_t i = 0; i < places_; ++i) {
+            const double lack = channel_.lack(i);
+            const Robust robust(lack, b_);
+            residuals[i] = weight_ * robust.value;
+            if (jacobian == nullptr) continue;
+            const double slope = lack > 0.0 ? weight_ * robust.slope : 0.0;
+            const double* shares = channel_.sharesBurntOut(i);
+            for (size_t f = 0; f < channel_.count(); ++f)
+                jacobian[i * channel_.count() + f] = -slope * shares[f];
+        }
+        return true;
+    }
+
+private:
+    const Channel& channel_;
+    size_t places_;
+    double b_;
+    double weight_;
 };
 
 /// Pulls lamps that look alike towards one radiance.
@@ -204,6 +264,7 @@ struct ChannelFit
 {
     std::vector<double> log;
     std::vector<double> error;
+    std::vector<double> told;
     double residual = 0.0;
     double loss = 0.0;
 };
@@ -236,8 +297,9 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, 
     Channel channel(data, c);
     for (size_t f = 0; f < options.start.size(); ++f)
         channel.unknowns()[f] = std::log(std::max(channel.pick(options.start[f]), 1e-2));
-    const double prior = std::sqrt(options.priorWeight * static_cast<double>(pairs.size()) /
-                                   static_cast<double>(std::max<size_t>(data.places(), 1)));
+    const double pairsAPlace =
+        static_cast<double>(pairs.size()) / static_cast<double>(std::max<size_t>(data.places(), 1));
+    const double prior = std::sqrt(options.priorWeight * pairsAPlace);
     for (double scale = options.firstScale;; scale = std::max(0.5 * scale, options.lastScale)) {
         ceres::Problem::Options ownership;
         ownership.evaluation_callback = &channel;
@@ -250,6 +312,10 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, 
         if (!pairs.empty())
             problem.AddResidualBlock(new PairsCost(channel, pairs, scale), nullptr,
                                      channel.unknowns());
+        if (data.burntOut > 0 && !pairs.empty())
+            problem.AddResidualBlock(
+                new BurntOutCost(channel, data.burntOut, scale, std::sqrt(pairsAPlace)), nullptr,
+                channel.unknowns());
         if (!options.alike.empty())
             problem.AddResidualBlock(
                 new AlikeCost(options.alike, channel.count(),
@@ -269,7 +335,12 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, 
     channel.PrepareForEvaluation(false, true);
     ChannelFit fit;
     fit.log.assign(channel.unknowns(), channel.unknowns() + channel.count());
-    fit.error = errorsOf(channel, pairs, options.lastScale, std::max(prior, 1e-3));
+    const double known = std::max(prior, 1e-3);
+    fit.error = errorsOf(channel, pairs, options.lastScale, known);
+    for (const double error : fit.error) {
+        const double left = error * known / options.lastScale; // of the prior's own error
+        fit.told.push_back(1.0 - left * left);
+    }
     std::vector<double> sizes;
     for (const MaterialPair& pair : pairs) {
         sizes.push_back(std::abs(channel.residual(pair)));
@@ -296,11 +367,13 @@ Powers fitPowers(const FitData& data, std::span<const MaterialPair> pairs,
     Powers powers;
     powers.radiance.resize(data.lamps);
     powers.logError.resize(data.lamps);
+    powers.told.assign(data.lamps, 1.0f);
     for (int c = 0; c < 3; ++c) {
         const ChannelFit& fit = fits[static_cast<size_t>(c)];
         for (size_t f = 0; f < data.lamps; ++f) {
             powers.radiance[f][c] = static_cast<float>(std::exp(fit.log[f]));
             powers.logError[f][c] = static_cast<float>(fit.error[f]);
+            powers.told[f] = std::min(powers.told[f], static_cast<float>(fit.told[f]));
         }
         powers.ambient[c] = static_cast<float>(std::exp(fit.log[data.lamps]));
         powers.loss += static_cast<float>(fit.loss) / 3.0f;

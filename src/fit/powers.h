@@ -28,6 +28,8 @@ struct Powers
     std::vector<glm::vec3> radiance; // of each lamp, RGB
     std::vector<glm::vec3>
         logError;            // standard error of its logarithm; large where the data do not tell
+    std::vector<float> told; // of each lamp, 0..1: how much the pairs narrowed the prior, in its
+                             // least known channel; below 1/2 the prior says more than they do
     glm::vec3 ambient{0.0f}; // radiance from outside the scan
     float residual = 0.0f;   // median absolute deviation of a pair, in log radiance
     float loss = 0.0f;       // mean of the pairs' robust losses, in squares of the last scale

@@ -121,6 +121,52 @@ TEST(Powers, WhatTheDataLeaveOpenIsWhiteAndSaysSo)
     const Powers powers = fitPowers(floor.data, floor.pairs);
     expectNear(powers.radiance[1], glm::vec3(1.0f), 0.05f);
     EXPECT_GT(powers.logError[1].g, 10.0f * powers.logError[0].g);
+    EXPECT_LT(powers.told[1], 0.05f);
+    EXPECT_GT(powers.told[0], 0.95f);
+}
+
+/// Adds places that are burnt out to white, where lamp 1 of two gives `direct` at radiance 1.
+void burnOut(FitData& data, size_t places, float direct)
+{
+    for (size_t i = 0; i < places; ++i) {
+        data.radiance.emplace_back(1.0f);
+        data.gathered.emplace_back(0.2f);
+        data.missed.push_back(0.0f);
+        data.direct.insert(data.direct.end(), {0.0f, direct});
+        ++data.burntOut;
+    }
+}
+
+// White paper is no whiter than 0.9: what shows white gets pi / 0.9 at least.
+TEST(Powers, BurntOutPlacesBoundALampFromBelow)
+{
+    Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.02f, 0.0f);
+    for (size_t i = 0; i < kPlaces; ++i) floor.data.direct[2 * i + 1] = 0.0f;
+    const Powers without = fitPowers(floor.data, floor.pairs);
+    burnOut(floor.data, 50, 0.1f);
+    const Powers powers = fitPowers(floor.data, floor.pairs);
+    const float least = (3.14159265f / 0.9f - 0.2f) / 0.1f;
+    expectNear(powers.radiance[1], glm::vec3(least), 0.05f);
+    expectNear(powers.radiance[0], without.radiance[0], 0.01f);
+}
+
+TEST(Powers, BurntOutPlaceThatGetsEnoughSaysNothing)
+{
+    Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.02f, 0.0f);
+    const Powers without = fitPowers(floor.data, floor.pairs);
+    burnOut(floor.data, 50, 1.0f);
+    const Powers with = fitPowers(floor.data, floor.pairs);
+    expectNear(with.radiance[1], without.radiance[1], 1e-3f);
+}
+
+// Polish shows the lamp itself: a tenth of white light makes it white.
+TEST(Powers, HighlightsDoNotMakeLampsBrighter)
+{
+    Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.02f, 0.0f);
+    const Powers without = fitPowers(floor.data, floor.pairs);
+    burnOut(floor.data, 20, 0.01f);
+    const Powers with = fitPowers(floor.data, floor.pairs);
+    expectNear(with.radiance[1], without.radiance[1], 0.02f);
 }
 
 // Of two lamps of one model, one lights nothing that is seen: it is as bright as the other.

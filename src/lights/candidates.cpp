@@ -15,7 +15,9 @@ namespace
 constexpr float kSameFacing = 0.8f;      // cosine; an edge sharper than this cuts
 constexpr float kPlaneFacing = 0.85f;    // cosine to a plane's normal, with a scan's noise
 constexpr float kPlaneThickness = 0.03f; // m; 1.5 times the error of a scan's worst 5 %
-constexpr float kLargePlane = 0.5f;      // m^2; smaller ones are parts of lamps
+constexpr float kLargePlane = 0.5f;      // m^2; smaller ones may be parts of lamps
+constexpr float kSmallPlane = 0.1f;      // m^2; from here on, where the wall goes on around it
+constexpr float kWallAround = 0.4f;      // of a square's rim that is wall
 constexpr float kBrightRim = 0.55f;      // luminance around a speck that only just burnt out
 constexpr float kSpeck = 0.02f;          // m^2
 constexpr size_t kMostPlanes = 4;        // of one blob
@@ -44,10 +46,10 @@ struct Plane
     glm::vec3 normal;
     float offset;
 
-    [[nodiscard]] bool holds(const ClippedPatch& patch) const
+    [[nodiscard]] bool holds(glm::vec3 position, glm::vec3 facing) const
     {
-        return glm::dot(patch.normal, normal) > kPlaneFacing &&
-               std::abs(glm::dot(patch.position, normal) - offset) < kPlaneThickness;
+        return glm::dot(facing, normal) > kPlaneFacing &&
+               std::abs(glm::dot(position, normal) - offset) < kPlaneThickness;
     }
 };
 
@@ -68,7 +70,7 @@ Plane largestPlane(const SurfelRadiance& radiance, const Members& members)
             area = 0.0f;
             for (const uint32_t i : members) {
                 const ClippedPatch& patch = radiance.clipped[i];
-                if (!plane.holds(patch)) continue;
+                if (!plane.holds(patch.position, patch.normal)) continue;
                 normal += patch.area * patch.normal;
                 position += patch.area * patch.position;
                 area += patch.area;
@@ -85,16 +87,40 @@ Plane largestPlane(const SurfelRadiance& radiance, const Members& members)
     return best;
 }
 
+/// Whether the plane is a wall that goes on around a piece of it, not burnt out: that piece is the
+/// wall beside a lamp, or a lamp let into it.
+bool goesOn(const Texels& texels, const SurfelRadiance& radiance, const Members& piece,
+            const Plane& plane)
+{
+    const Surfels& surfels = texels.surfels;
+    std::vector<uint32_t> rim;
+    for (const uint32_t i : piece)
+        for (const uint32_t other : surfels.neighborsOf(radiance.clipped[i].surfel))
+            if (radiance.plainArea[other] > radiance.clippedArea[other] &&
+                plane.holds(surfels.position[other], surfels.normal[other]))
+                rim.push_back(other);
+    std::sort(rim.begin(), rim.end());
+    rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
+    const float square = 4.0f * std::sqrt(areaOf(radiance, piece)) / surfels.size;
+    return static_cast<float>(rim.size()) > kWallAround * square;
+}
+
 /// Cuts the large planes out of a blob; what is left comes last.
-std::vector<Members> cutPlanes(const SurfelRadiance& radiance, Members members)
+std::vector<Members> cutPlanes(const Texels& texels, const SurfelRadiance& radiance,
+                               Members members)
 {
     std::vector<Members> pieces;
-    while (pieces.size() < kMostPlanes && areaOf(radiance, members) > kLargePlane) {
+    while (pieces.size() < kMostPlanes && areaOf(radiance, members) > kSmallPlane) {
         const Plane plane = largestPlane(radiance, members);
         Members on;
         Members off;
-        for (const uint32_t i : members) (plane.holds(radiance.clipped[i]) ? on : off).push_back(i);
-        if (areaOf(radiance, on) < kLargePlane) break;
+        for (const uint32_t i : members) {
+            const ClippedPatch& patch = radiance.clipped[i];
+            (plane.holds(patch.position, patch.normal) ? on : off).push_back(i);
+        }
+        const float area = areaOf(radiance, on);
+        if (area < kSmallPlane) break;
+        if (area < kLargePlane && !goesOn(texels, radiance, on, plane)) break;
         pieces.push_back(std::move(on));
         members = std::move(off);
     }
@@ -126,21 +152,6 @@ std::vector<Members> connected(const Texels& texels, const SurfelRadiance& radia
     return result;
 }
 
-Candidate candidateOf(const SurfelRadiance& radiance, const Members& members)
-{
-    Candidate candidate;
-    for (const uint32_t i : members) {
-        const ClippedPatch& patch = radiance.clipped[i];
-        candidate.patches.push_back(patch);
-        candidate.area += patch.area;
-        candidate.centre += patch.area * patch.position;
-        candidate.normal += patch.area * patch.normal;
-    }
-    candidate.centre /= candidate.area;
-    candidate.normal /= candidate.area;
-    return candidate;
-}
-
 /// A small flat piece in a surface that is nearly as bright all around it.
 bool isSpeck(const Texels& texels, const SurfelRadiance& radiance, const Candidate& candidate)
 {
@@ -155,7 +166,29 @@ bool isSpeck(const Texels& texels, const SurfelRadiance& radiance, const Candida
     return area > 0.0f && sum > kBrightRim * area;
 }
 
+std::vector<ClippedPatch> patchesOf(const SurfelRadiance& radiance, const Members& members)
+{
+    std::vector<ClippedPatch> patches;
+    for (const uint32_t i : members) patches.push_back(radiance.clipped[i]);
+    return patches;
+}
+
 } // namespace
+
+Candidate candidateOf(std::vector<ClippedPatch> patches)
+{
+    Candidate candidate{.patches = std::move(patches)};
+    for (const ClippedPatch& patch : candidate.patches) {
+        candidate.area += patch.area;
+        candidate.centre += patch.area * patch.position;
+        candidate.normal += patch.area * patch.normal;
+    }
+    if (candidate.area > 0.0f) {
+        candidate.centre /= candidate.area;
+        candidate.normal /= candidate.area;
+    }
+    return candidate;
+}
 
 std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance& radiance,
                                       size_t most)
@@ -163,13 +196,13 @@ std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance
     std::vector<int32_t> part(radiance.clipped.size(), 0);
     int32_t parts = 1;
     for (const Members& blob : connected(texels, radiance, part))
-        for (const Members& piece : cutPlanes(radiance, blob)) {
+        for (const Members& piece : cutPlanes(texels, radiance, blob)) {
             for (const uint32_t i : piece) part[i] = parts;
             ++parts;
         }
     std::vector<Candidate> candidates;
     for (const Members& members : connected(texels, radiance, part)) {
-        Candidate candidate = candidateOf(radiance, members);
+        Candidate candidate = candidateOf(patchesOf(radiance, members));
         if (!isSpeck(texels, radiance, candidate)) candidates.push_back(std::move(candidate));
     }
     std::stable_sort(candidates.begin(), candidates.end(),

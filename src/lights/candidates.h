@@ -20,6 +20,9 @@ struct Candidate
     float area = 0.0f; // m^2
 };
 
+/// Patches as one piece; without any, it has no area.
+Candidate candidateOf(std::vector<ClippedPatch> patches);
+
 /// Cuts what is burnt out into pieces along edges and level changes of the surface, largest first.
 ///
 /// A lamp on a wall that it burns out is one blob in the texture; in space it stands off the wall,

@@ -60,6 +60,25 @@ TEST(Candidates, LampIsCutOffThePlaneThatItRisesOver)
     EXPECT_NEAR(candidates[1].centre.y, 0.1f, 0.03f);
 }
 
+// A sconce's pool of light is small for a plane, but the wall goes on around it; a lamp's own flat
+// side ends where the lamp does.
+TEST(Candidates, LampIsCutOffTheSmallPoolOnTheWallBehindIt)
+{
+    const std::vector<scenes::Panel> parts{
+        {{0, 0, 0}, {0, 0, 2}, {2, 0, 0}},                 // the wall, facing up
+        {{0.9f, 0, 0.9f}, {0, 0, 0.2f}, {0.1f, 0.08f, 0}}, // one side of the sconce
+        {{1.0f, 0.08f, 0.9f}, {0, 0, 0.2f}, {0.1f, -0.08f, 0}}};
+    const scenes::Paint pool = [](glm::vec3 p, glm::vec3) {
+        const bool isIn = glm::distance(p, glm::vec3(1.0f, 0.0f, 1.0f)) < 0.3f;
+        return glm::vec3(isIn ? 1.0f : 0.5f);
+    };
+    const auto candidates = candidatesOf(scenes::panels(parts, 64, pool));
+    ASSERT_GE(candidates.size(), 2u);
+    EXPECT_NEAR(candidates[0].area, 0.28f, 0.05f);
+    EXPECT_NEAR(candidates[0].centre.y, 0.0f, 0.02f);
+    EXPECT_GT(candidates[1].centre.y, 0.03f);
+}
+
 // A speck that only just burnt out in a bright wall lights nothing; a bulb is as small, in the
 // dark.
 TEST(Candidates, SpecksInBrightWallsAreNoneAndBulbsAre)

@@ -3,7 +3,7 @@
 #include "base/fail.h"
 #include "base/json.h"
 #include "lights/fixtures.h"
-#include "lights/lights_document.h"
+#include "lights/json_document.h"
 
 #include <algorithm>
 #include <array>
@@ -44,6 +44,7 @@ ordered_json toJson(const Fixture& fixture, size_t id)
                         {"power", toJson(fixture.power())},
                         {"on", true}};
     if (fixture.error != glm::vec3(0.0f)) object["error"] = toJson(fixture.error);
+    if (!fixture.determined) object["determined"] = false;
     return object;
 }
 
@@ -80,8 +81,9 @@ ordered_json toJson(const PointLight& light, const std::vector<Fixture>& fixture
 
 Fixture fixtureFrom(const JsonItem& item, std::vector<std::string>& warnings)
 {
-    item.warnOfUnknown({"id", "centre", "normal", "area", "radiance", "power", "error", "on"},
-                       warnings);
+    item.warnOfUnknown(
+        {"id", "centre", "normal", "area", "radiance", "power", "error", "determined", "on"},
+        warnings);
     Fixture fixture;
     fixture.centre = item.vectorAt("centre");
     fixture.normal = item.facing("normal");
@@ -161,7 +163,7 @@ void addLightsOfWholeFixtures(Lights& lights)
 
 std::string lightsAsJson(const Lights& lights)
 {
-    ordered_json document{{"format", LightsDocument::kFormat},
+    ordered_json document{{"format", kLightsFormat},
                           {"units",
                            "metres, Y up; radiance 1 = the texture's white; intensity in radiance "
                            "m^2, power in radiance m^2 sr; linear Rec. 709"}};
@@ -177,7 +179,7 @@ std::string lightsAsJson(const Lights& lights)
 
 Lights readLights(const std::filesystem::path& file, std::vector<std::string>& warnings)
 {
-    const LightsDocument document(file);
+    const JsonDocument document(file, kLightsFormat);
     const JsonItem top = document.top();
     top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient"}, warnings);
 

@@ -50,6 +50,17 @@ std::string shareOf(int fixture, float share)
 
 } // namespace
 
+TEST(LightsFile, SaysOfWhichFixtureTheScanDoesNotTell)
+{
+    Lights lights{.fixtures = {{.area = 1.0f, .radiance = glm::vec3(20.0f)},
+                               {.area = 1.0f, .radiance = glm::vec3(1.0f), .determined = false}}};
+    const std::string text = lightsAsJson(lights);
+    EXPECT_EQ(text.find("\"determined\": false"), text.rfind("\"determined\""));
+    EXPECT_NE(text.find("\"determined\""), std::string::npos);
+    EXPECT_TRUE(read(text).fixtures[1].determined); // what a person passes is no guess
+    EXPECT_THAT(lastWarnings, IsEmpty());
+}
+
 TEST(LightsFile, WhatWasWrittenIsReadAgain)
 {
     Lights lights;

@@ -15,6 +15,7 @@ struct RunSum
     float plainArea = 0.0f;
     glm::vec3 position{0.0f};
     glm::vec3 normal{0.0f};
+    glm::vec3 clipped{0.0f};
     float clippedArea = 0.0f;
 };
 
@@ -24,6 +25,7 @@ void add(const TexelBlock& block, size_t i, bool isClipped, RunSum& sum)
     if (isClipped) {
         sum.position += area * glm::vec3(block.x[i], block.y[i], block.z[i]);
         sum.normal += area * glm::vec3(block.nx[i], block.ny[i], block.nz[i]);
+        sum.clipped += area * glm::vec3(block.r[i], block.g[i], block.b[i]);
         sum.clippedArea += area;
     } else {
         sum.plain += area * glm::vec3(block.r[i], block.g[i], block.b[i]);
@@ -76,6 +78,7 @@ SurfelRadiance collectRadiance(const Texels& texels, Progress& progress)
             sum.plainArea += sums[run].plainArea;
             sum.position += sums[run].position;
             sum.normal += sums[run].normal;
+            sum.clipped += sums[run].clipped;
             sum.clippedArea += sums[run].clippedArea;
         }
         stage.advance();
@@ -92,7 +95,7 @@ SurfelRadiance collectRadiance(const Texels& texels, Progress& progress)
         const float length = glm::length(sum.normal);
         result.clipped.push_back({sum.position / sum.clippedArea,
                                   length > 0.0f ? sum.normal / length : texels.surfels.normal[s],
-                                  sum.clippedArea, s});
+                                  sum.clippedArea, s, sum.clipped / sum.clippedArea});
     }
     return result;
 }

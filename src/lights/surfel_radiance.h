@@ -18,6 +18,7 @@ struct ClippedPatch
     glm::vec3 normal{0.0f};   // unit, mean
     float area = 0.0f;        // m^2
     uint32_t surfel = 0;
+    glm::vec3 radiance{1.0f}; // mean that the texture shows; was more
 };
 
 /// What the texture says of the light that leaves every surfel.

@@ -1,6 +1,6 @@
 #include "output/camera_file.h"
 
-#include "lights/lights_document.h"
+#include "lights/json_document.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -57,7 +57,7 @@ Across acrossFrom(const JsonItem& item)
 
 Camera readCamera(const std::filesystem::path& file, std::vector<std::string>& warnings)
 {
-    const LightsDocument document(file, kFormat);
+    const JsonDocument document(file, kFormat);
     const JsonItem top = document.top();
     top.warnOfUnknown({"format", "position", "target", "forward", "up", "fieldOfView", "across"},
                       warnings);

@@ -78,7 +78,7 @@ Image imageOf(const std::vector<glm::vec3>& light, Size size)
 
 struct Photographer::State
 {
-    State(const Texels& texels, const RayScene& scene_) : scene(scene_), view(texels, scene_) {}
+    State(const Texels& texels, const RayScene& rays) : scene(rays), view(texels, rays) {}
     explicit State(std::unique_ptr<OwnRoom> room)
         : own(std::move(room)), scene(own->scene), view(own->texels, own->scene)
     {}

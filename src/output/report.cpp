@@ -5,7 +5,9 @@
 #include "relamp/error.h"
 #include "relamp/version.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace relamp
 {
@@ -149,31 +151,44 @@ ordered_json lightsAsReport(const Decomposition& result)
         fixtures.push_back({{"centre", toJson(fixture.centre)},
                             {"area", shortest(fixture.area)},
                             {"power", toJson(fixture.power())},
-                            {"error", toJson(fixture.error)}});
+                            {"error", toJson(fixture.error)},
+                            {"determined", fixture.determined}});
     return {{"fixtures", std::move(fixtures)},
             {"pointLights", result.lights().points.size()},
             {"mergedLights", result.mergedLights().size()},
             {"ambient", toJson(result.lights().ambient)}};
 }
 
+/// Shares of the area.
+ordered_json confidenceAsJson(const std::array<double, kDoubts>& area)
+{
+    constexpr const char* kNames[kDoubts] = {"",       "clipped",  "shines",  "unlit",
+                                             "unseen", "backFace", "penumbra"};
+    const double all = std::max(std::accumulate(area.begin(), area.end(), 0.0), 1e-30);
+    const auto share = [&](double part) { return std::round(part / all * 1e4) / 1e4; };
+    ordered_json low = ordered_json::object();
+    for (size_t d = 1; d < kDoubts; ++d) low[kNames[d]] = share(area[d]);
+    return {{"good", share(area[0])}, {"low", std::move(low)}};
+}
+
 } // namespace
 
-std::string reportAsJson(const Scan& scan, const Decomposition& result,
-                         const std::filesystem::path& scanFile,
-                         const std::vector<std::string>& files, const Progress& progress)
+std::string reportAsJson(const Scan& scan, const Decomposition& result, const Written& written,
+                         const Progress& progress)
 {
     std::vector<std::string> warnings = scan.warnings;
     warnings.insert(warnings.end(), result.warnings().begin(), result.warnings().end());
     const ordered_json report{{"program", std::string("relamp ") + version()},
-                              {"scan", scanAsJson(scan, result, scanFile)},
+                              {"scan", scanAsJson(scan, result, written.scanFile)},
                               {"options", optionsAsJson(result.optionsInForce())},
                               {"seconds", secondsAsJson(progress)},
                               {"lights", lightsAsReport(result)},
                               {"closedLoop",
                                {{"rmsError", shortest(result.closure().rmsError)},
                                 {"rmsOfScan", shortest(result.closure().rmsInput)}}},
+                              {"confidence", confidenceAsJson(written.area)},
                               {"warnings", warnings},
-                              {"files", files}};
+                              {"files", written.files}};
     using Handler = nlohmann::json::error_handler_t;
     return report.dump(1, '\t', false, Handler::replace) + "\n";
 }

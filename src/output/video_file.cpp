@@ -84,6 +84,7 @@ void VideoFile::start(Size size, double framesPerSecond)
 
     std::vector<std::string> words = commandLine(size, framesPerSecond, staged_.path());
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
 

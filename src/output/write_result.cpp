@@ -15,6 +15,8 @@
 #include "relamp/version.h"
 #include "scan/gltf_write.h"
 
+#include <algorithm>
+
 #include <tbb/parallel_invoke.h>
 
 namespace relamp
@@ -49,6 +51,19 @@ std::vector<float> floatsFrom(const std::vector<uint16_t>& half)
     return floats;
 }
 
+/// Colours of Doubt, as docs/guide/results.md lists them.
+constexpr uint8_t kColorOfDoubt[kDoubts][3] = {{0, 0, 0},     {255, 64, 64}, {255, 255, 255},
+                                               {64, 64, 255}, {0, 192, 192}, {192, 0, 192},
+                                               {255, 176, 0}};
+
+std::vector<uint8_t> pictureOf(const std::vector<Doubt>& doubt)
+{
+    std::vector<uint8_t> rgb(3 * doubt.size());
+    for (size_t i = 0; i < doubt.size(); ++i)
+        std::copy_n(kColorOfDoubt[static_cast<size_t>(doubt[i])], 3, &rgb[3 * i]);
+    return rgb;
+}
+
 class ResultWriter
 {
 public:
@@ -60,6 +75,8 @@ public:
 
     void writePages();
     void writeWhole();
+    /// m^2 of surface by Doubt, of the pages that are written.
+    [[nodiscard]] const std::array<double, kDoubts>& area() const { return area_; }
 
 private:
     void writePage(size_t page, PageLayers layers);
@@ -77,6 +94,7 @@ private:
     Progress& progress_;
     std::vector<RelitPage> relit_;
     std::vector<PreviewPage> previews_;
+    std::array<double, kDoubts> area_{};
 };
 
 void ResultWriter::writeAlbedo(size_t page, const PageLayers& layers)
@@ -106,6 +124,7 @@ void ResultWriter::writePage(size_t page, PageLayers layers)
     const Size size{layers.width, layers.height};
     Progress::Stage stage(progress_, "write", 5);
     previews_.push_back(previewOf(scan_.pages[page], layers));
+    for (size_t d = 0; d < kDoubts; ++d) area_[d] += layers.area[d];
     stage.advance();
     tbb::parallel_invoke(
         [&] {
@@ -116,6 +135,8 @@ void ResultWriter::writePage(size_t page, PageLayers layers)
             writeExr(file("albedo", page, "exr"), layers.albedo, size);
             const auto png = encodePng(layers.confidence, size, 1);
             writeFile(file("confidence", page, "png"), std::as_bytes(std::span(png)));
+            const auto why = encodePng(pictureOf(layers.doubt), size, 3);
+            writeFile(file("reasons", page, "png"), std::as_bytes(std::span(why)));
             stage.advance();
         },
         [&] {
@@ -167,7 +188,8 @@ std::string writeResult(const Scan& scan, const Decomposition& decomposition,
     writer.writeWhole();
     std::vector<std::string> files = staged.names();
     files.emplace_back("report.json");
-    std::string report = reportAsJson(scan, decomposition, scanFile, files, progress);
+    std::string report =
+        reportAsJson(scan, decomposition, {scanFile, files, writer.area()}, progress);
     writeFile(staged / "report.json", report);
     progress.check();
     staged.commit("report.json", filesOfFormerReport(folder));

@@ -1,6 +1,6 @@
 #include "relight/relighting_file.h"
 #include "base/fail.h"
-#include "lights/lights_document.h"
+#include "lights/json_document.h"
 #include "relamp/relight.h"
 #include "relight/fixture_settings.h"
 #include "relight/ies.h"
@@ -153,8 +153,9 @@ void RelightingReader::readLight(const JsonItem& item)
 
 void RelightingReader::readFixture(const JsonItem& item)
 {
-    item.warnOfUnknown({"id", "centre", "normal", "area", "radiance", "power", "error", "on", "dim",
-                        "lumens", "watts", "kelvin", "colour", "window", "name"},
+    item.warnOfUnknown({"id", "centre", "normal", "area", "radiance", "power", "error",
+                        "determined", "on", "dim", "lumens", "watts", "kelvin", "colour", "window",
+                        "name"},
                        warnings_);
     LitFixture lit;
     size_t place = captured_.fixtures.size();
@@ -256,7 +257,7 @@ Relighting relightingFrom(const JsonItem& top, const std::filesystem::path& fold
 Relighting readRelighting(const std::filesystem::path& file, const Lights& captured,
                           std::vector<std::string>& warnings)
 {
-    const LightsDocument document(file);
+    const JsonDocument document(file, kLightsFormat);
     return relightingFrom(document.top(), file.parent_path(), captured, warnings);
 }
 

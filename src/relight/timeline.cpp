@@ -1,6 +1,6 @@
 #include "relamp/timeline.h"
 
-#include "lights/lights_document.h"
+#include "lights/json_document.h"
 #include "relight/relighting_file.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ constexpr size_t kMostKeys = 1000;
 struct Key
 {
     double time = 0.0;
-    std::shared_ptr<const LightsDocument> document; // that it stands in
+    std::shared_ptr<const JsonDocument> document; // that it stands in
     json light;
     std::string what; // "day.json: key 1"
     std::string path; // of the light in its document
@@ -89,12 +89,13 @@ json Blend::ofObjects(const json& a, const json& b, const std::string& path) con
     for (const std::string& key : keys) {
         const auto inA = a.find(key);
         const auto inB = b.find(key);
+        const std::string below = fmt::format("{}/{}", path, key);
         if (inA != a.end() && inB != b.end())
-            object[key] = of(*inA, *inB, path + "/" + key);
+            object[key] = of(*inA, *inB, below);
         else if (key == "dim") // 1 where it is not said
-            object[key] = of(a.value(key, json(1.0)), b.value(key, json(1.0)), path + "/" + key);
+            object[key] = of(a.value(key, json(1.0)), b.value(key, json(1.0)), below);
         else if (key != "on") // true where it is not said
-            refuse(path + "/" + key, fmt::format("is in one of this and {} alone", to_.what));
+            refuse(below, fmt::format("is in one of this and {} alone", to_.what));
         else if (const auto& holder = share_ < 1.0 ? a : b; holder.contains(key))
             object[key] = holder[key];
     }
@@ -112,13 +113,13 @@ json Blend::of(const json& a, const json& b, const std::string& path) const
 
 /// The light of a key: an object, or the name of a lights file.
 void takeLight(const JsonItem& item, const std::filesystem::path& folder,
-               const std::shared_ptr<const LightsDocument>& document, Key& key)
+               const std::shared_ptr<const JsonDocument>& document, Key& key)
 {
     const json* light = item.find("light");
     if (light == nullptr) item.refuse("\"light\" is missing");
     if (light->is_string()) {
         const std::filesystem::path file = folder / light->get<std::string>();
-        key.document = std::make_shared<const LightsDocument>(file);
+        key.document = std::make_shared<const JsonDocument>(file, kLightsFormat);
         key.light = key.document->top().object;
         key.what = file.string();
         key.folder = file.parent_path();
@@ -153,7 +154,7 @@ struct Timeline::State
 
 void Timeline::State::read(const std::filesystem::path& file, std::vector<std::string>& warnings)
 {
-    const auto document = std::make_shared<const LightsDocument>(file, kFormat);
+    const auto document = std::make_shared<const JsonDocument>(file, kFormat);
     const JsonItem top = document->top();
     top.warnOfUnknown({"format", "seconds", "keys"}, warnings);
     seconds = top.size("seconds", 10.0f);

@@ -2,7 +2,9 @@
 
 #include "base/instruction_set.h"
 #include "base/lanes.h"
+#include "base/parallel.h"
 #include "flatten/flatten.shared.h"
+#include "lights/expand.shared.h"
 
 #include <algorithm>
 
@@ -12,7 +14,8 @@ namespace
 {
 
 constexpr float kPi = 3.14159265f;
-constexpr float kReach = 1.5f; // of the interpolation, in surfel sizes
+constexpr float kReach = 1.5f;   // of the interpolation, in surfel sizes
+constexpr float kMatters = 0.2f; // share of all light at a place
 
 /// Surfels around a run of texels, as structure of arrays.
 struct Taps
@@ -118,6 +121,17 @@ void shadeDirect(const GatheredLight& light, const PageTexels& page, size_t begi
     }
 }
 
+/// A surfel as a texel.
+void put(TexelBlock& block, size_t i, const Surfels& surfels, size_t s)
+{
+    block.x[i] = surfels.position[s].x;
+    block.y[i] = surfels.position[s].y;
+    block.z[i] = surfels.position[s].z;
+    block.nx[i] = surfels.normal[s].x;
+    block.ny[i] = surfels.normal[s].y;
+    block.nz[i] = surfels.normal[s].z;
+}
+
 } // namespace
 
 void interpolate(const Texels& texels, std::span<const glm::vec3> irradiance, size_t page,
@@ -131,6 +145,33 @@ void interpolate(const Texels& texels, std::span<const glm::vec3> irradiance, si
         const InterpolateArgs args{&block, &taps, first, end, 1.0f / (reach * reach), &out};
         runKernel<interpolateKernel>(bestInstructionSet(), args);
     });
+}
+
+SurfelLighting lightOnSurfels(const Surfels& surfels, const GatheredLight& light)
+{
+    SurfelLighting result{light.indirect, std::vector<uint8_t>(surfels.count(), 0)};
+    forEachChunk(surfels.count(), TexelBlock::kCapacity, [&](size_t begin, size_t end) {
+        TexelBlock block;
+        block.count = end - begin;
+        for (size_t s = begin; s < end; ++s) put(block, s - begin, surfels, s);
+        float share[TexelBlock::kPadded];
+        float open[TexelBlock::kPadded];
+        std::vector<float> partly(block.count, 0.0f);
+        for (size_t l = 0; l < light.lamps.size(); ++l) {
+            openIrradiance(block, light.lamps[l].patches, open);
+            for (size_t i = 0; i < block.count; ++i) {
+                const auto s = static_cast<uint32_t>(begin + i);
+                light.visibility.at(l, s, block, i, i + 1, share);
+                result.irradiance[s] += open[i] * share[i] * light.lamps[l].radiance;
+                if (light.visibility.isPartial(l, s))
+                    partly[i] += open[i] * luminance(light.lamps[l].radiance);
+            }
+        }
+        for (size_t i = 0; i < block.count; ++i)
+            if (partly[i] > kMatters * luminance(result.irradiance[begin + i]))
+                result.inPenumbra[begin + i] = 1;
+    });
+    return result;
 }
 
 TexelShading shadingOf(const Texels& texels, std::shared_ptr<const GatheredLight> light)

@@ -3,6 +3,7 @@
 #include "shading/texel_shading.h"
 #include "shading/visibility.h"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -33,5 +34,14 @@ void interpolate(const Texels& texels, std::span<const glm::vec3> irradiance, si
 /// Shades texels: indirect light interpolated between surfels of one surface, direct light of every
 /// lamp by its area, as much of it as can be seen.
 TexelShading shadingOf(const Texels& texels, std::shared_ptr<const GatheredLight> light);
+
+/// The light that arrives in the middle of each surfel.
+struct SurfelLighting
+{
+    std::vector<glm::vec3> irradiance;
+    std::vector<uint8_t>
+        inPenumbra; // not 0: a lamp that matters there is partly hidden, or near by
+};
+SurfelLighting lightOnSurfels(const Surfels& surfels, const GatheredLight& light);
 
 } // namespace relamp

@@ -36,6 +36,12 @@ public:
     bool at(size_t lamp, uint32_t surfel, const TexelBlock& block, size_t first, size_t end,
             float* share) const;
 
+    /// Whether a surfel or one around it sees a part of a lamp and not all.
+    [[nodiscard]] bool isPartial(size_t lamp, uint32_t surfel) const
+    {
+        return states_[lamp][surfel] == some;
+    }
+
 private:
     enum State : uint8_t { none, all, some };
 

@@ -1,6 +1,7 @@
 #include "solve/by_gather.h"
 
 #include "albedo/gather_closure.h"
+#include "fit/stray.h"
 #include "shading/buried.h"
 #include "shading/gathered_light.h"
 #include "solve/found_room.h"
@@ -48,11 +49,15 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     const LitSides sides = litSidesOf(texels, scene, room);
     const glm::vec3 ambient = room.found.ambient;
     solution.closure = closeLoop(room.hits, room.radiance, sides, ambient);
-    std::vector<glm::vec3> indirect =
+    const std::vector<glm::vec3> indirect =
         withoutBuried(texels.surfels, indirectOfFronts(texels.surfels, room.hits, sides, ambient),
                       buriedSurfels(texels));
-    solution.shade =
-        shadingOf(texels, lightOf(texels, scene, room.found, std::move(indirect), room.options));
+    const auto light = lightOf(texels, scene, room.found, indirect, room.options);
+    const TexelShading shade = shadingOf(texels, light);
+    solution.shade = withoutStray(shade, fitStray(texels, room.radiance, shade));
+    solution.trust = trustByView(room.hits, texels.surfels.count());
+    doubtEdges(texels.surfels, room.radiance, lightOnSurfels(texels.surfels, *light),
+               solution.trust);
     if (options.albedo.fill) solution.fill = fillOf(texels.surfels, room.radiance, sides.albedo);
     solution.lights = lightsOf(room.found);
     solution.merged = solution.lights.points;

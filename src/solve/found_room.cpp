@@ -61,6 +61,7 @@ Fixture fixtureOf(const FoundLamp& lamp)
     if (length > kNoFacing * fixture.area) fixture.normal = normal / length;
     fixture.radiance = lamp.radiance;
     fixture.error = lamp.logError;
+    fixture.determined = lamp.isDetermined;
     return fixture;
 }
 

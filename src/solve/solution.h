@@ -1,5 +1,6 @@
 #pragma once
 
+#include "albedo/doubts.h"
 #include "lights/shining.h"
 #include "relamp/delight.h"
 #include "shading/texel_shading.h"
@@ -17,8 +18,9 @@ struct Solution
     std::vector<PointLight> merged; // the same light, for formats that know points alone
     TexelShading shade;             // refers to the texels and the scene that were solved
     Shining shining;
-    std::vector<glm::vec3> fill; // albedo of surfels, for texels that cannot be trusted; or none
-    DelightOptions options;      // as given, and all that was derived
+    std::vector<SurfelTrust> trust; // in the shading of surfels; empty: full
+    std::vector<glm::vec3> fill;    // albedo of surfels, for texels that cannot be trusted; or none
+    DelightOptions options;         // as given, and all that was derived
     Closure closure;
     std::vector<std::string> warnings;
 };

@@ -49,14 +49,18 @@ TEST(DelightProgram, WritesAllThatTheGuidePromises)
     ASSERT_EQ(run.exitCode, 0) << run.err;
     EXPECT_THAT(namesIn(folder / "out"),
                 UnorderedElementsAre("albedo.exr", "albedo.png", "confidence.png", "direct.exr",
-                                     "indirect.exr", "lights.json", "preview.png", "report.json",
-                                     "scan.glb", "shading.exr"));
+                                     "indirect.exr", "lights.json", "preview.png", "reasons.png",
+                                     "report.json", "scan.glb", "shading.exr"));
     EXPECT_THAT(namesIn(folder.path()),
                 testing::ElementsAre("out")); // and nothing half-written beside it
 
     const auto report = nlohmann::json::parse(bytesOf(folder / "out/report.json"));
     EXPECT_EQ(report["scan"]["triangles"], 39855);
     EXPECT_LT(report["closedLoop"]["rmsError"], 0.1);
+    double share = report["confidence"]["good"];
+    for (const auto& low : report["confidence"]["low"]) share += low.get<double>();
+    EXPECT_NEAR(share, 1.0, 1e-3);
+    EXPECT_GT(report["confidence"]["good"], 0.7);
     EXPECT_EQ(readPicture(folder / "out/albedo.png").width, 1024);
 }
 

@@ -67,9 +67,9 @@ protected:
                               const std::string& output = "out.png") const
     {
         std::vector<std::string> damaged;
-        for (const size_t length : scattered(6, good.size()))
+        for (const size_t length : scattered(3, good.size()))
             damaged.push_back(good.substr(0, length));
-        for (const size_t bit : scattered(10, 8 * good.size()))
+        for (const size_t bit : scattered(5, 8 * good.size()))
             damaged.push_back(flipped(good, bit));
         for (const std::string& bytes : damaged) {
             write(name, bytes);

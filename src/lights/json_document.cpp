@@ -1,4 +1,4 @@
-#include "lights/lights_document.h"
+#include "lights/json_document.h"
 
 #include "base/file.h"
 #include "base/json.h"
@@ -19,11 +19,11 @@ std::string textOf(const std::filesystem::path& file)
 
 } // namespace
 
-LightsDocument::LightsDocument(const std::filesystem::path& file, const char* format)
-    : LightsDocument(file.string(), textOf(file), format)
+JsonDocument::JsonDocument(const std::filesystem::path& file, const char* format)
+    : JsonDocument(file.string(), textOf(file), format)
 {}
 
-LightsDocument::LightsDocument(std::string name, const std::string& text, const char* format)
+JsonDocument::JsonDocument(std::string name, const std::string& text, const char* format)
     : name_(std::move(name)), document_(parseJson(text, name_)), lines_(text)
 {
     const JsonItem all = top();

@@ -1,0 +1,52 @@
+#include "albedo/confidence.h"
+
+#include <gmock/gmock.h>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kDarkest = 0.02f;
+const glm::vec3 kLit(1.0f);
+const glm::vec3 kGrey(0.5f);
+
+} // namespace
+
+TEST(Confidence, IsLostWhereTheTextureIsBurntOutOrUnlit)
+{
+    EXPECT_EQ(confidenceOf(glm::vec3(1.0f), true, kLit, kDarkest).value, 0.0f);
+    EXPECT_EQ(confidenceOf({0.99f, 0.2f, 0.2f}, true, kLit, kDarkest).value, 0.0f); // one channel
+    EXPECT_EQ(confidenceOf(glm::vec3(0.01f), true, glm::vec3(0.015f), kDarkest).value, 0.0f);
+    EXPECT_EQ(confidenceOf(kGrey, true, kLit, kDarkest).value, 1.0f);
+    EXPECT_EQ(confidenceOf(kGrey, true, kLit, kDarkest).byte(), 255);
+}
+
+// A float texture says how bright its brightest is.
+TEST(Confidence, IsKeptAboveWhiteWhereTheTextureDoesNotClip)
+{
+    EXPECT_EQ(confidenceOf(glm::vec3(7.0f), false, glm::vec3(9.0f), kDarkest).value, 1.0f);
+    EXPECT_EQ(confidenceOf(glm::vec3(7.0f), false, glm::vec3(0.01f), kDarkest).value, 0.0f);
+}
+
+TEST(Confidence, LowOneHasTheReasonThatWeighsMost)
+{
+    const auto why = [](glm::vec3 radiance, glm::vec3 shading, SurfelTrust trust) {
+        return confidenceOf(radiance, true, shading, kDarkest, trust).doubt;
+    };
+    EXPECT_EQ(why(kGrey, kLit, {}), Doubt::none);
+    EXPECT_EQ(why(glm::vec3(1.0f), kLit, {}), Doubt::clipped);
+    EXPECT_EQ(why(glm::vec3(0.01f), glm::vec3(0.02f), {}), Doubt::unlit);
+    EXPECT_EQ(why(kGrey, kLit, {.seen = 0.2f}), Doubt::unseen);
+    EXPECT_EQ(why(kGrey, kLit, {.seen = 0.4f, .front = 0.3f}), Doubt::backFace);
+    EXPECT_EQ(why(kGrey, kLit, {.edges = 0.1f}), Doubt::penumbra);
+    EXPECT_EQ(why(kGrey, kLit, {.edges = 0.6f}), Doubt::none); // not low
+}
+
+TEST(Confidence, DoubtsMultiply)
+{
+    EXPECT_NEAR(confidenceOf(kGrey, true, kLit, kDarkest, {.seen = 0.5f, .edges = 0.5f}).value,
+                0.25f, 1e-6f);
+}
+
+} // namespace relamp
