@@ -3,6 +3,7 @@
 #include "relamp/api.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,15 @@ struct PointLight
     int fixture = -1;          // index into Lights::fixtures; -1 for none
 };
 
+/// The sun, where it shines into a room.
+struct Sun
+{
+    glm::vec3 direction{0.0f, 1.0f, 0.0f}; // unit, from the room to the sun
+    glm::vec3 irradiance{0.0f};            // RGB, radiance * sr, on a surface that faces it
+    glm::vec3 error{0.0f};  // standard error of irradiance as a share of it; 0: none is known
+    bool determined = true; // false: irradiance is a lower bound
+};
+
 /// All light of a room, as delight finds it and a person may edit it.
 struct Lights
 {
@@ -44,6 +54,7 @@ struct Lights
     // Radiance of what lies outside the scan, seen through its holes; to the thesis solver,
     // irradiance / pi, the same everywhere.
     glm::vec3 ambient{0.0f};
+    std::optional<Sun> sun; // gather alone shades by it
 };
 
 /// lights.json, described in docs/guide/lights.md. `warnings` receives a sentence a key that is not

@@ -520,7 +520,7 @@ FoundLamps LampSearch::run()
         const bool isDetermined = suspect.told >= kTold;
         if (!isDetermined) found.warnings.push_back(unknownAt(suspect.candidate.centre));
         found.lamps.push_back({std::move(suspect.candidate.patches), suspect.radiance,
-                               suspect.logError, std::move(suspect.onSides), isDetermined});
+                               suspect.logError, std::move(suspect.onSides), false, isDetermined});
     }
     found.ambient = powers_.ambient;
     found.residual = powers_.residual;

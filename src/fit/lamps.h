@@ -20,6 +20,7 @@ struct FoundLamp
     glm::vec3 radiance{0.0f};        // RGB, 1 = the texture's white
     glm::vec3 logError{0.0f};        // standard error of log radiance
     std::vector<AreaSample> onSides; // at radiance 1, one a hit list; empty: not looked at
+    bool isSunlit = false;           // no lamp but a burnt-out patch of sun, which lights the room
     bool isDetermined = true;        // false: it lights too little that is seen to tell how bright
 };
 

@@ -291,8 +291,9 @@ std::vector<double> errorsOf(const Channel& channel, std::span<const MaterialPai
     return errors;
 }
 
+/// One channel, or luminance where `c` < 0. `bounded`: by what is burnt out, too.
 ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, int c,
-                      const PowersOptions& options)
+                      const PowersOptions& options, bool bounded)
 {
     Channel channel(data, c);
     for (size_t f = 0; f < options.start.size(); ++f)
@@ -312,7 +313,7 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, 
         if (!pairs.empty())
             problem.AddResidualBlock(new PairsCost(channel, pairs, scale), nullptr,
                                      channel.unknowns());
-        if (data.burntOut > 0 && !pairs.empty())
+        if (bounded && data.burntOut > 0 && !pairs.empty())
             problem.AddResidualBlock(
                 new BurntOutCost(channel, data.burntOut, scale, std::sqrt(pairsAPlace)), nullptr,
                 channel.unknowns());
@@ -351,6 +352,18 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, 
     return fit;
 }
 
+/// Burnt-out walls tell how bright the lamps must be, and pairs alone of what colour: a wall of
+/// warm light burns out in red first, and would make lamps redder than they are.
+void lift(std::array<ChannelFit, 3>& fits, const FitData& data, std::span<const MaterialPair> pairs,
+          const PowersOptions& options)
+{
+    std::array<ChannelFit, 2> luminance;
+    forEach(2, [&](size_t i) { luminance[i] = fitChannel(data, pairs, -1, options, i == 1); });
+    for (ChannelFit& fit : fits)
+        for (size_t f = 0; f < fit.log.size(); ++f)
+            fit.log[f] += luminance[1].log[f] - luminance[0].log[f];
+}
+
 } // namespace
 
 Powers fitPowers(const FitData& data, std::span<const MaterialPair> pairs,
@@ -358,11 +371,13 @@ Powers fitPowers(const FitData& data, std::span<const MaterialPair> pairs,
 {
     std::array<ChannelFit, 3> fits;
     if (options.oneChannel) {
-        fits[0] = fitChannel(data, pairs, -1, options);
+        fits[0] = fitChannel(data, pairs, -1, options, true);
         fits[1] = fits[2] = fits[0];
     } else {
-        forEach(3,
-                [&](size_t c) { fits[c] = fitChannel(data, pairs, static_cast<int>(c), options); });
+        forEach(3, [&](size_t c) {
+            fits[c] = fitChannel(data, pairs, static_cast<int>(c), options, false);
+        });
+        if (data.burntOut > 0) lift(fits, data, pairs, options);
     }
     Powers powers;
     powers.radiance.resize(data.lamps);

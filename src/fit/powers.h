@@ -37,9 +37,10 @@ struct Powers
 
 /// Fits the radiance of every lamp, and of what lies outside, so that pairs of one material get one
 /// albedo (method.md 6): least squares over log (L_p / L_q) - log (E_p / E_q), Cauchy, from a wide
-/// scale to a narrow one, so that pairs of different material drop out. Each channel by itself;
-/// unknowns are logarithms, so nothing is negative. What the data leave open comes out at the
-/// texture's white.
+/// scale to a narrow one, so that pairs of different material drop out. Each channel by
+/// itself; unknowns are logarithms, so nothing is negative. Places that are burnt out lift lamps,
+/// not their colour, until no paper would need to be whiter than 0.9. What the data leave open
+/// comes out at the texture's white.
 Powers fitPowers(const FitData& data, std::span<const MaterialPair> pairs,
                  const PowersOptions& options = {});
 

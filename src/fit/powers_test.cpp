@@ -150,6 +150,19 @@ TEST(Powers, BurntOutPlacesBoundALampFromBelow)
     expectNear(powers.radiance[0], without.radiance[0], 0.01f);
 }
 
+TEST(Powers, BurntOutPlacesSayNothingOfColour)
+{
+    Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.02f, 0.0f);
+    const Powers without = fitPowers(floor.data, floor.pairs);
+    burnOut(floor.data, 200, 0.1f);
+    for (size_t i = kPlaces; i < floor.data.radiance.size(); ++i)
+        floor.data.radiance[i] = {1.0f, 0.7f, 0.4f};
+    const Powers with = fitPowers(floor.data, floor.pairs);
+    EXPECT_GT(with.radiance[1].g, 1.2f * without.radiance[1].g);
+    expectNear(with.radiance[1] / with.radiance[1].g, without.radiance[1] / without.radiance[1].g,
+               1e-3f);
+}
+
 TEST(Powers, BurntOutPlaceThatGetsEnoughSaysNothing)
 {
     Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.02f, 0.0f);

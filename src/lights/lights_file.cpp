@@ -4,6 +4,7 @@
 #include "base/json.h"
 #include "lights/fixtures.h"
 #include "lights/json_document.h"
+#include "lights/sun_item.h"
 
 #include <algorithm>
 #include <array>
@@ -74,6 +75,15 @@ ordered_json toJson(const PointLight& light, const std::vector<Fixture>& fixture
     } else {
         object["intensity"] = toJson(light.intensity);
     }
+    return object;
+}
+
+ordered_json toJson(const Sun& sun)
+{
+    ordered_json object{{"direction", toJson(sun.direction)},
+                        {"irradiance", toJson(sun.irradiance)}};
+    if (sun.error != glm::vec3(0.0f)) object["error"] = toJson(sun.error);
+    if (!sun.determined) object["determined"] = false;
     return object;
 }
 
@@ -174,6 +184,7 @@ std::string lightsAsJson(const Lights& lights)
     for (const PointLight& light : lights.points)
         document["lights"].push_back(toJson(light, lights.fixtures));
     document["ambient"] = toJson(lights.ambient);
+    if (lights.sun) document["sun"] = toJson(*lights.sun);
     return document.dump(1, '\t') + "\n";
 }
 
@@ -181,7 +192,7 @@ Lights readLights(const std::filesystem::path& file, std::vector<std::string>& w
 {
     const JsonDocument document(file, kLightsFormat);
     const JsonItem top = document.top();
-    top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient"}, warnings);
+    top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient", "sun"}, warnings);
 
     Lights lights;
     top.forEachIn("fixtures", "fixture", [&](const JsonItem& item) {
@@ -193,9 +204,10 @@ Lights readLights(const std::filesystem::path& file, std::vector<std::string>& w
     addLightsOfWholeFixtures(lights);
     dropDark(lights.points);
     if (top.has("ambient")) lights.ambient = top.lightAt("ambient");
-    if (lights.points.empty() && lights.ambient == glm::vec3(0.0f))
-        malformed(top.what,
-                  "holds no light: it needs \"lights\", \"fixtures\" or \"ambient\" that shine");
+    lights.sun = sunOf(top, warnings);
+    if (lights.points.empty() && lights.ambient == glm::vec3(0.0f) && !lights.sun)
+        malformed(top.what, "holds no light: it needs \"lights\", \"fixtures\", \"ambient\" or "
+                            "\"sun\" that shine");
     return lights;
 }
 

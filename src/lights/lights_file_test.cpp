@@ -50,6 +50,29 @@ std::string shareOf(int fixture, float share)
 
 } // namespace
 
+TEST(LightsFile, SunComesBack)
+{
+    Lights lights;
+    lights.sun = Sun{.direction = {0.6f, 0.8f, 0.0f}, .irradiance = {30.0f, 28.0f, 20.0f}};
+    const Lights again = read(lightsAsJson(lights));
+    ASSERT_TRUE(again.sun);
+    EXPECT_EQ(again.sun->direction, lights.sun->direction);
+    EXPECT_EQ(again.sun->irradiance, lights.sun->irradiance);
+    EXPECT_THAT(lastWarnings, IsEmpty());
+    EXPECT_FALSE(read(R"({"ambient": [1, 1, 1]})").sun);
+}
+
+TEST(LightsFile, SunWithoutASenseIsRefused)
+{
+    EXPECT_THAT(refusal(R"({"sun": [1, 2, 3]})"), HasSubstr("sun: must be an object"));
+    EXPECT_THAT(refusal(R"({"sun": {"irradiance": [1, 1, 1]}})"),
+                HasSubstr("sun: \"direction\" is missing"));
+    EXPECT_THAT(refusal(R"({"sun": {"direction": [0, 0, 0], "irradiance": [1, 1, 1]}})"),
+                HasSubstr("must point somewhere"));
+    EXPECT_THAT(refusal(R"({"sun": {"direction": [0, 1, 0], "irradiance": [1, -1, 1]}})"),
+                HasSubstr("must not be negative"));
+}
+
 TEST(LightsFile, SaysOfWhichFixtureTheScanDoesNotTell)
 {
     Lights lights{.fixtures = {{.area = 1.0f, .radiance = glm::vec3(20.0f)},

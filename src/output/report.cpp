@@ -153,10 +153,16 @@ ordered_json lightsAsReport(const Decomposition& result)
                             {"power", toJson(fixture.power())},
                             {"error", toJson(fixture.error)},
                             {"determined", fixture.determined}});
-    return {{"fixtures", std::move(fixtures)},
-            {"pointLights", result.lights().points.size()},
-            {"mergedLights", result.mergedLights().size()},
-            {"ambient", toJson(result.lights().ambient)}};
+    ordered_json json{{"fixtures", std::move(fixtures)},
+                      {"pointLights", result.lights().points.size()},
+                      {"mergedLights", result.mergedLights().size()},
+                      {"ambient", toJson(result.lights().ambient)}};
+    if (const auto& sun = result.lights().sun)
+        json["sun"] = {{"direction", toJson(sun->direction)},
+                       {"irradiance", toJson(sun->irradiance)},
+                       {"error", toJson(sun->error)},
+                       {"determined", sun->determined}};
+    return json;
 }
 
 /// Shares of the area.

@@ -1,6 +1,7 @@
 #include "relight/relighting_file.h"
 #include "base/fail.h"
 #include "lights/json_document.h"
+#include "lights/sun_item.h"
 #include "relamp/relight.h"
 #include "relight/fixture_settings.h"
 #include "relight/ies.h"
@@ -206,6 +207,9 @@ void RelightingReader::readFixtures(const JsonItem& top)
 void RelightingReader::readSky(const JsonItem& top)
 {
     if (top.has("ambient")) lighting_.sky.radiance = top.lightAt("ambient");
+    if (const auto sun = sunOf(top, warnings_)) // as delight writes it: where it stands
+        lighting_.lights.push_back(
+            {.type = LightType::sun, .emission = sun->irradiance, .direction = -sun->direction});
     const json* object = top.find("sky");
     if (object == nullptr) return;
     if (!object->is_object()) top.refuse("\"sky\" must be an object in { }", "sky");
@@ -236,7 +240,7 @@ void RelightingReader::readWhite(const JsonItem& top)
 
 Relighting RelightingReader::read(const JsonItem& top)
 {
-    top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient", "sky", "white"},
+    top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient", "sun", "sky", "white"},
                       warnings_);
     lighting_ = darkened(captured_);
     readWhite(top);

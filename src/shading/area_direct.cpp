@@ -45,6 +45,44 @@ void openKernel(const OpenArgs& args)
     }
 }
 
+/// Shadow rays with what each brings if nothing is in its way, traced many at a time.
+class ShadowRays
+{
+public:
+    explicit ShadowRays(const RayScene& scene) : scene_(scene) {}
+
+    void add(glm::vec3 origin, glm::vec3 way, float gain)
+    {
+        const float distance = glm::length(way);
+        gain_[count_] = gain;
+        rays_[count_++] = {.origin = origin,
+                           .direction = way / distance,
+                           .farthest = std::max(distance - kOffLamp, 0.0f)};
+        if (count_ == kBatch) trace();
+    }
+    /// The sum of what was not blocked.
+    [[nodiscard]] float arrived()
+    {
+        trace();
+        return arrived_;
+    }
+
+private:
+    void trace()
+    {
+        uint8_t blocked[kBatch];
+        scene_.occluded({rays_, count_}, {blocked, count_});
+        for (size_t i = 0; i < count_; ++i) arrived_ += blocked[i] ? 0.0f : gain_[i];
+        count_ = 0;
+    }
+
+    const RayScene& scene_;
+    Ray rays_[kBatch];
+    float gain_[kBatch];
+    size_t count_ = 0;
+    float arrived_ = 0.0f;
+};
+
 } // namespace
 
 AreaLight::AreaLight(std::vector<ClippedPatch> patches) : patches_(std::move(patches))
@@ -56,15 +94,23 @@ AreaLight::AreaLight(std::vector<ClippedPatch> patches) : patches_(std::move(pat
         centre_ += patch.area * patch.position;
     }
     centre_ /= area;
+    firstOfShare_.resize(patches_.size());
+    for (size_t step = 0, first = 0; step < patches_.size(); ++step) {
+        const float share = static_cast<float>(step) / static_cast<float>(patches_.size());
+        while (first + 1 < patches_.size() && areaUpTo_[first] < share * area) ++first;
+        firstOfShare_[step] = static_cast<uint32_t>(first);
+    }
     for (const ClippedPatch& patch : patches_)
         radius_ = std::max(radius_, glm::distance(patch.position, centre_) + std::sqrt(patch.area));
 }
 
 const ClippedPatch& AreaLight::at(float share) const
 {
-    const auto found = std::lower_bound(areaUpTo_.begin(), areaUpTo_.end(), share * area());
-    const auto index =
-        std::min<size_t>(static_cast<size_t>(found - areaUpTo_.begin()), patches_.size() - 1);
+    const auto steps = static_cast<float>(firstOfShare_.size());
+    const auto step = std::min(static_cast<size_t>(share * steps), firstOfShare_.size() - 1);
+    size_t index = firstOfShare_[step];
+    const float wanted = share * area();
+    while (index + 1 < patches_.size() && areaUpTo_[index] < wanted) ++index;
     return patches_[index];
 }
 
@@ -90,35 +136,36 @@ void openIrradiance(const TexelBlock& block, const LampPatches& lamp, float* irr
     runKernel<openKernel>(set, args);
 }
 
+AreaSample sampleAreaLight(const RayScene& scene, const AreaLight& light,
+                           std::span<const TexelSite> sites, size_t samples, float shift)
+{
+    const auto count = static_cast<float>(sites.size());
+    const float perSample = light.area() / (static_cast<float>(samples) * count);
+    ShadowRays rays(scene);
+    AreaSample sum;
+    for (size_t k = 0; k < sites.size(); ++k) {
+        const glm::vec3 origin = sites[k].position + kOffSurface * sites[k].normal;
+        const float shifted = (static_cast<float>(k) + shift) / count;
+        for (size_t i = 0; i < samples; ++i) {
+            const ClippedPatch& patch =
+                light.at((static_cast<float>(i) + shifted) / static_cast<float>(samples));
+            const glm::vec3 way = patch.position - origin;
+            const float received =
+                perSample * patchFormFactor(way, sites[k].normal, patch.normal, patch.area);
+            if (received <= 0.0f) continue;
+            sum.open += received;
+            rays.add(origin, way, received);
+        }
+    }
+    sum.visible = rays.arrived();
+    return sum;
+}
+
 AreaSample sampleAreaLight(const RayScene& scene, const AreaLight& light, glm::vec3 position,
                            glm::vec3 normal, size_t samples, float shift)
 {
-    const glm::vec3 origin = position + kOffSurface * normal;
-    const float perSample = light.area() / static_cast<float>(samples);
-    AreaSample sum;
-    for (size_t first = 0; first < samples; first += kBatch) {
-        Ray rays[kBatch];
-        float gain[kBatch];
-        size_t count = 0;
-        for (size_t i = first; i < std::min(first + kBatch, samples); ++i) {
-            const float share = (static_cast<float>(i) + shift) / static_cast<float>(samples);
-            const ClippedPatch& patch = light.at(share);
-            const glm::vec3 way = patch.position - origin;
-            const float received =
-                perSample * patchFormFactor(way, normal, patch.normal, patch.area);
-            if (received <= 0.0f) continue;
-            sum.open += received;
-            const float distance = glm::length(way);
-            gain[count] = received;
-            rays[count++] = {.origin = origin,
-                             .direction = way / distance,
-                             .farthest = std::max(distance - kOffLamp, 0.0f)};
-        }
-        uint8_t blocked[kBatch];
-        scene.occluded({rays, count}, {blocked, count});
-        for (size_t i = 0; i < count; ++i) sum.visible += blocked[i] ? 0.0f : gain[i];
-    }
-    return sum;
+    const TexelSite site{position, normal};
+    return sampleAreaLight(scene, light, {&site, 1}, samples, shift);
 }
 
 } // namespace relamp

@@ -32,6 +32,7 @@ public:
 private:
     std::vector<ClippedPatch> patches_;
     std::vector<float> areaUpTo_;
+    std::vector<uint32_t> firstOfShare_; // where the search for a share starts, evenly over 0..1
     glm::vec3 centre_{0.0f};
     float radius_ = 0.0f;
 };
@@ -57,8 +58,13 @@ struct AreaSample
     float visible = 0.0f; // with shadows
 };
 
-/// `samples` points, evenly over the lamp's area and shifted by `shift` (0..1), each with a shadow
-/// ray where it could be seen. `position` is on the surface, `normal` its unit normal.
+/// The mean of several sites on surfaces: `samples` points from each, evenly over the lamp's area
+/// and all sites together, shifted by `shift` (0..1), each with a shadow ray where it could be
+/// seen.
+AreaSample sampleAreaLight(const RayScene& scene, const AreaLight& light,
+                           std::span<const TexelSite> sites, size_t samples, float shift);
+
+/// The same at one site: `position` is on the surface, `normal` its unit normal.
 AreaSample sampleAreaLight(const RayScene& scene, const AreaLight& light, glm::vec3 position,
                            glm::vec3 normal, size_t samples, float shift);
 

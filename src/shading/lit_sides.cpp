@@ -93,16 +93,13 @@ std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scen
     forEachChunk(direct.size(), 64, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             const Side side = hits.sideOfList[lists.empty() ? i : lists[i]];
+            TexelSite origins[kOrigins];
             for (size_t k = 0; k < kOrigins; ++k) {
-                const TexelSite site = sites.at(side.surfel(), k);
-                const glm::vec3 normal = side.isBack() ? -site.normal : site.normal;
-                // The origins share one even sequence over the lamp.
-                const float shift = (static_cast<float>(k) + hashedShift(side.index, 0)) / kOrigins;
-                const AreaSample sample =
-                    sampleAreaLight(scene, light, site.position, normal, raysPerOrigin, shift);
-                direct[i].open += sample.open / kOrigins;
-                direct[i].visible += sample.visible / kOrigins;
+                origins[k] = sites.at(side.surfel(), k);
+                if (side.isBack()) origins[k].normal = -origins[k].normal;
             }
+            direct[i] =
+                sampleAreaLight(scene, light, origins, raysPerOrigin, hashedShift(side.index, 0));
         }
     });
     return direct;

@@ -69,11 +69,16 @@ Visibility::Visibility(const Texels& texels, const RayScene& scene,
     : texels_(texels), set_(options.set)
 {
     placeProbes();
-    for (size_t lamp = 0; lamp < lamps.size(); ++lamp) {
-        states_.push_back(statesOf(coarse[lamp]));
-        shares_.push_back(look(lamps[lamp], states_[lamp], scene, options.raysPerProbe));
-        drawTogether(states_[lamp], options.raysPerProbe, shares_[lamp]);
-    }
+    for (size_t lamp = 0; lamp < lamps.size(); ++lamp)
+        add(scene, lamps[lamp], coarse[lamp], options.raysPerProbe);
+}
+
+void Visibility::add(const RayScene& scene, const AreaLight& lamp,
+                     std::span<const AreaSample> coarse, size_t raysPerProbe)
+{
+    states_.push_back(statesOf(coarse));
+    shares_.push_back(look(lamp, states_.back(), scene, raysPerProbe));
+    drawTogether(states_.back(), raysPerProbe, shares_.back());
 }
 
 void Visibility::placeProbes()

@@ -31,6 +31,10 @@ public:
     Visibility(const Texels& texels, const RayScene& scene, std::span<const AreaLight> lamps,
                std::span<const std::vector<AreaSample>> coarse, const VisibilityOptions& options);
 
+    /// One more lamp, which comes last; `scene` is what stands before it.
+    void add(const RayScene& scene, const AreaLight& lamp, std::span<const AreaSample> coarse,
+             size_t raysPerProbe);
+
     /// Share, 0..1, of a lamp that texels [first, end) of a block see, all of one surfel. False
     /// where they see nothing of it. May write up to a group of lanes behind `end`.
     bool at(size_t lamp, uint32_t surfel, const TexelBlock& block, size_t first, size_t end,

@@ -17,19 +17,22 @@ namespace
 constexpr size_t kPatchesOfLamp = 32;
 
 std::shared_ptr<GatheredLight> lightOf(const Texels& texels, const RayScene& scene,
-                                       const FoundLamps& found, std::vector<glm::vec3> indirect,
-                                       const GatherOptions& options)
+                                       const FoundRoom& room, std::vector<glm::vec3> indirect)
 {
     std::vector<AreaLight> areas;
     std::vector<LitLamp> lamps;
     std::vector<std::vector<AreaSample>> coarse;
-    for (const FoundLamp& lamp : found.lamps) {
+    for (const FoundLamp& lamp : room.found.lamps) {
         areas.emplace_back(lamp.patches);
         lamps.push_back({LampPatches(areas.back(), kPatchesOfLamp), lamp.radiance});
         coarse.push_back(lamp.onSides);
     }
-    Visibility visibility(texels, scene, areas, coarse,
-                          {.raysPerProbe = static_cast<size_t>(options.shadowRays)});
+    const auto rays = static_cast<size_t>(room.options.shadowRays);
+    Visibility visibility(texels, scene, areas, coarse, {.raysPerProbe = rays});
+    if (const auto& sun = room.sun) {
+        lamps.push_back({LampPatches(sun->disc, kPatchesOfLamp), sunRadiance(sun->sun)});
+        visibility.add(sun->outside, sun->disc, sun->onSides, rays);
+    }
     return std::make_shared<GatheredLight>(
         GatheredLight{std::move(lamps), std::move(visibility), std::move(indirect)});
 }
@@ -43,23 +46,23 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     FoundRoom room = findRoom(texels, scene, options, progress);
     solution.warnings = room.warnings;
     solution.options.gather = room.options;
-    solution.shining = {room.shines, 0.0f};
+    solution.shining = shiningOf(room);
 
     const Progress::Stage stage(progress, "shadows");
-    const LitSides sides = litSidesOf(texels, scene, room);
+    const LitSides& sides = room.sides;
     const glm::vec3 ambient = room.found.ambient;
     solution.closure = closeLoop(room.hits, room.radiance, sides, ambient);
     const std::vector<glm::vec3> indirect =
         withoutBuried(texels.surfels, indirectOfFronts(texels.surfels, room.hits, sides, ambient),
                       buriedSurfels(texels));
-    const auto light = lightOf(texels, scene, room.found, indirect, room.options);
+    const auto light = lightOf(texels, scene, room, indirect);
     const TexelShading shade = shadingOf(texels, light);
     solution.shade = withoutStray(shade, fitStray(texels, room.radiance, shade));
     solution.trust = trustByView(room.hits, texels.surfels.count());
     doubtEdges(texels.surfels, room.radiance, lightOnSurfels(texels.surfels, *light),
                solution.trust);
     if (options.albedo.fill) solution.fill = fillOf(texels.surfels, room.radiance, sides.albedo);
-    solution.lights = lightsOf(room.found);
+    solution.lights = lightsOf(room);
     solution.merged = solution.lights.points;
     return solution;
 }

@@ -127,13 +127,14 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
     Solution solution{.options = options};
     FoundRoom found = findRoom(texels, scene, options, progress);
     solution.warnings = found.warnings;
+    if (found.sun) solution.warnings.emplace_back(kSunIsNotTraced);
     solution.options.gather = found.options;
-    solution.shining = {found.shines, 0.0f};
-    solution.lights = lightsOf(found.found);
+    solution.shining = shiningOf(found);
+    solution.lights = lightsOf(found);
     solution.merged = solution.lights.points;
 
     const auto room = std::make_shared<TracedRoom>(
-        tracedRoomOf(texels, found, litSidesOf(texels, scene, found).albedo)); // a good start
+        tracedRoomOf(texels, found, found.sides.albedo)); // a good start
     solution.closure = settle(texels, scene, found.radiance, options.pathtrace, *room, progress);
     if (options.albedo.fill) solution.fill = fillOf(texels.surfels, found.radiance, room->albedo);
     solution.shade = shadingOf(texels, scene, room, options.pathtrace);

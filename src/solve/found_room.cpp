@@ -78,6 +78,57 @@ std::vector<glm::vec3> directOf(const Texels& texels, const RayScene& scene, con
     return direct;
 }
 
+LitSides sidesOf(const Texels& texels, const RayScene& scene, FoundRoom& room)
+{
+    std::vector<glm::vec3> direct = directOf(texels, scene, room.hits, room.found);
+    if (room.sun) addDirect(room.sun->onSides, sunRadiance(room.sun->sun), direct);
+    return lightSides(texels, room.hits, room.radiance, std::move(direct), room.shines,
+                      room.found.ambient);
+}
+
+SunOnRoom letIn(const Sun& sun, const Texels& texels, const HitLists& hits, RayScene outside)
+{
+    AreaLight disc(sunDisc(sun, *texels.scan));
+    std::vector<AreaSample> onSides = directOfLists(texels, outside, hits, disc);
+    return {sun, std::move(disc), std::move(outside), std::move(onSides)};
+}
+
+/// Burnt-out patches of sun that were taken for lamps light the room like these, and are none.
+void keepSunlit(const FoundLamps& all, FoundRoom& room)
+{
+    for (const FoundLamp& lamp : all.lamps) {
+        if (!isSunlit(room.sun->outside, room.sun->sun, lamp)) continue;
+        const auto isIt = [&](const FoundLamp& other) {
+            return other.patches[0].position == lamp.patches[0].position;
+        };
+        const auto same = std::find_if(room.found.lamps.begin(), room.found.lamps.end(), isIt);
+        FoundLamp& kept =
+            same == room.found.lamps.end() ? room.found.lamps.emplace_back(lamp) : *same;
+        kept.isSunlit = true;
+    }
+}
+
+/// Settles the light, with a sun if there is one.
+void settle(const FoundLamps& all, const Texels& texels, const RayScene& scene,
+            const std::optional<Lights>& given, FoundRoom& room)
+{
+    const size_t surfels = texels.surfels.count();
+    room.shines = shinesOf(room.found, surfels);
+    if (!given) room.sides = sidesOf(texels, scene, room);
+    if (given && !given->sun) {
+        room.sides = sidesOf(texels, scene, room);
+        return;
+    }
+    RayScene outside = sceneWithoutPanes(texels, room.radiance, all);
+    const std::optional<Sun> sun =
+        given ? given->sun : findSun(texels, outside, room.radiance, room.sides, room.found);
+    if (!sun) return;
+    room.sun = letIn(*sun, texels, room.hits, std::move(outside));
+    keepSunlit(all, room);
+    room.shines = shinesOf(room.found, surfels);
+    room.sides = sidesOf(texels, scene, room);
+}
+
 } // namespace
 
 SurfelOptions surfelsOf(Quality quality)
@@ -93,33 +144,36 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
     room.options = withRays(options.gather, texels.surfels.count());
     room.hits = castHitLists(texels, scene, room.radiance, static_cast<size_t>(room.options.rays),
                              progress);
-    room.found = findLamps(texels, scene, room.hits, room.radiance, room.options, progress);
-    room.warnings = room.found.warnings;
-    if (options.lights) room.found = asGiven(*options.lights, room.found);
-    if (room.found.lamps.empty())
+    FoundLamps all = findLamps(texels, scene, room.hits, room.radiance, room.options, progress);
+    room.warnings = all.warnings;
+    room.found = options.lights ? asGiven(*options.lights, all) : all;
+    const Progress::Stage stage(progress, "sun");
+    settle(all, texels, scene, options.lights, room);
+    if (room.found.lamps.empty() && !room.sun)
         room.warnings.emplace_back("no lamp was found; the room is taken to be lit from "
                                    "outside alone. Point at one with --light or --lights");
-    room.shines = shinesOf(room.found, texels.surfels.count());
     return room;
 }
 
-LitSides litSidesOf(const Texels& texels, const RayScene& scene, FoundRoom& room)
-{
-    return lightSides(texels, room.hits, room.radiance,
-                      directOf(texels, scene, room.hits, room.found), room.shines,
-                      room.found.ambient);
-}
-
-Lights lightsOf(const FoundLamps& found)
+Lights lightsOf(const FoundRoom& room)
 {
     Lights lights;
-    lights.ambient = found.ambient;
-    for (const FoundLamp& lamp : found.lamps) {
+    lights.ambient = room.found.ambient;
+    if (room.sun) lights.sun = room.sun->sun;
+    for (const FoundLamp& lamp : room.found.lamps) {
+        if (lamp.isSunlit) continue;
         lights.points.push_back(
             pointLightOf(fixtureOf(lamp), static_cast<int>(lights.fixtures.size())));
         lights.fixtures.push_back(fixtureOf(lamp));
     }
     return lights;
+}
+
+Shining shiningOf(const FoundRoom& room)
+{
+    FoundLamps lamps = room.found;
+    std::erase_if(lamps.lamps, [](const FoundLamp& lamp) { return lamp.isSunlit; });
+    return {shinesOf(lamps, room.shines.size()), 0.0f};
 }
 
 std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radiance,

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "fit/lamps.h"
+#include "fit/sun.h"
+#include "lights/shining.h"
 #include "relamp/delight.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
@@ -8,6 +10,7 @@
 #include "shading/lit_sides.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,27 +21,38 @@ namespace relamp
 /// As fine as light changes on walls; coarse for a draft.
 SurfelOptions surfelsOf(Quality quality);
 
+/// The sun, and what it does to a room.
+struct SunOnRoom
+{
+    Sun sun;
+    AreaLight disc;
+    RayScene outside;                // what stands before it
+    std::vector<AreaSample> onSides; // at radiance 1, one a hit list
+};
+
 /// A scan whose lamps are known: where the solvers start that shade by area and shadow.
 struct FoundRoom
 {
     SurfelRadiance radiance;
     GatherOptions options; // with what was left open filled in
     HitLists hits;
-    FoundLamps found;            // or as a person gave them
-    std::vector<uint8_t> shines; // of surfels; not 0: its burnt-out texels are a lamp's
+    FoundLamps found;             // or as a person gave them
+    std::vector<uint8_t> shines;  // of surfels; not 0: its burnt-out texels are a lamp's
+    std::optional<SunOnRoom> sun; // that shines in
+    LitSides sides;               // the light as the texture tells it
     std::vector<std::string> warnings;
 };
 
-/// Finds the lamps and their radiances by what they do to the walls; where the options name
-/// lights, it is these.
+/// Finds the lamps and their radiances by what they do to the walls, and the sun by the patch that
+/// it throws; where the options name lights, it is these. All lamps have been looked at.
 FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOptions& options,
                    Progress& progress);
 
-/// The light in a room as its texture tells it. Lamps that were not looked at yet are now.
-LitSides litSidesOf(const Texels& texels, const RayScene& scene, FoundRoom& room);
+/// Lamps and the sun as people see and edit them.
+Lights lightsOf(const FoundRoom& room);
 
-/// Lamps as people see and edit them.
-Lights lightsOf(const FoundLamps& found);
+/// The texels that are a lamp's own; a patch of sun is not.
+Shining shiningOf(const FoundRoom& room);
 
 /// Albedo for texels that cannot be trusted, one a surfel. Those that are mostly burnt out do not
 /// know their own and get that of the surface around them.

@@ -29,8 +29,10 @@ float inSteps(float linear)
 bool holds(const Panel& panel, glm::vec3 place, glm::vec3 normal)
 {
     const glm::vec3 way = place - panel.corner;
-    const float u = glm::dot(way, panel.alongU) / glm::dot(panel.alongU, panel.alongU);
-    const float v = glm::dot(way, panel.alongV) / glm::dot(panel.alongV, panel.alongV);
+    const glm::vec3 acrossU = glm::cross(panel.normal(), panel.alongU);
+    const glm::vec3 acrossV = glm::cross(panel.normal(), panel.alongV);
+    const float u = glm::dot(way, acrossV) / glm::dot(panel.alongU, acrossV);
+    const float v = glm::dot(way, acrossU) / glm::dot(panel.alongV, acrossU);
     return glm::dot(normal, panel.normal()) > 0.9f &&
            std::abs(glm::dot(way, panel.normal())) < 1e-3f && u >= 0.0f && u <= 1.0f && v >= 0.0f &&
            v <= 1.0f;

@@ -1,0 +1,466 @@
+#include "fit/sun.h"
+
+#include "base/disjoint_sets.h"
+#include "base/parallel.h"
+#include "lights/expand.shared.h"
+#include "shading/sampling.shared.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kPi = 3.14159265f;
+constexpr float kFar = 1e4f;           // m; a room's size beside it is nothing
+constexpr float kHalfAngle = 0.00465f; // radians of the disc
+constexpr int kPatchesOfDisc = 32;
+constexpr float kOffSurface = 0.02f;  // m; a scan's error
+constexpr float kGrazing = 0.15f;     // cosine; below, an edge is too far off
+constexpr float kLeastHeight = 0.03f; // of the direction; the sun is up
+constexpr float kUpright = 0.7f;      // upward part of a pane's normal, less
+constexpr float kFlat = 0.9f;         // length of a mean normal
+constexpr float kLeastPane = 0.1f;    // m^2
+constexpr float kLeastPatch = 0.03f;  // m^2
+constexpr float kWhitePaper = 0.75f;  // albedo
+constexpr float kExplained = 0.5f;    // radiance that lamps would give a burnt-out wall
+constexpr float kTooBright = 1.3f;    // albedo that nothing has
+constexpr float kPaper = 0.95f;       // albedo up to which light is as thought
+constexpr float kLeastSunlit = 0.25f; // radiance
+constexpr size_t kMostPatches = 8;
+constexpr size_t kDirections = 4096; // over the sphere
+constexpr size_t kFinalists = 6;
+constexpr float kSeesOut = 0.6f;   // share of a patch's area, at the first look
+constexpr float kStandsOut = 0.4f; // beyond the share of what lies around
+constexpr float kFits = 0.6f;      // of the union of lit and predicted
+constexpr float kMostSeesOut = 0.8f;
+constexpr float kFirstStep = 0.03f; // radians
+constexpr float kLastStep = 0.001f;
+constexpr float kSamePlaneFacing = 0.97f; // cosine
+constexpr float kSamePlane = 0.05f;       // m
+constexpr float kLeastShade = 0.02f;      // albedo of what pairs with the patch
+
+/// What the light that is known makes of a surfel.
+enum class Look : uint8_t { other, dark, bright };
+
+/// A surfel that stands for an area.
+struct Site
+{
+    uint32_t surfel;
+    float weight; // m^2
+};
+
+/// Some of many, evenly, that stand for all.
+std::vector<Site> someOf(const Surfels& surfels, std::span<const uint32_t> all, size_t most)
+{
+    float area = 0.0f;
+    for (const uint32_t s : all) area += surfels.area[s];
+    std::vector<Site> sites;
+    float chosen = 0.0f;
+    const size_t count = std::min(most, all.size());
+    for (size_t i = 0; i < count; ++i) {
+        const uint32_t s = all[i * all.size() / count];
+        sites.push_back({s, surfels.area[s]});
+        chosen += surfels.area[s];
+    }
+    for (Site& site : sites) site.weight *= area / std::max(chosen, 1e-9f);
+    return sites;
+}
+
+float areaOf(std::span<const Site> sites)
+{
+    float area = 0.0f;
+    for (const Site& site : sites) area += site.weight;
+    return area;
+}
+
+/// A piece of surface that is brighter than known light makes it, and what is not.
+struct Patch
+{
+    std::vector<uint32_t> surfels;
+    std::vector<uint32_t> around; // dark, near it
+    std::vector<uint32_t> beyond; // dark, elsewhere
+    float area = 0.0f;
+    glm::vec3 centre{0.0f};
+};
+
+/// Places of a patch and of what is dark, from which to look for the sun.
+struct View
+{
+    std::vector<Site> patch;
+    std::vector<Site> around;
+    std::vector<Site> beyond;
+
+    View(const Surfels& surfels, const Patch& of, size_t sites)
+        : patch(someOf(surfels, of.surfels, sites)), around(someOf(surfels, of.around, sites)),
+          beyond(someOf(surfels, of.beyond, 2 * sites))
+    {}
+};
+
+/// How well a direction tells a patch from the rest.
+struct Match
+{
+    float score = 0.0f;   // area lit and predicted, of the area that is either
+    float seesOut = 0.0f; // share of the patch
+};
+
+class SunSearch
+{
+public:
+    SunSearch(const Texels& texels, const RayScene& outside, const SurfelRadiance& radiance,
+              const LitSides& sides, const FoundLamps& found);
+
+    [[nodiscard]] std::optional<Sun> run() const;
+
+private:
+    [[nodiscard]] Look lookOf(uint32_t s) const;
+    [[nodiscard]] std::vector<Patch> patches() const;
+    void addSurroundings(Patch& patch) const;
+    [[nodiscard]] bool seesOut(uint32_t surfel, glm::vec3 direction) const;
+    [[nodiscard]] float areaSeeingOut(std::span<const Site> sites, glm::vec3 direction) const;
+    [[nodiscard]] Match matchOf(const View& view, glm::vec3 direction) const;
+    [[nodiscard]] std::vector<glm::vec3> finalists(const Patch& patch) const;
+    [[nodiscard]] std::pair<glm::vec3, Match> refined(const Patch& patch, glm::vec3 start) const;
+    [[nodiscard]] Sun measured(const Patch& patch, glm::vec3 direction) const;
+    [[nodiscard]] glm::vec3 irradianceOn(uint32_t s) const;
+
+    const Surfels& surfels_;
+    const RayScene& outside_;
+    const SurfelRadiance& radiance_;
+    const LitSides& sides_;
+    const FoundLamps& found_;
+    std::vector<int32_t> lamp_; // of surfels; -1 for none
+    std::vector<Look> look_;
+};
+
+bool isFlat(const FoundLamp& lamp, glm::vec3& normal)
+{
+    float area = 0.0f;
+    normal = glm::vec3(0.0f);
+    for (const ClippedPatch& patch : lamp.patches) {
+        normal += patch.area * patch.normal;
+        area += patch.area;
+    }
+    normal /= std::max(area, 1e-9f);
+    return glm::length(normal) > kFlat;
+}
+
+bool isPane(const FoundLamp& lamp)
+{
+    glm::vec3 normal;
+    float area = 0.0f;
+    for (const ClippedPatch& patch : lamp.patches) area += patch.area;
+    return area > kLeastPane && isFlat(lamp, normal) && std::abs(normal.y) < kUpright;
+}
+
+SunSearch::SunSearch(const Texels& texels, const RayScene& outside, const SurfelRadiance& radiance,
+                     const LitSides& sides, const FoundLamps& found)
+    : surfels_(texels.surfels), outside_(outside), radiance_(radiance), sides_(sides),
+      found_(found), lamp_(texels.surfels.count(), -1), look_(texels.surfels.count())
+{
+    glm::vec3 normal;
+    std::vector<uint8_t> isRound(found.lamps.size(), 0);
+    for (size_t f = 0; f < found.lamps.size(); ++f) {
+        isRound[f] = isFlat(found.lamps[f], normal) ? 0 : 1;
+        for (const ClippedPatch& patch : found.lamps[f].patches)
+            if (patch.surfel != Surfels::kNone) lamp_[patch.surfel] = static_cast<int32_t>(f);
+    }
+    for (uint32_t s = 0; s < look_.size(); ++s) {
+        const bool isOfRound = lamp_[s] >= 0 && isRound[static_cast<size_t>(lamp_[s])] != 0;
+        look_[s] = isOfRound ? Look::other : lookOf(s);
+    }
+}
+
+glm::vec3 SunSearch::irradianceOn(uint32_t s) const
+{
+    return sides_.direct[s] + sides_.gathered.irradiance[s] +
+           found_.ambient * sides_.gathered.missed[s];
+}
+
+Look SunSearch::lookOf(uint32_t s) const
+{
+    const float shading = luminance(irradianceOn(s)) / kPi;
+    const float clipped = radiance_.clippedArea[s];
+    const float plain = radiance_.plainArea[s];
+    if (clipped > plain) {
+        if (lamp_[s] >= 0) return Look::bright;
+        return kWhitePaper * shading < kExplained ? Look::bright : Look::other;
+    }
+    if (clipped > 0.1f * plain) return Look::other;
+    const float seen = luminance(radiance_.plain[s]);
+    if (seen > kTooBright * shading) return seen > kLeastSunlit ? Look::bright : Look::other;
+    return seen < kPaper * shading ? Look::dark : Look::other;
+}
+
+std::vector<Patch> SunSearch::patches() const
+{
+    DisjointSets sets(surfels_.count());
+    for (uint32_t s = 0; s < look_.size(); ++s)
+        for (const uint32_t n : surfels_.neighborsOf(s))
+            if (look_[s] == Look::bright && look_[n] == Look::bright && lamp_[s] == lamp_[n])
+                sets.join(s, n);
+    std::map<uint32_t, Patch> bySet;
+    for (uint32_t s = 0; s < look_.size(); ++s) {
+        if (look_[s] != Look::bright) continue;
+        Patch& patch = bySet[sets.find(s)];
+        patch.surfels.push_back(s);
+        patch.area += surfels_.area[s];
+        patch.centre += surfels_.area[s] * surfels_.position[s];
+    }
+    std::vector<Patch> patches;
+    for (auto& [set, patch] : bySet) {
+        if (patch.area < kLeastPatch) continue;
+        patch.centre /= patch.area;
+        patches.push_back(std::move(patch));
+    }
+    std::stable_sort(patches.begin(), patches.end(),
+                     [](const Patch& a, const Patch& b) { return a.area > b.area; });
+    if (patches.size() > kMostPatches) patches.resize(kMostPatches);
+    for (Patch& patch : patches) addSurroundings(patch);
+    return patches;
+}
+
+void SunSearch::addSurroundings(Patch& patch) const
+{
+    float radius = 0.0f;
+    for (const uint32_t s : patch.surfels)
+        radius = std::max(radius, glm::distance(surfels_.position[s], patch.centre));
+    const float near = 1.5f * radius + 0.3f;
+    for (uint32_t s = 0; s < look_.size(); ++s) {
+        if (look_[s] != Look::dark) continue;
+        const bool isNear = glm::distance(surfels_.position[s], patch.centre) < near;
+        (isNear ? patch.around : patch.beyond).push_back(s);
+    }
+}
+
+bool SunSearch::seesOut(uint32_t s, glm::vec3 direction) const
+{
+    if (glm::dot(surfels_.normal[s], direction) < kGrazing) return false;
+    return !outside_.occluded({surfels_.position[s] + kOffSurface * surfels_.normal[s], direction});
+}
+
+float SunSearch::areaSeeingOut(std::span<const Site> sites, glm::vec3 direction) const
+{
+    float area = 0.0f;
+    for (const Site& site : sites)
+        if (seesOut(site.surfel, direction)) area += site.weight;
+    return area;
+}
+
+Match SunSearch::matchOf(const View& view, glm::vec3 direction) const
+{
+    Match match;
+    const float lit = areaSeeingOut(view.patch, direction);
+    match.seesOut = lit / areaOf(view.patch);
+    if (match.seesOut < kSeesOut) return match;
+    const float near = areaSeeingOut(view.around, direction);
+    const float stands = match.seesOut - near / std::max(areaOf(view.around), 1e-9f);
+    if (stands < kStandsOut) return match;
+    match.score = lit / (areaOf(view.patch) + near + areaSeeingOut(view.beyond, direction));
+    return match;
+}
+
+/// Directions, evenly over the sky, that a look from a few places does not rule out.
+std::vector<glm::vec3> SunSearch::finalists(const Patch& patch) const
+{
+    const View view(surfels_, patch, 24);
+    std::vector<std::pair<float, size_t>> ranked(kDirections, {0.0f, 0});
+    const auto directionOf = [](size_t i) {
+        return evenDirection(evenPoint(static_cast<float>(i), glm::vec2(0.5f)));
+    };
+    forEachChunk(kDirections, 64, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            const glm::vec3 direction = directionOf(i);
+            if (direction.y < kLeastHeight) continue;
+            ranked[i] = {matchOf(view, direction).score, i};
+        }
+    });
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<glm::vec3> best;
+    for (size_t k = 0; k < kFinalists && ranked[k].first > 0.0f; ++k)
+        best.push_back(directionOf(ranked[k].second));
+    return best;
+}
+
+/// Climbs to the best direction around.
+std::pair<glm::vec3, Match> SunSearch::refined(const Patch& patch, glm::vec3 start) const
+{
+    const View view(surfels_, patch, 800);
+    std::pair<glm::vec3, Match> best{start, matchOf(view, start)};
+    for (float step = kFirstStep; step > kLastStep;) {
+        const glm::vec3 side = glm::normalize(glm::cross(
+            best.first, std::abs(best.first.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1)));
+        const glm::vec3 up = glm::cross(side, best.first);
+        std::array<std::pair<glm::vec3, Match>, 8> tries;
+        forEach(tries.size(), [&](size_t k) {
+            const float angle = static_cast<float>(k) * kPi / 4.0f;
+            const glm::vec3 direction =
+                glm::normalize(best.first + step * (std::cos(angle) * side + std::sin(angle) * up));
+            tries[k] = {direction, matchOf(view, direction)};
+        });
+        const auto& most =
+            *std::max_element(tries.begin(), tries.end(), [](const auto& a, const auto& b) {
+                return a.second.score < b.second.score;
+            });
+        if (most.second.score > best.second.score && most.first.y > kLeastHeight)
+            best = most;
+        else
+            step *= 0.5f;
+    }
+    return best;
+}
+
+/// Irradiance by pairs of one plane: what the sun must add where it shines, for the patch to have
+/// the albedo of what lies around it.
+Sun SunSearch::measured(const Patch& patch, glm::vec3 direction) const
+{
+    constexpr size_t kSites = 300;
+    const std::vector<Site> shade = someOf(surfels_, patch.around, kSites);
+    std::array<std::vector<float>, 3> wanted;
+    Sun sun{.direction = direction};
+    for (const Site& site : someOf(surfels_, patch.surfels, kSites)) {
+        const uint32_t s = site.surfel;
+        if (!seesOut(s, direction)) continue;
+        const bool isPlain = radiance_.plainArea[s] > radiance_.clippedArea[s];
+        const bool isLamp = !isPlain && lamp_[s] >= 0; // its light on the room tells
+        if (!isPlain && !isLamp) sun.determined = false;
+        const glm::vec3 sent = isPlain  ? radiance_.plain[s]
+                               : isLamp ? found_.lamps[static_cast<size_t>(lamp_[s])].radiance
+                                        : glm::vec3(1.0f);
+        glm::vec3 albedo(0.0f);
+        float count = 0.0f;
+        for (const Site& other : shade) {
+            const uint32_t n = other.surfel;
+            const glm::vec3 way = surfels_.position[n] - surfels_.position[s];
+            if (glm::dot(surfels_.normal[n], surfels_.normal[s]) < kSamePlaneFacing ||
+                std::abs(glm::dot(way, surfels_.normal[s])) > kSamePlane)
+                continue;
+            albedo += sides_.albedo[n];
+            count += 1.0f;
+        }
+        if (count == 0.0f) continue;
+        const glm::vec3 whole =
+            kPi * sent / glm::max(albedo / count, glm::vec3(kLeastShade)) - irradianceOn(s);
+        for (int c = 0; c < 3; ++c)
+            wanted[static_cast<size_t>(c)].push_back(whole[c] /
+                                                     glm::dot(surfels_.normal[s], direction));
+    }
+    for (int c = 0; c < 3; ++c) {
+        std::vector<float>& values = wanted[static_cast<size_t>(c)];
+        if (values.empty()) return {.direction = direction, .determined = false};
+        std::sort(values.begin(), values.end());
+        sun.irradiance[c] = std::max(values[values.size() / 2], 0.0f);
+        const float spread = values[3 * values.size() / 4] - values[values.size() / 4];
+        sun.error[c] = 0.5f * spread / std::max(sun.irradiance[c], 1e-6f);
+    }
+    return sun;
+}
+
+std::optional<Sun> SunSearch::run() const
+{
+    std::optional<Sun> best;
+    float most = kFits;
+    for (const Patch& patch : patches())
+        for (const glm::vec3 start : finalists(patch)) {
+            const auto [direction, match] = refined(patch, start);
+            if (match.score <= most || match.seesOut < kMostSeesOut) continue;
+            const Sun sun = measured(patch, direction);
+            if (luminance(sun.irradiance) <= 0.0f) continue;
+            best = sun;
+            most = match.score;
+        }
+    return best;
+}
+
+/// Which triangles mostly show a pane.
+std::vector<uint8_t> trianglesOfPanes(const Texels& texels, const SurfelRadiance& radiance,
+                                      const FoundLamps& found)
+{
+    std::vector<uint8_t> isPaneSurfel(texels.surfels.count(), 0);
+    for (const FoundLamp& lamp : found.lamps)
+        if (isPane(lamp))
+            for (const ClippedPatch& patch : lamp.patches)
+                if (patch.surfel != Surfels::kNone) isPaneSurfel[patch.surfel] = 1;
+    std::vector<int32_t> excess(texels.facets.facets.size(), 0); // texels that do, less the others
+    for (size_t p = 0; p < texels.pages.size(); ++p) {
+        const PageTexels& page = texels.pages[p];
+        for (size_t run = 0; run + 1 < page.runs.size(); ++run)
+            for (size_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i) {
+                const bool isOfPane = isPaneSurfel[page.runs[run].surfel] != 0 &&
+                                      radiance.isClipped[p][page.pixel[i]] != 0;
+                excess[page.facet[i]] += isOfPane ? 1 : -1;
+            }
+    }
+    std::vector<uint8_t> isOfPane(texels.facets.triangles, 0);
+    for (size_t t = 0; t < isOfPane.size(); ++t) isOfPane[t] = excess[t] > 0 ? 1 : 0;
+    return isOfPane;
+}
+
+} // namespace
+
+RayScene sceneWithoutPanes(const Texels& texels, const SurfelRadiance& radiance,
+                           const FoundLamps& found)
+{
+    const std::vector<uint8_t> isOfPane = trianglesOfPanes(texels, radiance, found);
+    Scan rest; // its geometry alone
+    for (size_t m = 0; m < texels.scan->meshes.size(); ++m) {
+        const Mesh& whole = texels.scan->meshes[m];
+        Mesh mesh;
+        mesh.positions = whole.positions;
+        for (size_t t = 0; t < whole.triangles.size(); ++t)
+            if (isOfPane[texels.facets.firstOfMesh[m] + t] == 0)
+                mesh.triangles.push_back(whole.triangles[t]);
+        rest.meshes.push_back(std::move(mesh));
+    }
+    return RayScene(rest);
+}
+
+std::vector<ClippedPatch> sunDisc(const Sun& sun, const Scan& scan)
+{
+    const glm::vec3 centre = boundsOf(scan).centre() + kFar * sun.direction;
+    const float radius = kFar * kHalfAngle;
+    std::vector<ClippedPatch> patches;
+    for (int i = 0; i < kPatchesOfDisc; ++i) {
+        const glm::vec3 over =
+            cosineDirection(sun.direction, evenPoint(static_cast<float>(i), glm::vec2(0.5f)));
+        const glm::vec3 onDisc = over - glm::dot(over, sun.direction) * sun.direction;
+        patches.push_back({centre + radius * onDisc, -sun.direction,
+                           kPi * radius * radius / kPatchesOfDisc, Surfels::kNone});
+    }
+    return patches;
+}
+
+glm::vec3 sunRadiance(const Sun& sun)
+{
+    return sun.irradiance / (kPi * kHalfAngle * kHalfAngle);
+}
+
+std::optional<Sun> findSun(const Texels& texels, const RayScene& outside,
+                           const SurfelRadiance& radiance, const LitSides& sides,
+                           const FoundLamps& found)
+{
+    return SunSearch(texels, outside, radiance, sides, found).run();
+}
+
+bool isSunlit(const RayScene& outside, const Sun& sun, const FoundLamp& lamp)
+{
+    float area = 0.0f;
+    float lit = 0.0f;
+    for (const ClippedPatch& patch : lamp.patches) {
+        area += patch.area;
+        if (glm::dot(patch.normal, sun.direction) < kGrazing) continue;
+        if (!outside.occluded({patch.position + kOffSurface * patch.normal, sun.direction}))
+            lit += patch.area;
+    }
+    return lit > kMostSeesOut * area;
+}
+
+} // namespace relamp

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "fit/lamps.h"
+#include "relamp/lights.h"
+#include "scan/rays.h"
+#include "scan/texels.h"
+#include "shading/lit_sides.h"
+
+#include <optional>
+#include <vector>
+
+namespace relamp
+{
+
+/// The scan's surface as the sun sees it: lamps that stand upright, as window panes do, let it
+/// through.
+RayScene sceneWithoutPanes(const Texels& texels, const SurfelRadiance& radiance,
+                           const FoundLamps& found);
+
+/// The sun as a piece of lamp far beyond the scan, a disc of its angular size. Its radiance is
+/// sunRadiance(sun).
+std::vector<ClippedPatch> sunDisc(const Sun& sun, const Scan& scan);
+glm::vec3 sunRadiance(const Sun& sun);
+
+/// Looks for a sun that explains a patch brighter than the lamps make it.
+///
+/// There is one direction for each patch at most, and many patches have none: where the whole patch
+/// sees out through holes and panes, and what lies around it does not. `sides` is the room's light
+/// without a sun, `outside` comes from sceneWithoutPanes. None is found where no direction fits
+/// well.
+std::optional<Sun> findSun(const Texels& texels, const RayScene& outside,
+                           const SurfelRadiance& radiance, const LitSides& sides,
+                           const FoundLamps& found);
+
+/// Whether most of a lamp's surface sees the sun: it is a burnt-out patch of sunlight.
+bool isSunlit(const RayScene& outside, const Sun& sun, const FoundLamp& lamp);
+
+} // namespace relamp

@@ -1,0 +1,158 @@
+#include "fit/sun.h"
+
+#include "base/half.h"
+#include "relamp/delight.h"
+#include "scenes/lit_room.h"
+#include "scenes/sun_room.h"
+#include "scenes/surfaces.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+
+namespace relamp
+{
+namespace
+{
+
+using scenes::SunRoom;
+
+constexpr float kPi = 3.14159265f;
+const glm::vec3 kBurning(60.0f, 52.0f, 40.0f); // irradiance on the floor; burns it out
+const glm::vec3 kFaint(5.2f, 4.9f, 4.4f);      // does not
+
+Decomposition solve(const Scan& scan, const DelightOptions& options = {})
+{
+    Progress progress;
+    return delight(scan, options, progress);
+}
+
+float degreesOff(const Sun& sun, glm::vec3 wanted = SunRoom::kTowardsSun)
+{
+    const float cosine = glm::dot(sun.direction, glm::normalize(wanted));
+    return std::acos(std::min(cosine, 1.0f)) * 180.0f / kPi;
+}
+
+/// What the sun sends if all else on the floor is about `other`.
+float ratioOf(const Sun& sun, glm::vec3 onFloor, float other, int channel)
+{
+    const float cosine = glm::normalize(SunRoom::kTowardsSun).y;
+    return sun.irradiance[channel] * cosine / (onFloor[channel] - other);
+}
+
+/// Mean albedo of the floor, green, within the patch and beside it.
+struct FloorAlbedo
+{
+    float inPatch = 0.0f;
+    float beside = 0.0f;
+    bool shines = false; // some of the patch is thought to
+
+    FloorAlbedo(const SunRoom& room, const Decomposition& result)
+    {
+        Progress progress;
+        const PageLayers layers = result.layers(0, progress);
+        const Texels texels = rasterizeAtlas(room.scan, progress);
+        const glm::vec3 centre = SunRoom::patchPanel().at(0.5f, 0.5f);
+        float counts[2] = {};
+        for (size_t i = 0; i < texels.pages[0].count(); ++i) {
+            const TexelSite site = texels.siteOf(0, i);
+            if (site.normal.y < 0.9f) continue;
+            const float away = glm::distance(site.position, centre);
+            const size_t pixel = texels.pages[0].pixel[i];
+            const float albedo = floatFromHalf(layers.albedo[3 * pixel + 1]);
+            if (away < 0.35f) {
+                inPatch += albedo;
+                counts[0] += 1.0f;
+                shines |= layers.doubt[pixel] == Doubt::shines;
+            } else if (away > 1.2f && away < 1.6f) {
+                beside += albedo;
+                counts[1] += 1.0f;
+            }
+        }
+        inPatch /= counts[0];
+        beside /= counts[1];
+    }
+};
+
+} // namespace
+
+TEST(Sun, BurntOutPatchTellsWhereItStandsAndHowBrightItIs)
+{
+    const SunRoom room(kBurning);
+    const Decomposition result = solve(room.scan);
+    ASSERT_TRUE(result.lights().sun);
+    const Sun& sun = *result.lights().sun;
+    EXPECT_LT(degreesOff(sun), 1.0f);
+    EXPECT_TRUE(sun.determined);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratioOf(sun, kBurning, 3.0f, c), 1.0f, 0.15f);
+    EXPECT_EQ(result.lights().fixtures.size(), 1u); // the panel; the patch is none
+    EXPECT_FALSE(FloorAlbedo(room, result).shines);
+}
+
+TEST(Sun, PatchIsDividedOutWhereItIsNotBurntOut)
+{
+    const SunRoom room(kFaint);
+    const Decomposition result = solve(room.scan);
+    ASSERT_TRUE(result.lights().sun);
+    EXPECT_LT(degreesOff(*result.lights().sun), 1.0f);
+    const FloorAlbedo floor(room, result);
+    EXPECT_NEAR(floor.beside, SunRoom::kFloor.g, 0.1f * SunRoom::kFloor.g);
+    EXPECT_NEAR(floor.inPatch, floor.beside, 0.1f * floor.beside);
+}
+
+TEST(Sun, IsFoundAnywhereInTheSky)
+{
+    for (const glm::vec3 towards :
+         {glm::vec3(1, 0.6f, -0.2f), glm::vec3(1, 1.2f, 0), glm::vec3(1, 2, 0.8f)})
+        for (const glm::vec3 irradiance : {kBurning, kFaint}) {
+            const Decomposition result = solve(SunRoom(irradiance, 0.0f, towards).scan);
+            EXPECT_TRUE(result.lights().sun) << towards.y << " " << irradiance.x;
+            if (!result.lights().sun) continue;
+            EXPECT_LT(degreesOff(*result.lights().sun, towards), 2.0f)
+                << towards.y << " " << irradiance.x;
+        }
+}
+
+TEST(Sun, ShinesThroughAPane)
+{
+    const SunRoom room(kBurning, 6.0f);
+    const Decomposition result = solve(room.scan);
+    ASSERT_TRUE(result.lights().sun);
+    EXPECT_LT(degreesOff(*result.lights().sun), 2.0f);
+    EXPECT_EQ(result.lights().fixtures.size(), 2u); // panel and pane
+}
+
+// Neither window nor sheet nor panel make a sun of themselves.
+TEST(Sun, IsNotSeenWhereNoneShinesIn)
+{
+    EXPECT_FALSE(solve(SunRoom(glm::vec3(0.0f)).scan).lights().sun);
+    EXPECT_FALSE(solve(SunRoom(glm::vec3(0.0f), 6.0f).scan).lights().sun);
+    EXPECT_FALSE(solve(scenes::LitRoom().scan).lights().sun);
+}
+
+TEST(Sun, GivenOneIsBelieved)
+{
+    const SunRoom room(kBurning);
+    Lights lights = solve(room.scan).lights();
+    ASSERT_TRUE(lights.sun);
+    const float once = FloorAlbedo(room, solve(room.scan, {.lights = lights})).inPatch;
+    lights.sun->irradiance *= 2.0f;
+    const float twice = FloorAlbedo(room, solve(room.scan, {.lights = lights})).inPatch;
+    EXPECT_NEAR(twice, 0.5f * once, 0.03f * once);
+}
+
+TEST(Sun, DiscIsAsStrongAsTheSun)
+{
+    const SunRoom room(kFaint);
+    const Sun sun{.direction = glm::normalize(SunRoom::kTowardsSun),
+                  .irradiance = {3.0f, 2.0f, 1.0f}};
+    const AreaLight disc(sunDisc(sun, room.scan));
+    const RayScene scene{Scan{}};
+    const AreaSample facing = sampleAreaLight(scene, disc, {1, 0, 1}, sun.direction, 16, 0.5f);
+    EXPECT_NEAR((facing.visible * sunRadiance(sun)).r, 3.0f, 0.01f);
+    const AreaSample floor = sampleAreaLight(scene, disc, {1, 0, 1}, {0, 1, 0}, 16, 0.5f);
+    EXPECT_NEAR(floor.visible / facing.visible, sun.direction.y, 0.01f);
+}
+
+} // namespace relamp
