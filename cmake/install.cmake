@@ -27,4 +27,5 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS $<TARGET_FILE_DIR:relamp>)
 # The headers name GLM's types. The program does not need it, and apt brings what is recommended
 # unless told otherwise.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS libglm-dev)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS ffmpeg) # for films as .mp4
 include(CPack)

@@ -2,6 +2,7 @@
 
 #include "albedo/page_layers.h"
 #include "decomposition_state.h"
+#include "shading/buried.h"
 #include "solve/by_gather.h"
 #include "solve/by_pathtrace.h"
 #include "solve/by_thesis.h"
@@ -47,6 +48,8 @@ Decomposition delight(const Scan& scan, const DelightOptions& options, Progress&
     auto state = stateOf(scan, progress);
     state->texels = rasterizeAtlas(scan, progress, surfelsFor(options));
     checkOverlap(state->texels);
+    if (options.solver != Solver::thesis)
+        state->texels.buried = findBuried(state->texels, state->scene, progress);
     state->solution = solverOf(options.solver)(state->texels, state->scene, options, progress);
     return Decomposition(std::move(state));
 }

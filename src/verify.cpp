@@ -1,38 +1,13 @@
 #include "relamp/verify.h"
 
 #include "albedo/closed_loop.h"
-#include "base/fail.h"
 #include "output/result_folder.h"
+#include "shading/buried.h"
 #include "solve/by_pathtrace.h"
 #include "solve/found_room.h"
 
-#include <fmt/format.h>
-
 namespace relamp
 {
-namespace
-{
-
-Scan scanOf(const std::filesystem::path& folder, const FormerRun& run,
-            const std::filesystem::path& file, Progress& progress)
-{
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored))
-        fail(ErrorCode::cannotRead, file.string(),
-             fmt::format("is not there, and {} was made from it; say where the scan is now with "
-                         "--scan FILE",
-                         folder.string()));
-    Scan scan = readScan(file, run.scan, progress);
-    if (scan.triangleCount() != run.triangles)
-        fail(ErrorCode::sizeMismatch, file.string(),
-             fmt::format("has {} triangles, but {} was made from a scan of {}; name that one with "
-                         "--scan FILE",
-                         scan.triangleCount(), folder.string(), run.triangles));
-    return scan;
-}
-
-} // namespace
-
 Verification verify(const std::filesystem::path& folder, const VerifyOptions& options,
                     Progress& progress)
 {
@@ -45,7 +20,8 @@ Verification verify(const std::filesystem::path& folder, const VerifyOptions& op
     asThen.lights = readLights(folder / "lights.json", result.warnings);
 
     const RayScene scene(scan);
-    const Texels texels = rasterizeAtlas(scan, progress, surfelsOf(run.gather.quality));
+    Texels texels = rasterizeAtlas(scan, progress, surfelsOf(run.gather.quality));
+    texels.buried = findBuried(texels, scene, progress);
     const FoundRoom found = findRoom(texels, scene, asThen, progress);
     if (found.sun) result.warnings.emplace_back(kSunIsNotTraced);
     const TracedRoom room = tracedRoomOf(texels, found, meanAlbedo(texels, found.radiance, albedo));

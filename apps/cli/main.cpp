@@ -51,11 +51,14 @@ int main(int argc, char** argv)
     app.footer("Examples:\n"
                "  relamp info kitchen.glb\n"
                "  relamp delight kitchen.glb -o kitchen\n"
+               "  relamp relight kitchen --fixture all=on --bake -o baked.glb\n"
+               "  relamp relight kitchen --lights lamp.json -o lamp.png\n"
                "  relamp verify kitchen\n"
                "relamp COMMAND --help tells more.");
     Run run;
     addDelightCommand(app, run);
     addInfoCommand(app, run);
+    addRelightCommand(app, run);
     addVerifyCommand(app, run);
     try {
         app.parse(argc, argv);

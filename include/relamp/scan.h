@@ -1,6 +1,7 @@
 #pragma once
 
 #include "relamp/api.h"
+#include "relamp/camera.h"
 #include "relamp/image.h"
 #include "relamp/progress.h"
 
@@ -57,6 +58,14 @@ struct Page
     bool ofVertices = false; // one pixel a vertex, in the order of the file, and no neighbourhood
 };
 
+/// A camera that the file has put into the room.
+struct ScanCamera
+{
+    int index = 0; // as the file counts its cameras
+    std::string name;
+    Camera camera;
+};
+
 struct GltfSource; // the file a glTF scan came from, kept for writing it back
 
 /// A scanned room: surfaces in metres and the pictures of light on them.
@@ -65,6 +74,7 @@ struct Scan
     std::string name; // of the file, without folder and ending
     std::vector<Mesh> meshes;
     std::vector<Page> pages;
+    std::vector<ScanCamera> cameras;   // of glTF: those in perspective, by index
     ScanOptions options;               // that it was read with
     std::vector<std::string> warnings; // what was left out or repaired, a sentence each
     glm::mat4 worldFromFile{1.0f};
@@ -80,6 +90,11 @@ struct Bounds
 
     [[nodiscard]] glm::vec3 extent() const { return high - low; }
     [[nodiscard]] glm::vec3 centre() const { return 0.5f * (low + high); }
+    [[nodiscard]] bool contains(glm::vec3 p) const
+    {
+        return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y &&
+               p.z <= high.z;
+    }
 };
 
 /// The box around all triangles; of a scan without any, a point.

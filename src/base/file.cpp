@@ -4,10 +4,13 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace relamp
 {
@@ -66,6 +69,27 @@ void writeFile(const std::filesystem::path& file, std::span<const std::byte> byt
 void writeFile(const std::filesystem::path& file, const std::string& text)
 {
     writeFile(file, std::as_bytes(std::span(text)));
+}
+
+void replaceFile(const std::filesystem::path& file, std::span<const std::byte> bytes)
+{
+    std::string staged =
+        (file.parent_path() / fmt::format(".{}.XXXXXX", file.filename().string())).string();
+    const int descriptor = mkstemp(staged.data());
+    if (descriptor < 0) cannotWrite(file);
+    fchmod(descriptor, 0644);
+    close(descriptor);
+    std::error_code failure;
+    try {
+        writeFile(staged, bytes);
+        std::filesystem::rename(staged, file, failure);
+        if (failure)
+            throw Error(ErrorCode::cannotWrite,
+                        fmt::format("{}: cannot be written: {}", file.string(), failure.message()));
+    } catch (...) {
+        std::filesystem::remove(staged, failure);
+        throw;
+    }
 }
 
 } // namespace relamp

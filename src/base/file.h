@@ -19,4 +19,8 @@ std::vector<std::byte> readFile(const std::filesystem::path& file,
 void writeFile(const std::filesystem::path& file, std::span<const std::byte> bytes);
 void writeFile(const std::filesystem::path& file, const std::string& text);
 
+/// Writes a file beside its place and moves it there when it is complete: whoever reads it finds
+/// the old one or the new one. Throws Error(cannotWrite).
+void replaceFile(const std::filesystem::path& file, std::span<const std::byte> bytes);
+
 } // namespace relamp

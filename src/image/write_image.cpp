@@ -33,6 +33,16 @@ std::vector<uint8_t> encode(const char* format, const OIIO::ImageSpec& spec,
 
 } // namespace
 
+std::vector<uint8_t> withAlpha(std::span<const uint8_t> rgb, std::span<const uint8_t> alpha)
+{
+    std::vector<uint8_t> rgba(4 * alpha.size());
+    for (size_t i = 0; i < alpha.size(); ++i) {
+        for (size_t c = 0; c < 3; ++c) rgba[4 * i + c] = rgb[3 * i + c];
+        rgba[4 * i + 3] = alpha[i];
+    }
+    return rgba;
+}
+
 std::vector<uint8_t> encodePng(std::span<const uint8_t> samples, Size size, int channels)
 {
     OIIO::ImageSpec spec(size.width, size.height, channels, OIIO::TypeUInt8);

@@ -15,6 +15,9 @@ struct Size
     int height = 0;
 };
 
+/// RGBA of RGB, 3 a pixel, and opacity, one a pixel.
+std::vector<uint8_t> withAlpha(std::span<const uint8_t> rgb, std::span<const uint8_t> alpha);
+
 /// A PNG file of 8-bit samples: 1 channel grey, 3 RGB, 4 RGB and opacity. Throws
 /// Error(cannotWrite).
 std::vector<uint8_t> encodePng(std::span<const uint8_t> samples, Size size, int channels);

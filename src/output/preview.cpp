@@ -3,6 +3,7 @@
 #include "base/half.h"
 #include "base/parallel.h"
 #include "image/transfer.h"
+#include "output/camera_rays.h"
 #include "scan/surface_point.h"
 
 #include <algorithm>
@@ -76,26 +77,13 @@ Columns look(const Texels& texels, const std::vector<PreviewPage>& pages, const 
 void renderRow(const Texels& texels, const RayScene& scene, const std::vector<PreviewPage>& pages,
                const Camera& camera, int y, glm::vec3* row)
 {
-    std::array<Ray, kWidth> rays;
-    std::array<Hit, kWidth> hits;
-    for (int sample = 0; sample < kSamples * kSamples; ++sample) {
-        const float dx = (static_cast<float>(sample % kSamples) + 0.5f) / kSamples;
-        const float dy = (static_cast<float>(sample / kSamples) + 0.5f) / kSamples;
-        for (int x = 0; x < kWidth; ++x) {
-            const float px = 2.0f * (static_cast<float>(x) + dx) / kWidth - 1.0f;
-            const float py = 1.0f - 2.0f * (static_cast<float>(y) + dy) / kHeight;
-            rays[static_cast<size_t>(x)] = {
-                .origin = camera.position,
-                .direction = camera.direction(px, py, static_cast<float>(kWidth) / kHeight)};
-        }
-        scene.intersect(rays, hits);
-        for (int x = 0; x < kWidth; ++x) {
-            const Columns columns = look(texels, pages, hits[static_cast<size_t>(x)]);
-            for (int c = 0; c < kColumns; ++c)
-                row[c * kWidth + x] +=
-                    columns[static_cast<size_t>(c)] / static_cast<float>(kSamples * kSamples);
-        }
-    }
+    RowOfRays rays;
+    lookAlong(y, kSamples, CameraRays(camera, {kWidth, kHeight}), scene, rays,
+              [&](size_t x, const Ray&, const Hit& hit) {
+                  const Columns columns = look(texels, pages, hit);
+                  for (size_t c = 0; c < kColumns; ++c)
+                      row[c * kWidth + x] += columns[c] / static_cast<float>(kSamples * kSamples);
+              });
 }
 
 /// What the shading is divided by to be shown.

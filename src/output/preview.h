@@ -1,7 +1,7 @@
 #pragma once
 
 #include "image/write_image.h"
-#include "output/camera.h"
+#include "relamp/camera.h"
 #include "relamp/delight.h"
 #include "relamp/progress.h"
 #include "relamp/scan.h"

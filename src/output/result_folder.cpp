@@ -73,6 +73,24 @@ FormerRun readFormerRun(const std::filesystem::path& folder)
     }
 }
 
+Scan scanOf(const std::filesystem::path& folder, const FormerRun& run,
+            const std::filesystem::path& file, Progress& progress)
+{
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+        fail(ErrorCode::cannotRead, file.string(),
+             fmt::format("is not there, and {} was made from it; say where the scan is now with "
+                         "--scan FILE",
+                         folder.string()));
+    Scan scan = readScan(file, run.scan, progress);
+    if (scan.triangleCount() != run.triangles)
+        fail(ErrorCode::sizeMismatch, file.string(),
+             fmt::format("has {} triangles, but {} was made from a scan of {}; name that one with "
+                         "--scan FILE",
+                         scan.triangleCount(), folder.string(), run.triangles));
+    return scan;
+}
+
 std::vector<Image> readAlbedo(const std::filesystem::path& folder, const Scan& scan)
 {
     std::vector<Image> pages;

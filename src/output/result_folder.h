@@ -3,6 +3,7 @@
 #include "relamp/gather.h"
 #include "relamp/image.h"
 #include "relamp/lights.h"
+#include "relamp/progress.h"
 #include "relamp/scan.h"
 
 #include <cstddef>
@@ -27,6 +28,11 @@ struct FormerRun
 
 /// Throws Error(cannotRead | malformed) where `folder` holds no report.json that writeResult wrote.
 FormerRun readFormerRun(const std::filesystem::path& folder);
+
+/// The scan that a result was made from, read from `file` as it was read then. Throws Error with a
+/// sentence where it is not there or is another one.
+Scan scanOf(const std::filesystem::path& folder, const FormerRun& run,
+            const std::filesystem::path& file, Progress& progress);
 
 /// The albedo of a result, one image a page of the scan that it was made from. Throws
 /// Error(cannotRead | malformed), and Error(sizeMismatch) where a page has another size.

@@ -1,6 +1,7 @@
 #include "output/viewpoints.h"
 
 #include "base/parallel.h"
+#include "output/camera_rays.h"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +17,7 @@ namespace
 
 constexpr int kPlaces = 9; // along each side of the room's plan
 constexpr int kYaws = 16;
-constexpr float kPitch = -0.15f; // radians; people look slightly down into a room
-constexpr float kAspect = 1.6f;
+constexpr float kPitch = -0.15f;    // radians; people look slightly down into a room
 constexpr float kEyeHeight = 1.55f; // m above the floor
 constexpr float kElbowRoom = 0.3f;  // m to the nearest thing
 
@@ -77,18 +77,15 @@ float scoreOf(const RayScene& scene, const Camera& camera, float depth)
     constexpr int kAcross = 16;
     constexpr int kDown = 10;
     float sum = 0.0f;
+    RowOfRays row;
+    const CameraRays rays(camera, {kAcross, kDown});
     for (int y = 0; y < kDown; ++y)
-        for (int x = 0; x < kAcross; ++x) {
-            const float px = (2.0f * static_cast<float>(x) + 1.0f) / kAcross - 1.0f;
-            const float py = (2.0f * static_cast<float>(y) + 1.0f) / kDown - 1.0f;
-            const Hit hit = scene.intersect(
-                {.origin = camera.position, .direction = camera.direction(px, py, kAspect)});
+        lookAlong(y, 1, rays, scene, row, [&](size_t, const Ray&, const Hit& hit) {
             if (hit.missed() || !hit.front)
                 sum -= 0.5f;
-            else
-                sum += std::sqrt(
-                    std::min(hit.distance / depth, 1.0f)); // far walls, but not only far walls
-        }
+            else // far walls, but not only far walls
+                sum += std::sqrt(std::min(hit.distance / depth, 1.0f));
+        });
     return sum / (kAcross * kDown);
 }
 
@@ -98,9 +95,8 @@ float likeness(const Camera& a, const Camera& b)
     return std::max(0.0f, glm::dot(a.forward, b.forward));
 }
 
-} // namespace
-
-std::vector<Camera> chooseViewpoints(const Scan& scan, const RayScene& scene, int count)
+/// kYaws views from each of the places where one can stand; those from elsewhere score 0.
+std::vector<View> viewsOf(const Scan& scan, const RayScene& scene)
 {
     const Bounds room = boundsOf(scan);
     const std::vector<glm::vec3> places = candidatePlaces(scan, scene);
@@ -118,21 +114,55 @@ std::vector<Camera> chooseViewpoints(const Scan& scan, const RayScene& scene, in
             view.score = inside * std::max(scoreOf(scene, view.camera, depth), 1e-4f);
         }
     });
+    return views;
+}
+
+bool scoresLess(const View& a, const View& b)
+{
+    return a.score < b.score;
+}
+
+/// Where there is no place inside: all of it, from outside.
+Camera fromOutside(const Scan& scan)
+{
+    const Bounds room = boundsOf(scan);
+    return {.position = room.centre() + glm::vec3(0.0f, 0.3f, 1.2f) * glm::length(room.extent()),
+            .forward = glm::normalize(glm::vec3(0.0f, -0.25f, -1.0f))};
+}
+
+} // namespace
+
+std::vector<Camera> chooseViewpoints(const Scan& scan, const RayScene& scene, int count)
+{
+    std::vector<View> views = viewsOf(scan, scene);
     std::vector<Camera> chosen;
     while (static_cast<int>(chosen.size()) < count) {
-        const auto best =
-            std::max_element(views.begin(), views.end(),
-                             [](const View& a, const View& b) { return a.score < b.score; });
+        const auto best = std::max_element(views.begin(), views.end(), scoresLess);
         if (best->score <= 0.0f) break;
         const Camera camera = best->camera;
         chosen.push_back(camera);
         for (View& view : views) view.score *= 1.0f - likeness(view.camera, camera);
     }
-    if (chosen.empty()) // nowhere inside: look at it from outside
-        chosen.push_back(
-            {.position = room.centre() + glm::vec3(0.0f, 0.3f, 1.2f) * glm::length(room.extent()),
-             .forward = glm::normalize(glm::vec3(0.0f, -0.25f, -1.0f))});
+    if (chosen.empty()) chosen.push_back(fromOutside(scan));
     return chosen;
+}
+
+Camera chooseTurningPlace(const Scan& scan, const RayScene& scene)
+{
+    const std::vector<View> views = viewsOf(scan, scene);
+    size_t best = 0;
+    float bestSum = 0.0f;
+    for (size_t place = 0; place < views.size(); place += kYaws) {
+        float sum = 0.0f;
+        for (size_t i = place; i < place + kYaws; ++i) sum += views[i].score;
+        if (sum > bestSum) {
+            bestSum = sum;
+            best = place;
+        }
+    }
+    if (bestSum == 0.0f) return fromOutside(scan);
+    const auto begin = views.begin() + static_cast<ptrdiff_t>(best);
+    return std::max_element(begin, begin + kYaws, scoresLess)->camera;
 }
 
 } // namespace relamp

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "output/camera.h"
+#include "relamp/camera.h"
 #include "relamp/scan.h"
 #include "scan/rays.h"
 
@@ -12,5 +12,8 @@ namespace relamp
 /// Up to `count` cameras at eye height inside the room, each looking where much of it is seen and
 /// the others do not look. Always at least one; the same for the same scan.
 std::vector<Camera> chooseViewpoints(const Scan& scan, const RayScene& scene, int count);
+
+/// A camera where one sees most of the room while turning around.
+Camera chooseTurningPlace(const Scan& scan, const RayScene& scene);
 
 } // namespace relamp

@@ -51,16 +51,6 @@ std::vector<float> floatsFrom(const std::vector<uint16_t>& half)
     return floats;
 }
 
-std::vector<uint8_t> withAlpha(const std::vector<uint8_t>& rgb, const std::vector<uint8_t>& alpha)
-{
-    std::vector<uint8_t> rgba(4 * alpha.size());
-    for (size_t i = 0; i < alpha.size(); ++i) {
-        for (size_t c = 0; c < 3; ++c) rgba[4 * i + c] = rgb[3 * i + c];
-        rgba[4 * i + 3] = alpha[i];
-    }
-    return rgba;
-}
-
 /// Colours of Doubt, as docs/guide/results.md lists them.
 constexpr uint8_t kColorOfDoubt[kDoubts][3] = {{0, 0, 0},     {255, 64, 64}, {255, 255, 255},
                                                {64, 64, 255}, {0, 192, 192}, {192, 0, 192},

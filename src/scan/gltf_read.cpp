@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "scan/finish_mesh.h"
 #include "scan/gltf_accessor.h"
+#include "scan/gltf_cameras.h"
 #include "scan/gltf_json.h"
 #include "scan/gltf_material.h"
 #include "scan/gltf_mend.h"
@@ -263,6 +264,8 @@ void GltfReader::visitNode(int root, const glm::mat4& worldFromParent)
         const glm::mat4 worldFromNode = worldFromAbove * localTransform(node);
         for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
             open.emplace_back(*child, worldFromNode);
+        if (const auto camera = cameraAt(model_, node, worldFromNode))
+            scan_.cameras.push_back(*camera);
         if (node.mesh < 0) continue;
         if (static_cast<size_t>(node.mesh) >= model_.meshes.size())
             malformed(name_, fmt::format("node {} refers to mesh {}, which is not there", index,

@@ -498,4 +498,32 @@ TEST(GltfRead, WithoutAScenesListAllRootsAreShown)
     EXPECT_EQ(scan.meshes[0].positions[0], glm::vec3(1, 0, 0));
 }
 
+// A camera looks along its node's -z; a scale of the node says nothing, and an orthographic one is
+// no view into a room.
+TEST(GltfRead, CamerasComeWithTheirPlaceAndIndex)
+{
+    GltfFile file = scenes::coloredSquare();
+    file.document["cameras"] = {
+        {{"type", "orthographic"},
+         {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 9}, {"znear", 1}}}},
+        {{"type", "perspective"},
+         {"name", "door"},
+         {"perspective", {{"yfov", 0.9}, {"znear", 0.1}}}}};
+    file.addNode({{"camera", 0}});
+    file.addNode({{"camera", 1},
+                  {"translation", {1, 2, 3}},
+                  {"rotation", {0, 0.70710678, 0, 0.70710678}}, // a quarter turn about y
+                  {"scale", {2, 3, 4}}});
+    const Scan scan = scenes::read(file.glb());
+    ASSERT_THAT(scan.cameras, SizeIs(1));
+    EXPECT_EQ(scan.cameras[0].index, 1);
+    EXPECT_EQ(scan.cameras[0].name, "door");
+    const Camera& camera = scan.cameras[0].camera;
+    EXPECT_THAT(camera.position, Near(glm::vec3(1, 2, 3), 1e-5f));
+    EXPECT_THAT(camera.forward, Near(glm::vec3(-1, 0, 0), 1e-5f));
+    EXPECT_THAT(camera.up, Near(glm::vec3(0, 1, 0), 1e-5f));
+    EXPECT_FLOAT_EQ(camera.fieldOfView, 0.9f);
+    EXPECT_EQ(camera.across, Across::height);
+}
+
 } // namespace relamp

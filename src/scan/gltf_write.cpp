@@ -50,6 +50,7 @@ public:
     }
 
     std::string write(const std::vector<PointLight>& lights);
+    std::string writeUnlit();
 
 private:
     json& section(const char* key);
@@ -66,7 +67,9 @@ private:
     size_t textureOfPhoto(size_t texture);
     void replaceImages();
     void replaceTextureSources();
+    void replaceContent();
     void relightMaterials();
+    void makeUnlit();
     void relightMaterial(json& material) const;
     void setEmission(json& material, size_t page);
     void replaceVertexColors();
@@ -371,7 +374,8 @@ std::string GlbWriter::assemble()
     return joinGlb(dumpJson(document_), binary);
 }
 
-std::string GlbWriter::write(const std::vector<PointLight>& lights)
+/// Pages, colours and materials as `pages_` wants them.
+void GlbWriter::replaceContent()
 {
     separateInstances();
     separateOthers();
@@ -379,9 +383,49 @@ std::string GlbWriter::write(const std::vector<PointLight>& lights)
     replaceTextureSources();
     relightMaterials();
     replaceVertexColors();
+}
+
+void GlbWriter::makeUnlit()
+{
+    for (size_t m = 0; m < scan_.meshes.size(); ++m) {
+        json& material = section("materials").at(primitiveOf(m)["material"].get<size_t>());
+        material["extensions"]["KHR_materials_unlit"] = json::object();
+        material.erase("emissiveTexture"); // the light is in the base colour
+        material.erase("emissiveFactor");
+    }
+    json& used = section("extensionsUsed");
+    if (std::find(used.begin(), used.end(), "KHR_materials_unlit") == used.end())
+        used.push_back("KHR_materials_unlit");
+}
+
+std::string GlbWriter::write(const std::vector<PointLight>& lights)
+{
+    replaceContent();
     addLights(document_, lights, scan_.gltf ? scan_.worldFromFile : glm::mat4(1.0f));
     dropUnusedExtensions();
     return assemble();
+}
+
+std::string GlbWriter::writeUnlit()
+{
+    replaceContent();
+    makeUnlit();
+    dropUnusedExtensions();
+    return assemble();
+}
+
+/// `write(writer)`, with what nlohmann throws of a document that is not as it should be explained.
+template<class Write>
+std::string withGlbWriter(const Scan& scan, const std::vector<RelitPage>& pages, const Write& write)
+{
+    try {
+        GlbWriter writer(scan, pages);
+        return write(writer);
+    } catch (const json::exception& failure) {
+        malformed(scan.name,
+                  fmt::format("is not as glTF wants it ({}); its parts cannot be written again",
+                              failure.what()));
+    }
 }
 
 } // namespace
@@ -389,13 +433,12 @@ std::string GlbWriter::write(const std::vector<PointLight>& lights)
 std::string writeGlb(const Scan& scan, const std::vector<RelitPage>& pages,
                      const std::vector<PointLight>& lights)
 {
-    try {
-        return GlbWriter(scan, pages).write(lights);
-    } catch (const json::exception& failure) {
-        malformed(scan.name,
-                  fmt::format("is not as glTF wants it ({}); its parts cannot be written again",
-                              failure.what()));
-    }
+    return withGlbWriter(scan, pages, [&](GlbWriter& writer) { return writer.write(lights); });
+}
+
+std::string writeUnlitGlb(const Scan& scan, const std::vector<RelitPage>& pages)
+{
+    return withGlbWriter(scan, pages, [](GlbWriter& writer) { return writer.writeUnlit(); });
 }
 
 } // namespace relamp

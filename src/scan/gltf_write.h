@@ -33,4 +33,8 @@ struct RelitPage
 std::string writeGlb(const Scan& scan, const std::vector<RelitPage>& pages,
                      const std::vector<PointLight>& lights);
 
+/// The scan as a GLB that shows its textures as they are, whatever the light: as it came, but with
+/// `pages` for base colour and unlit materials (KHR_materials_unlit).
+std::string writeUnlitGlb(const Scan& scan, const std::vector<RelitPage>& pages);
+
 } // namespace relamp

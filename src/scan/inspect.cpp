@@ -1,12 +1,11 @@
 #include "relamp/inspect.h"
 
-#include "base/disjoint_sets.h"
 #include "image/burnt_out.shared.h"
+#include "scan/charts.h"
 #include "scan/texels.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -39,30 +38,19 @@ double clippedShare(const Texels& texels, size_t page)
     return count > 0 ? static_cast<double>(sum) / static_cast<double>(count) : 0.0;
 }
 
-/// Triangles that share a texture coordinate belong to one chart.
-size_t countCharts(const Scan& scan, size_t page)
+/// How many charts each page has.
+std::vector<size_t> countCharts(const Scan& scan)
 {
-    std::map<std::pair<float, float>, uint32_t> idOfUv;
-    std::vector<glm::uvec3> triangles;
-    for (const Mesh& mesh : scan.meshes) {
-        if (static_cast<size_t>(mesh.page) != page) continue;
-        std::vector<uint32_t> id(mesh.uvs.size());
-        for (size_t i = 0; i < id.size(); ++i)
-            id[i] = idOfUv
-                        .try_emplace({mesh.uvs[i].x, mesh.uvs[i].y},
-                                     static_cast<uint32_t>(idOfUv.size()))
-                        .first->second;
-        for (const glm::uvec3& t : mesh.triangles)
-            triangles.emplace_back(id[t.x], id[t.y], id[t.z]);
-    }
-    DisjointSets charts(idOfUv.size());
-    for (const glm::uvec3& t : triangles) {
-        charts.join(t.x, t.y);
-        charts.join(t.x, t.z);
-    }
-    std::set<uint32_t> roots;
-    for (const glm::uvec3& t : triangles) roots.insert(charts.find(t.x));
-    return roots.size();
+    const std::vector<uint32_t> chartOf = chartsOfTriangles(scan);
+    std::vector<std::set<uint32_t>> charts(scan.pages.size());
+    size_t triangle = 0;
+    for (const Mesh& mesh : scan.meshes)
+        for (size_t i = 0; i < mesh.triangles.size(); ++i, ++triangle)
+            if (chartOf[triangle] != kNoChart)
+                charts[static_cast<size_t>(mesh.page)].insert(chartOf[triangle]);
+    std::vector<size_t> counts;
+    for (const auto& ofPage : charts) counts.push_back(ofPage.size());
+    return counts;
 }
 
 PageInspection inspectPage(const Scan& scan, const Texels& texels, size_t index)
@@ -75,7 +63,6 @@ PageInspection inspectPage(const Scan& scan, const Texels& texels, size_t index)
     result.coverage =
         static_cast<double>(texels.pages[index].count()) / static_cast<double>(page.image.pixels());
     result.clipped = clippedShare(texels, index);
-    if (!page.ofVertices) result.charts = countCharts(scan, index);
     return result;
 }
 
@@ -131,8 +118,10 @@ Inspection inspect(const Scan& scan, Progress& progress)
     result.millimetresPerTexel = 1e3 * std::sqrt(texels.area / static_cast<double>(texels.count()));
     result.bounds = boundsOf(scan);
     result.overlapShare = texels.overlapShare;
+    const std::vector<size_t> charts = countCharts(scan);
     for (size_t p = 0; p < scan.pages.size(); ++p) {
         result.pages.push_back(inspectPage(scan, texels, p));
+        result.pages.back().charts = charts[p];
         stage.advance();
     }
     result.problems = scan.warnings;

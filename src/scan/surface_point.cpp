@@ -23,6 +23,7 @@ MeshTriangle triangleOf(const Texels& texels, uint32_t facet)
 uint32_t wrapped(double pixel, int size, Wrap wrap)
 {
     const auto last = static_cast<double>(size - 1);
+    if (pixel >= 0.0 && pixel <= last) return static_cast<uint32_t>(pixel); // nearly always
     if (wrap == Wrap::repeat) pixel -= size * std::floor(pixel / size);
     return static_cast<uint32_t>(std::clamp(pixel, 0.0, last));
 }

@@ -291,16 +291,32 @@ SurfelSites::SurfelSites(const Texels& texels) : texels_(texels), ranges_(texels
         for (size_t run = 0; run + 1 < runs.size(); ++run) {
             const uint32_t count = runs[run + 1].begin - runs[run].begin;
             Range& best = ranges_[runs[run].surfel];
-            if (count > best.count) best = {p, runs[run].begin, count};
+            if (count > best.count) best = {p, runs[run].begin, count, false};
         }
     }
+    if (texels.buried.empty()) return;
+    for (Range& range : ranges_) leaveOutBuried(range);
+}
+
+void SurfelSites::leaveOutBuried(Range& range)
+{
+    const std::vector<uint8_t>& buried = texels_.buried[range.page];
+    const auto first = static_cast<uint32_t>(open_.size());
+    for (uint32_t i = range.begin; i < range.begin + range.count; ++i)
+        if (buried[i] == 0) open_.push_back(i);
+    const auto count = static_cast<uint32_t>(open_.size()) - first;
+    if (count == range.count || count == 0)
+        open_.resize(first); // all of one kind need no list
+    else
+        range = {range.page, first, count, true};
 }
 
 TexelSite SurfelSites::at(uint32_t surfel, size_t i) const
 {
     constexpr size_t kStride = 7919; // prime: visits all texels before it repeats
     const Range& range = ranges_[surfel];
-    return texels_.siteOf(range.page, range.begin + i * kStride % range.count);
+    const size_t at = range.begin + i * kStride % range.count;
+    return texels_.siteOf(range.page, range.isListed ? open_[at] : at);
 }
 
 TexelLoader::TexelLoader(const Texels& texels, size_t page)

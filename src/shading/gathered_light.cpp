@@ -121,20 +121,6 @@ void shadeDirect(const GatheredLight& light, const PageTexels& page, size_t begi
     }
 }
 
-void interpolate(const Texels& texels, const GatheredLight& light, const PageTexels& page,
-                 size_t begin, const TexelBlock& block, RgbBlock& out)
-{
-    const Surfels& surfels = texels.surfels;
-    const float reach = kReach * surfels.size;
-    forEachRunOf(page, begin, block, [&](uint32_t surfel, size_t first, size_t end) {
-        Taps taps;
-        for (const uint32_t s : surfels.neighborsOf(surfel))
-            taps.add(surfels, s, light.indirect[s]);
-        const InterpolateArgs args{&block, &taps, first, end, 1.0f / (reach * reach), &out};
-        runKernel<interpolateKernel>(bestInstructionSet(), args);
-    });
-}
-
 /// A surfel as a texel.
 void put(TexelBlock& block, size_t i, const Surfels& surfels, size_t s)
 {
@@ -147,6 +133,19 @@ void put(TexelBlock& block, size_t i, const Surfels& surfels, size_t s)
 }
 
 } // namespace
+
+void interpolate(const Texels& texels, std::span<const glm::vec3> irradiance, size_t page,
+                 size_t begin, const TexelBlock& block, RgbBlock& out)
+{
+    const Surfels& surfels = texels.surfels;
+    const float reach = kReach * surfels.size;
+    forEachRunOf(texels.pages[page], begin, block, [&](uint32_t surfel, size_t first, size_t end) {
+        Taps taps;
+        for (const uint32_t s : surfels.neighborsOf(surfel)) taps.add(surfels, s, irradiance[s]);
+        const InterpolateArgs args{&block, &taps, first, end, 1.0f / (reach * reach), &out};
+        runKernel<interpolateKernel>(bestInstructionSet(), args);
+    });
+}
 
 SurfelLighting lightOnSurfels(const Surfels& surfels, const GatheredLight& light)
 {
@@ -180,7 +179,7 @@ TexelShading shadingOf(const Texels& texels, std::shared_ptr<const GatheredLight
     return [&texels, light = std::move(light)](size_t p, size_t begin, const TexelBlock& block,
                                                ShadingBlock& out) {
         const PageTexels& page = texels.pages[p];
-        interpolate(texels, *light, page, begin, block, out.indirect);
+        interpolate(texels, light->indirect, p, begin, block, out.indirect);
         shadeDirect(*light, page, begin, block, out.direct);
     };
 }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace relamp
@@ -24,6 +25,11 @@ struct GatheredLight
     Visibility visibility;           // of the same lamps
     std::vector<glm::vec3> indirect; // irradiance at surfels' fronts that did not come from a lamp
 };
+
+/// Shading of texels [begin, begin + block.count) of a page, interpolated between what the surfels
+/// of one surface receive: `irradiance`, one a surfel.
+void interpolate(const Texels& texels, std::span<const glm::vec3> irradiance, size_t page,
+                 size_t begin, const TexelBlock& block, RgbBlock& out);
 
 /// Shades texels: indirect light interpolated between surfels of one surface, direct light of every
 /// lamp by its area, as much of it as can be seen.

@@ -30,7 +30,6 @@ public:
     [[nodiscard]] float noiseOf(std::span<const HitTarget> targets) const;
 
 private:
-    [[nodiscard]] Ray rayOf(Side side, size_t i) const;
     [[nodiscard]] PixelAt texelAt(const Hit& hit) const;
     [[nodiscard]] HitTarget targetOf(const Ray& ray, const Hit& hit) const;
 
@@ -54,15 +53,6 @@ Caster::Caster(const Texels& texels, const RayScene& scene, const SurfelRadiance
                     surfelAt[page.pixel[i]] = page.runs[run].surfel;
         });
     }
-}
-
-Ray Caster::rayOf(Side side, size_t i) const
-{
-    const TexelSite site = sites_.at(side.surfel(), i);
-    const glm::vec3 normal = side.isBack() ? -site.normal : site.normal;
-    const glm::vec2 shift(hashedShift(side.index, 1), hashedShift(side.index, 2));
-    return {.origin = site.position + kOffSurface * normal,
-            .direction = cosineDirection(normal, evenPoint(static_cast<float>(i), shift))};
 }
 
 /// The nearest texel; beyond a chart's rim, the nearest of those that a texture lookup would mix.
@@ -97,7 +87,7 @@ HitTarget Caster::targetOf(const Ray& ray, const Hit& hit) const
 void Caster::cast(Side side, size_t first, std::span<HitTarget> out) const
 {
     for (size_t i = 0; i < out.size(); ++i) { // one by one: they go everywhere
-        const Ray ray = rayOf(side, first + i);
+        const Ray ray = rayOfList(sites_, side, first + i);
         out[i] = targetOf(ray, scene_.intersect(ray));
     }
 }
@@ -167,6 +157,15 @@ void castSides(const Caster& caster, std::span<const Side> sides, size_t rays, H
 }
 
 } // namespace
+
+Ray rayOfList(const SurfelSites& sites, Side side, size_t i)
+{
+    const TexelSite site = sites.at(side.surfel(), i);
+    const glm::vec3 normal = side.isBack() ? -site.normal : site.normal;
+    const glm::vec2 shift(hashedShift(side.index, 1), hashedShift(side.index, 2));
+    return {.origin = site.position + kOffSurface * normal,
+            .direction = cosineDirection(normal, evenPoint(static_cast<float>(i), shift))};
+}
 
 HitLists castHitLists(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance,
                       size_t rays, Progress& progress)

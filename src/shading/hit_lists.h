@@ -60,6 +60,9 @@ struct HitLists
     }
 };
 
+/// Ray `i` of a side's list: cosine-distributed, all over its texels.
+Ray rayOfList(const SurfelSites& sites, Side side, size_t i);
+
 /// Casts rays from the fronts of all surfels, then from the backs that were met, then from those
 /// that these met. Rays start all over a surfel's texels, so that a list averages over its area.
 ///

@@ -41,7 +41,8 @@ std::vector<glm::vec3> meanOfNeighbors(const Surfels& surfels, std::span<const g
     return means;
 }
 
-/// Draws every value towards the mean around it, all the way where their difference may be noise.
+} // namespace
+
 std::vector<glm::vec3> withoutNoise(const Surfels& surfels, std::span<const glm::vec3> values,
                                     std::span<const float> noise)
 {
@@ -54,8 +55,6 @@ std::vector<glm::vec3> withoutNoise(const Surfels& surfels, std::span<const glm:
     }
     return result;
 }
-
-} // namespace
 
 std::vector<glm::vec3> albedoOf(const Texels& texels, const SurfelRadiance& radiance,
                                 std::span<const glm::vec3> irradiance)

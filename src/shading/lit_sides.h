@@ -31,6 +31,11 @@ std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scen
 void addDirect(std::span<const AreaSample> ofLamp, glm::vec3 radiance,
                std::span<glm::vec3> irradiance);
 
+/// Draws every surfel's value towards the mean around it, all the way where their difference may be
+/// `noise`, the standard error of its luminance.
+std::vector<glm::vec3> withoutNoise(const Surfels& surfels, std::span<const glm::vec3> values,
+                                    std::span<const float> noise);
+
 /// Irradiance at the front of every surfel that did not come from a lamp.
 ///
 /// Walls beside a lamp send out more than white from a small area, which few rays meet: what is

@@ -73,6 +73,11 @@ glm::vec3 PathTracer::fromLamps(const TexelSite& place, float share) const
     return byChance / (byChance + byPoint) * texel.radiance;
 }
 
+glm::vec3 PathTracer::fromUnseen(const TexelSite& place, Random& random) const
+{
+    return room_.unseenLights ? room_.unseenLights(place, random) : glm::vec3(0.0f);
+}
+
 /// The same by a ray that met one by chance.
 glm::vec3 PathTracer::metLamp(const TexelSite& place, const Surface& lamp) const
 {
@@ -94,10 +99,11 @@ void PathTracer::follow(TexelSite place, glm::vec2 first, Random& random, Traced
     glm::vec3 carried(1.0f); // of what is found next, how much reaches the start
     glm::vec2 u = first;
     for (int bounce = 0;; ++bounce) {
-        const Surface met =
-            surfaceAt({.origin = startAt(place), .direction = cosineDirection(place.normal, u)});
+        const glm::vec3 direction = cosineDirection(place.normal, u);
+        const Surface met = surfaceAt({.origin = startAt(place), .direction = direction});
         if (met.kind == Surface::nothing) {
-            sum.indirect += carried * room_.ambient;
+            const glm::vec3 share = room_.outside ? room_.outside(direction) : glm::vec3(1.0f);
+            sum.indirect += carried * room_.ambient * share;
             return;
         }
         if (met.kind == Surface::lamp) {
@@ -113,6 +119,7 @@ void PathTracer::follow(TexelSite place, glm::vec2 first, Random& random, Traced
             carried /= likely; // who goes on goes for those who do not
         }
         sum.indirect += carried * fromLamps(place, random.next());
+        sum.indirect += carried * fromUnseen(place, random);
         u = {random.next(), random.next()};
     }
 }
@@ -127,6 +134,7 @@ TracedShading PathTracer::shade(const TexelSite& site, size_t paths, Random rand
         // random: each point alone lies anywhere, all together lie evenly.
         const auto at = static_cast<float>(i);
         sum.direct += fromLamps(site, (at + random.next()) / count);
+        sum.direct += fromUnseen(site, random);
         follow(site, evenPoint(at, shift), random, sum);
     }
     return {sum.direct / count, sum.indirect / count};

@@ -6,6 +6,7 @@
 #include "shading/lamp_surface.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -22,6 +23,11 @@ struct TracedRoom
     std::vector<std::vector<uint8_t>> isClipped; // [page][pixel]: not 0 where burnt out
     LampSurface lamps;
     glm::vec3 ambient{0.0f}; // radiance of what lies outside the scan
+    // Share of `ambient` that comes from a direction; all of it where there is no such function.
+    std::function<glm::vec3(glm::vec3 direction)> outside;
+    // What a white surface shows at a place, right on average, of lights that no ray meets; or
+    // none.
+    std::function<glm::vec3(const TexelSite& place, Random& random)> unseenLights;
 };
 
 /// Shading, irradiance / pi, apart by where it comes from.
@@ -53,6 +59,7 @@ private:
     struct Surface;
 
     [[nodiscard]] glm::vec3 fromLamps(const TexelSite& place, float share) const;
+    [[nodiscard]] glm::vec3 fromUnseen(const TexelSite& place, Random& random) const;
     void follow(TexelSite place, glm::vec2 first, Random& random, TracedShading& sum) const;
     [[nodiscard]] Surface surfaceAt(const Ray& ray) const;
     [[nodiscard]] glm::vec3 metLamp(const TexelSite& place, const Surface& lamp) const;

@@ -2,6 +2,7 @@
 
 #include "albedo/gather_closure.h"
 #include "fit/stray.h"
+#include "shading/buried.h"
 #include "shading/gathered_light.h"
 #include "solve/found_room.h"
 
@@ -51,8 +52,10 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     const LitSides& sides = room.sides;
     const glm::vec3 ambient = room.found.ambient;
     solution.closure = closeLoop(room.hits, room.radiance, sides, ambient);
-    const auto light =
-        lightOf(texels, scene, room, indirectOfFronts(texels.surfels, room.hits, sides, ambient));
+    const std::vector<glm::vec3> indirect =
+        withoutBuried(texels.surfels, indirectOfFronts(texels.surfels, room.hits, sides, ambient),
+                      buriedSurfels(texels));
+    const auto light = lightOf(texels, scene, room, indirect);
     const TexelShading shade = shadingOf(texels, light);
     solution.shade = withoutStray(shade, fitStray(texels, room.radiance, shade));
     solution.trust = trustByView(room.hits, texels.surfels.count());

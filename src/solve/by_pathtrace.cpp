@@ -79,6 +79,8 @@ Closure settle(const Texels& texels, const RayScene& scene, const SurfelRadiance
     return closure;
 }
 
+} // namespace
+
 TexelShading shadingOf(const Texels& texels, const RayScene& scene,
                        std::shared_ptr<const TracedRoom> room, const PathtraceOptions& options)
 {
@@ -100,8 +102,6 @@ TexelShading shadingOf(const Texels& texels, const RayScene& scene,
     };
 }
 
-} // namespace
-
 TracedRoom tracedRoomOf(const Texels& texels, const FoundRoom& room, std::vector<glm::vec3> albedo)
 {
     std::vector<Shiner> shiners;
@@ -116,7 +116,9 @@ TracedRoom tracedRoomOf(const Texels& texels, const FoundRoom& room, std::vector
             .emission = std::move(emission),
             .isClipped = room.radiance.isClipped,
             .lamps = LampSurface(lampTexels(texels, room.radiance, shiners)),
-            .ambient = room.found.ambient};
+            .ambient = room.found.ambient,
+            .outside = {},
+            .unseenLights = {}};
 }
 
 Solution solveByPathtrace(const Texels& texels, const RayScene& scene,

@@ -6,6 +6,9 @@
 #include "solve/found_room.h"
 #include "solve/solution.h"
 
+#include <memory>
+#include <vector>
+
 namespace relamp
 {
 
@@ -13,6 +16,10 @@ namespace relamp
 /// path tracing off the albedo that is being recovered. The texture is not asked what the light is.
 Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
                           const DelightOptions& options, Progress& progress);
+
+/// Shades every texel by paths through a room.
+TexelShading shadingOf(const Texels& texels, const RayScene& scene,
+                       std::shared_ptr<const TracedRoom> room, const PathtraceOptions& options);
 
 /// What is said where the sun shines in: no path looks for it.
 constexpr const char* kSunIsNotTraced = "the sun shines in, and paths do not look for it: its "

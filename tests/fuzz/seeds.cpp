@@ -138,5 +138,16 @@ int main(int argc, char** argv)
         "centre": [0, 1, 2], "normal": [0, -1, 0], "area": 1, "radiance": [1, 2, 3], "power": [1, 2, 3], "on": true}],
         "lights": [{"type": "point", "position": [0, 1, 2], "normal": "omni", "intensity": [1, 2, 3], "radius": 0.1,
         "fixture": 0}], "ambient": [0.1, 0.1, 0.1]})"));
+    seeds.add("timeline_json",
+              std::string(R"({"format": "relamp timeline 1", "seconds": 2, "keys": [
+        {"time": 1, "light": {"fixtures": [{"id": 0, "dim": 0.5, "kelvin": 2700}], "lights": [{"type": "sphere",
+        "position": [0, 1, 2], "radius": 0.1, "lumens": 800, "kelvin": 3000}], "sky": {"radiance": [1, 1, 1]}}},
+        {"time": 3, "light": {"fixtures": [{"id": 0, "on": false, "kelvin": 4000}], "lights": [{"type": "sphere",
+        "position": [1, 1, 2], "radius": 0.2, "lumens": 0, "kelvin": 5000}], "sky": {"radiance": [0, 0, 1]}}}]})"));
+    seeds.add("ies",
+              std::string(
+                  "IESNA:LM-63-2002\r\n[TEST] made up\r\nTILT=INCLUDE\r\n1\r\n2\r\n0 90\r\n1 1\r\n"
+                  "1 1000 1.0 3 2 1 2 0.1 0.1 0\r\n1.0 1.0 12\r\n0 45 90\r\n0,90\r\n100 80 0 90 "
+                  "7e1 0\r\n"));
     return 0;
 }

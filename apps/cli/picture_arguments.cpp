@@ -1,0 +1,99 @@
+#include "picture_arguments.h"
+
+#include "scan_arguments.h"
+
+#include <map>
+
+#include <fmt/format.h>
+
+namespace
+{
+
+constexpr int kLargestSide = 16384;
+
+/// Reads "1280x720"; what is wrong with it, or nothing.
+std::string takeSize(const std::string& text, relamp::PictureOptions& options)
+{
+    const size_t x = text.find('x');
+    int width = 0;
+    int height = 0;
+    const bool isSize = x != std::string::npos &&
+                        CLI::detail::lexical_cast(text.substr(0, x), width) &&
+                        CLI::detail::lexical_cast(text.substr(x + 1), height) && width >= 1 &&
+                        height >= 1 && width <= kLargestSide && height <= kLargestSide;
+    if (!isSize)
+        return fmt::format("{} is no size; write it as 1280x720, up to {} a side", text,
+                           kLargestSide);
+    options.width = width;
+    options.height = height;
+    return "";
+}
+
+void addFilm(CLI::App& command, PictureArguments& arguments)
+{
+    const std::string group = "Films";
+    command
+        .add_option("--turntable", arguments.turntable,
+                    "N frames of one turn: around itself inside the room, around the room outside")
+        ->check(between(1, 9999))
+        ->type_name("N")
+        ->group(group);
+    command
+        .add_option("--timeline", arguments.timeline,
+                    "Light that changes: lights as keys in time (docs/guide/relighting.md)")
+        ->type_name("FILE")
+        ->group(group);
+    command.add_option("--fps", arguments.framesPerSecond, "Frames a second of a video [24]")
+        ->check(between(1, 240))
+        ->type_name("N")
+        ->group(group);
+}
+
+} // namespace
+
+void addPictureArguments(CLI::App& command, PictureArguments& arguments)
+{
+    const std::map<std::string, relamp::View> views{{"standard", relamp::View::standard},
+                                                    {"agx", relamp::View::agx},
+                                                    {"aces", relamp::View::aces}};
+    const std::map<std::string, Show> shows{
+        {"relit", Show::relit}, {"scan", Show::scan}, {"albedo", Show::albedo}};
+    const std::string group = "Pictures";
+    relamp::PictureOptions& options = arguments.options;
+    command
+        .add_option("--camera", arguments.camera,
+                    "auto, a number of the glTF file's own cameras, or a camera file [auto]")
+        ->type_name("CAMERA")
+        ->group(group);
+    command.add_option("--size", "Pixels of a picture [1280x720]")
+        ->check(
+            CLI::Validator([&options](std::string& text) { return takeSize(text, options); }, ""))
+        ->type_name("WxH")
+        ->group(group);
+    command
+        .add_option("--view", options.view.view,
+                    "How bright light is shown: standard (cut off at white), agx, aces [standard]")
+        ->transform(CLI::CheckedTransformer(views).description(""))
+        ->type_name("NAME")
+        ->group(group);
+    command
+        .add_option("--exposure", options.view.exposure,
+                    "Stops that light is shown brighter than it is; not in .exr [0]")
+        ->check(between(-32.0, 32.0))
+        ->type_name("EV")
+        ->group(group);
+    command
+        .add_option("--antialias", options.samples,
+                    "Rays through a pixel, along each of its sides [2]")
+        ->check(between(1, 16))
+        ->type_name("N")
+        ->group(group);
+    command
+        .add_option(
+            "--show", arguments.show,
+            "relit; or, for comparison, scan, the light it was scanned in, or albedo [relit]")
+        ->transform(CLI::CheckedTransformer(shows).description(""))
+        ->type_name("WHAT")
+        ->group(group);
+    addFilm(command, arguments);
+}

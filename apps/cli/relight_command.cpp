@@ -1,0 +1,253 @@
+#include "command.h"
+#include "interrupt.h"
+#include "picture_arguments.h"
+#include "scan_arguments.h"
+#include "terminal.h"
+
+#include "relamp/film.h"
+#include "relamp/relight.h"
+#include "relamp/threads.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace
+{
+
+struct RelightArguments
+{
+    ScanArguments room; // a folder of delight's, or a scan whose texture is an albedo
+    relamp::DelitOptions delit;
+    relamp::RelightOptions options;
+    PictureArguments picture;
+    std::filesystem::path lights;
+    std::vector<std::string> fixtures;
+    std::filesystem::path output;
+    bool bake = false;
+    bool keepNothing = false;
+    bool quiet = false;
+};
+
+relamp::Relighting lightingOf(const RelightArguments& arguments, const relamp::Lights& captured,
+                              std::vector<std::string>& warnings)
+{
+    relamp::Relighting lighting =
+        arguments.lights.empty() ? relamp::darkened(captured)
+                                 : relamp::readRelighting(arguments.lights, captured, warnings);
+    for (const std::string& setting : arguments.fixtures)
+        relamp::setFixture(lighting, captured, setting);
+    return lighting;
+}
+
+/// What is asked for beside light, found before anything takes long.
+struct Wish
+{
+    std::optional<relamp::Camera> camera; // none: the photographer chooses
+    std::optional<relamp::Timeline> timeline;
+};
+
+Wish wishOf(const RelightArguments& arguments, const relamp::DelitRoom& room,
+            std::vector<std::string>& notes)
+{
+    Wish wish;
+    const PictureArguments& picture = arguments.picture;
+    if (picture.camera != "auto") wish.camera = relamp::cameraFor(picture.camera, room.scan, notes);
+    if (!picture.timeline.empty()) wish.timeline.emplace(picture.timeline, room.captured, notes);
+    return wish;
+}
+
+relamp::Film filmOf(const PictureArguments& picture, const Wish& wish)
+{
+    relamp::Film film{.picture = picture.options, .framesPerSecond = picture.framesPerSecond};
+    film.turns = picture.turntable > 0;
+    film.frames = picture.turntable;
+    if (wish.timeline) film.timeline = &*wish.timeline;
+    if (wish.timeline && !film.turns)
+        film.frames = std::clamp(
+            static_cast<int>(std::lround(wish.timeline->seconds() * film.framesPerSecond)), 1,
+            9999);
+    return film;
+}
+
+/// The room as it was scanned, or as it is without light.
+void writeUnlit(const RelightArguments& arguments, const relamp::DelitRoom& room, const Wish& wish,
+                relamp::Progress& progress)
+{
+    std::vector<relamp::Image> scanned;
+    if (arguments.picture.show == Show::scan)
+        for (const relamp::Page& page : room.scan.pages) scanned.push_back(page.image);
+    const relamp::Photographer photographer(room, progress);
+    photographer.write(scanned.empty() ? room.albedo : scanned,
+                       wish.camera ? *wish.camera : photographer.goodView(),
+                       arguments.picture.options, arguments.output, progress);
+}
+
+void writeRelit(const RelightArguments& arguments, relamp::Relighter& relighter,
+                const relamp::Relighting& lighting, const Wish& wish, relamp::Progress& progress)
+{
+    if (arguments.bake)
+        return relamp::writeBaked(relighter, arguments.output, arguments.picture.options.view,
+                                  progress);
+    const relamp::Photographer photographer(relighter);
+    relamp::Film film = filmOf(arguments.picture, wish);
+    film.camera = wish.camera  ? *wish.camera
+                  : film.turns ? photographer.goodPlaceToTurn()
+                               : photographer.goodView();
+    film.picture.sky = lighting.sky;
+    film.picture.lamps = lighting.lights;
+    if (arguments.picture.isFilm())
+        relamp::writeFilm(relighter, photographer, film, arguments.output, progress);
+    else
+        photographer.write(relamp::radianceOfPages(relighter, progress), film.camera, film.picture,
+                           arguments.output, progress);
+}
+
+/// What took light, and what of it or of the room is doubtful.
+void write(RelightArguments& arguments, const relamp::DelitRoom& room,
+           std::vector<std::string>& notes, relamp::Progress& progress)
+{
+    const Wish wish = wishOf(arguments, room, notes);
+    if (arguments.picture.show != Show::relit) return writeUnlit(arguments, room, wish, progress);
+    if (arguments.picture.isFilm())
+        relamp::checkFilm(filmOf(arguments.picture, wish), arguments.output);
+    const relamp::Relighting lighting = lightingOf(arguments, room.captured, notes);
+    if (!arguments.keepNothing) arguments.options.transport = room.transport;
+    relamp::Relighter relighter(room, arguments.options, progress);
+    relighter.light(lighting, progress);
+    writeRelit(arguments, relighter, lighting, wish, progress);
+    notes.insert(notes.end(), relighter.warnings().begin(), relighter.warnings().end());
+}
+
+int run(RelightArguments& arguments)
+{
+    const Talk talk = arguments.quiet ? Talk::quiet : Talk::normal;
+    const auto start = std::chrono::steady_clock::now();
+    relamp::Progress progress(progressDisplay(talk));
+    const Interrupt interrupt(progress);
+    const relamp::ThreadLimit threads(arguments.room.threads);
+
+    arguments.delit.asScan = arguments.room.options;
+    const relamp::DelitRoom room =
+        relamp::readDelitRoom(arguments.room.file, arguments.delit, progress);
+    std::vector<std::string> notes = room.warnings;
+    write(arguments, room, notes, progress);
+
+    endProgressDisplay(talk);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    if (talk == Talk::quiet) return 0;
+    fmt::print("{}: {} in {:.1f} s\n", arguments.room.file.string(), arguments.output.string(),
+               elapsed.count());
+    for (const std::string& note : notes) printProblem("note: " + note);
+    return 0;
+}
+
+/// What stands against writing `output`, or nothing; it is a matter of its name.
+std::string complaintOfOutput(const RelightArguments& arguments)
+{
+    const std::string ending = arguments.output.extension().string();
+    const bool isPicture = ending == ".png" || ending == ".exr";
+    const PictureArguments& picture = arguments.picture;
+    if (arguments.bake && (picture.isFilm() || picture.show != Show::relit))
+        return "--bake goes with one light, neither with films nor with --show";
+    if (arguments.bake && ending != ".exr" && ending != ".glb")
+        return "with --bake, the name after -o must end in .exr or .glb";
+    if (picture.isFilm() && picture.show != Show::relit) return "--show goes with single pictures";
+    if (picture.isFilm() && (isPicture || ending == ".glb"))
+        return "a film is a folder of pictures or ends in .mp4; name one with -o";
+    if (!arguments.bake && !picture.isFilm() && !isPicture)
+        return "the name after -o must end in .png or .exr; or add --bake, --turntable or "
+               "--timeline";
+    return "";
+}
+
+void addSolverOptions(CLI::App& command, relamp::RelightOptions& options)
+{
+    const std::map<std::string, relamp::Solver> solvers{{"gather", relamp::Solver::gather},
+                                                        {"pathtrace", relamp::Solver::pathtrace},
+                                                        {"thesis", relamp::Solver::thesis}};
+    command
+        .add_option("--solver", options.solver,
+                    "gather (shadows and radiosity), pathtrace (slow, the reference), or thesis "
+                    "(no shadows, one bounce) [gather]")
+        ->transform(CLI::CheckedTransformer(solvers).description(""))
+        ->type_name("NAME");
+    command
+        .add_option("--rays", options.rays,
+                    "Rays of a surfel that look for bounce light [by their number]")
+        ->check(between(4, 1024))
+        ->type_name("N");
+    command
+        .add_option("--shadow-rays", options.shadowRays,
+                    "Rays of a texel in a penumbra to each light [16]")
+        ->check(between(1, 1024))
+        ->type_name("N");
+    command.add_option("--samples", options.pathtrace.samples, "Paths from every texel [64]")
+        ->check(between(1, 65536))
+        ->type_name("N");
+    command.add_option("--seed", options.pathtrace.seed, "Of the paths' random numbers [1]")
+        ->check(between(0, 4294967295.0))
+        ->type_name("N");
+}
+
+void addLightOptions(CLI::App& command, RelightArguments& arguments)
+{
+    command
+        .add_option("--lights", arguments.lights,
+                    "The new light: a lights file (docs/guide/lights.md)")
+        ->type_name("FILE");
+    command
+        .add_option("--fixture", arguments.fixtures,
+                    "N=on, N=off, N=50%, N=2700K,800lm, N=window, for fixture N of lights.json or "
+                    "all; they are off otherwise (repeatable)")
+        ->type_name("N=WHAT")
+        ->allow_extra_args(false);
+    command
+        .add_option("--albedo", arguments.delit.albedo,
+                    "Pictures to take for the room's albedo, one a page")
+        ->type_name("FILE");
+    command.add_option("--scan", arguments.delit.scan, "Where the scan is, if it was moved")
+        ->type_name("FILE");
+}
+
+} // namespace
+
+void addRelightCommand(CLI::App& app, Run& run)
+{
+    CLI::App& command = *app.add_subcommand(
+        "relight", "Put new light into a room that delight took the light out of");
+    const auto arguments = std::make_shared<RelightArguments>();
+    addScanArguments(command, arguments->room);
+    command.get_option("scan")->description("What relamp delight was given as -o, or a GLB whose "
+                                            "texture is an albedo");
+    command
+        .add_option("-o,--output", arguments->output,
+                    "A picture, .png or .exr; of films a folder, or .mp4; with --bake "
+                    "radiance.exr, one a page, or a model, baked.glb")
+        ->required()
+        ->type_name("FILE");
+    command.add_flag("--bake", arguments->bake, "Bake the light into textures");
+    addLightOptions(command, *arguments);
+    addPictureArguments(command, arguments->picture);
+    addSolverOptions(command, arguments->options);
+    command.add_flag("--no-transport", arguments->keepNothing,
+                     "Neither read nor write DIR/transport.bin");
+    command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
+    command.footer("Examples:\n"
+                   "  relamp relight kitchen --lights lamp.json -o frame.png --view agx\n"
+                   "  relamp relight kitchen --timeline day.json -o day.mp4\n"
+                   "  relamp relight kitchen --lights lamp.json --bake -o radiance.exr\n"
+                   "  relamp relight kitchen --fixture all=on --fixture 2=off --bake -o baked.glb");
+    command.callback([arguments, &run] {
+        const std::string complaint = complaintOfOutput(*arguments);
+        if (!complaint.empty()) throw CLI::ValidationError("--output", complaint);
+        run = [arguments] { return ::run(*arguments); };
+    });
+}

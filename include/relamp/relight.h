@@ -1,0 +1,182 @@
+#pragma once
+
+#include "relamp/api.h"
+#include "relamp/delight.h"
+#include "relamp/image.h"
+#include "relamp/lights.h"
+#include "relamp/progress.h"
+#include "relamp/scan.h"
+#include "relamp/view.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace relamp
+{
+
+/// How a lamp spreads its light, as an IES file has it: gains over the angle from its direction and
+/// over the angle around it.
+struct LightProfile
+{
+    std::vector<float> vertical; // rad from the direction, ascending, 0..pi
+    std::vector<float>
+        horizontal;          // rad around it from `along`, ascending; one: the same all around
+    std::vector<float> gain; // >= 0, horizontal.size() * vertical.size(), row by row
+
+    /// Gain at these angles, rad: linear between the angles that are there, around the full circle;
+    /// 0 beyond the last vertical one.
+    [[nodiscard]] RELAMP_API float at(float verticalAngle, float horizontalAngle) const;
+};
+
+enum class LightType {
+    point,
+    spot,
+    rectangle, // an area that shines from its front
+    disc,
+    sphere,
+    sun // from far away
+};
+
+/// A light that somebody puts up. In pictures it is seen if it has a surface; in textures it is
+/// not, and nothing is lit by it from behind.
+struct NewLight
+{
+    LightType type = LightType::point;
+    // RGB. Point and spot: radiant intensity along the direction, E = intensity cos / d^2.
+    // Rectangle, disc, sphere: radiance. Sun: irradiance on a surface that faces it.
+    glm::vec3 emission{0.0f};
+    glm::vec3 position{0.0f};               // world, m; the centre of an area
+    glm::vec3 direction{0.0f, -1.0f, 0.0f}; // unit; where the light goes, or an area faces
+    glm::vec3 along{0.0f};                  // of a rectangle's width; zero: anyhow, but level
+    glm::vec2 size{0.0f};                   // m; of a rectangle
+    float radius = 0.0f;    // m; of a disc, a sphere, and of a bulb in a point or spot
+    float cone = 0.785398f; // rad from the axis to a spot's edge, 0..pi
+    float blend = 0.15f;    // share of the cone's angle over which it fades out, 0..1
+    float angle = 0.00925f; // rad; the sun's diameter
+    std::shared_ptr<const LightProfile> profile; // of a point or spot
+};
+
+/// What lies outside the scan and is seen through its holes.
+struct Sky
+{
+    glm::vec3 radiance{0.0f};                 // multiplies the picture, if there is one
+    std::shared_ptr<const Image> environment; // latitude by longitude, up is up; or none
+    float turn = 0.0f;                        // rad, of the picture around the vertical
+};
+
+/// A fixture of the room with what it sends now.
+struct LitFixture
+{
+    Fixture fixture;       // radiance 0: switched off
+    bool isWindow = false; // a pane: sun goes through, and the sky makes it shine
+};
+
+/// All light of a room as somebody wants it.
+struct Relighting
+{
+    std::vector<NewLight> lights;
+    std::vector<LitFixture> fixtures; // first those of the room, in its order
+    Sky sky;
+};
+
+/// The room's own fixtures, all switched off.
+RELAMP_API Relighting darkened(const Lights& captured);
+
+/// Reads a lights file for relighting, described in docs/guide/lights.md: what delight writes, and
+/// lights of all types. Fixtures of the room are off unless the file turns them on. `warnings`
+/// receives a sentence a key that was passed over. Throws Error(cannotRead | malformed) naming the
+/// line and the key.
+RELAMP_API Relighting readRelighting(const std::filesystem::path& file, const Lights& captured,
+                                     std::vector<std::string>& warnings);
+
+/// Does what a person says of fixtures: "2=off", "0=on", "all=on", "1=50%", "3=window". Throws
+/// Error(malformed) naming the setting.
+RELAMP_API void setFixture(Relighting& lighting, const Lights& captured,
+                           const std::string& setting);
+
+struct RelightOptions
+{
+    Solver solver = Solver::gather; // gather: radiosity with shadows; see docs/guide/relighting.md
+    int rays = 0;                   // of a surfel, for bounce light, 4..1024; 0: by their number
+    int shadowRays = 16;            // of a texel in a penumbra, to each light, 1..1024
+    PathtraceOptions pathtrace;
+    ThesisOptions thesis;
+    std::filesystem::path transport; // file that keeps what the rays met; empty: nothing is kept
+};
+
+/// A room without its light.
+struct DelitRoom
+{
+    Scan scan;
+    std::vector<Image> albedo;       // a page each, of its size
+    std::vector<Image> confidence;   // the same, 0: a guess; empty: all can be trusted
+    Lights captured;                 // what the scan was lit by
+    GatherOptions gather;            // how its lamps were found
+    bool isLit = true;               // whether the texture shows that light, and so the lamps
+    std::filesystem::path transport; // where RelightOptions::transport belongs; empty for a GLB
+    std::vector<std::string> warnings;
+};
+
+struct DelitOptions
+{
+    std::filesystem::path scan; // where the scan is now; empty: where the report says
+    std::vector<std::filesystem::path> albedo; // instead of the room's own, one a page
+    ScanOptions asScan;                        // how to read what is no folder
+};
+
+/// Reads what relamp delight wrote: its folder; or a GLB or other scan whose texture is an albedo.
+/// Throws Error with a sentence where something is missing or of another size.
+RELAMP_API DelitRoom readDelitRoom(const std::filesystem::path& folderOrScan,
+                                   const DelitOptions& options, Progress& progress);
+
+/// Puts light into a room, again and again: what rays find of the room they find once.
+///
+/// The same room and light give the same radiance on any number of threads.
+class RELAMP_API Relighter
+{
+public:
+    /// Casts the rays, or reads what they met from `options.transport` where that is of this room
+    /// and these options; else it is written there, as far as the place lets it. `room` must
+    /// outlive this. Throws Error(unsupported | cancelled).
+    Relighter(const DelitRoom& room, const RelightOptions& options, Progress& progress);
+    ~Relighter();
+    Relighter(Relighter&&) noexcept;
+    Relighter& operator=(Relighter&&) noexcept;
+
+    /// Sets the light. Shadows are found for lights whose place or shape is new; all else is sums.
+    void light(const Relighting& lighting, Progress& progress);
+
+    /// Radiance of every texel of a page under the light that was set, linear half RGB of the
+    /// page's size; pixels that no surface covers continue what lies next to them.
+    [[nodiscard]] Image radiance(size_t page, Progress& progress) const;
+
+    [[nodiscard]] const DelitRoom& room() const;
+    /// What is doubtful of the room or of the light that was set, a sentence each.
+    [[nodiscard]] const std::vector<std::string>& warnings() const;
+
+    struct State; // for relamp's own parts; its type is not public
+    [[nodiscard]] const State& state() const;
+
+private:
+    std::unique_ptr<State> state_;
+};
+
+/// Radiance of all pages under some light, once.
+RELAMP_API std::vector<Image> relight(const DelitRoom& room, const Relighting& lighting,
+                                      const RelightOptions& options, Progress& progress);
+
+/// Writes the light that was set as textures: `file` ends in .exr, one picture of linear radiance a
+/// page (name.0.exr, name.1.exr where there are several); or in .glb, the scan unlit with the light
+/// in its textures, as `view` shows it. All files or none. Throws Error(cannotWrite | cancelled).
+RELAMP_API void writeBaked(const Relighter& relighter, const std::filesystem::path& file,
+                           const ViewOptions& view, Progress& progress);
+
+} // namespace relamp

@@ -1,0 +1,126 @@
+#include "base/json_lines.h"
+
+#include <iterator>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace relamp
+{
+namespace
+{
+
+using nlohmann::json;
+
+/// Walks over a text and counts its lines.
+class CountingIterator
+{
+public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    CountingIterator(const char* at, int* line) : at_(at), line_(line) {}
+
+    reference operator*() const { return *at_; }
+    CountingIterator& operator++()
+    {
+        if (*at_ == '\n' && line_ != nullptr) ++*line_;
+        ++at_;
+        return *this;
+    }
+    bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
+    bool operator!=(const CountingIterator& other) const { return at_ != other.at_; }
+
+private:
+    const char* at_;
+    int* line_;
+};
+
+/// Notes the line of every key and of every item of a list.
+class LineNotes : public nlohmann::json_sax<json>
+{
+public:
+    LineNotes(const int& line, std::map<std::string, int>& lineOf) : line_(line), lineOf_(lineOf) {}
+
+    bool null() override { return item(); }
+    bool boolean(bool) override { return item(); }
+    bool number_integer(number_integer_t) override { return item(); }
+    bool number_unsigned(number_unsigned_t) override { return item(); }
+    bool number_float(number_float_t, const string_t&) override { return item(); }
+    bool string(string_t&) override { return item(); }
+    bool binary(binary_t&) override { return item(); }
+    bool start_object(size_t) override { return open(false); }
+    bool end_object() override { return close(); }
+    bool start_array(size_t) override { return open(true); }
+    bool end_array() override { return close(); }
+    bool key(string_t& name) override
+    {
+        parts_.back().path = parts_.back().base + "/" + name;
+        lineOf_.emplace(parts_.back().path, line_);
+        return true;
+    }
+    bool parse_error(size_t, const std::string&, const nlohmann::detail::exception&) override
+    {
+        return false;
+    }
+
+private:
+    struct Part
+    {
+        std::string base; // path of the object or list
+        std::string path; // of what is in it now
+        bool isList;
+        size_t next = 0;
+    };
+
+    bool item()
+    {
+        if (parts_.empty() || !parts_.back().isList) return true;
+        Part& list = parts_.back();
+        list.path = list.base + "/" + std::to_string(list.next++);
+        lineOf_.emplace(list.path, line_);
+        return true;
+    }
+    bool open(bool isList)
+    {
+        item();
+        const std::string base = parts_.empty() ? "" : parts_.back().path;
+        parts_.push_back({base, base, isList});
+        return true;
+    }
+    bool close()
+    {
+        parts_.pop_back();
+        return true;
+    }
+
+    const int& line_;
+    std::map<std::string, int>& lineOf_;
+    std::vector<Part> parts_;
+};
+
+} // namespace
+
+JsonLines::JsonLines(std::string_view text)
+{
+    int line = 1;
+    LineNotes notes(line, lineOf_);
+    json::sax_parse(CountingIterator(text.data(), &line),
+                    CountingIterator(text.data() + text.size(), nullptr), &notes);
+}
+
+int JsonLines::at(std::string path) const
+{
+    while (true) {
+        const auto found = lineOf_.find(path);
+        if (found != lineOf_.end()) return found->second;
+        const size_t slash = path.rfind('/');
+        if (slash == std::string::npos) return 1;
+        path.erase(slash);
+    }
+}
+
+} // namespace relamp

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "lights/json_item.h"
+
+#include <filesystem>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace relamp
+{
+
+constexpr const char* kLightsFormat = "relamp lights 1";
+
+/// A JSON file that a person may have written, with its lines, its format checked.
+class JsonDocument
+{
+public:
+    /// `format` is what the key "format" must say, if it is there. Throws Error(cannotRead |
+    /// malformed).
+    JsonDocument(const std::filesystem::path& file, const char* format);
+
+    [[nodiscard]] JsonItem top() const { return {document_, name_, lines_, ""}; }
+
+private:
+    JsonDocument(std::string name, const std::string& text, const char* format);
+
+    std::string name_;
+    nlohmann::json document_;
+    JsonLines lines_;
+};
+
+} // namespace relamp

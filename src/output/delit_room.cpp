@@ -1,0 +1,82 @@
+#include "base/fail.h"
+#include "output/result_folder.h"
+#include "relamp/relight.h"
+
+#include <utility>
+
+namespace relamp
+{
+namespace
+{
+
+/// Pictures of a folder, or as a person names them, each of the size of its page.
+std::vector<Image> imagesOf(const std::vector<std::filesystem::path>& files, const Scan& scan)
+{
+    if (files.size() != scan.pages.size())
+        throw Error(
+            ErrorCode::sizeMismatch,
+            fmt::format("--albedo names {} pictures, the scan has {} pages; name one a page",
+                        files.size(), scan.pages.size()));
+    std::vector<Image> images;
+    for (size_t p = 0; p < files.size(); ++p) {
+        images.push_back(readImage(files[p]));
+        const Image& wanted = scan.pages[p].image;
+        if (images[p].width != wanted.width || images[p].height != wanted.height)
+            fail(ErrorCode::sizeMismatch, files[p].string(),
+                 fmt::format("is {} x {}, the scan's page is {} x {}; an albedo has the layout of "
+                             "the scan's texture",
+                             images[p].width, images[p].height, wanted.width, wanted.height));
+    }
+    return images;
+}
+
+/// Confidence as delight wrote it; none where a page of it is gone.
+std::vector<Image> readConfidence(const std::filesystem::path& folder, const Scan& scan)
+{
+    std::vector<std::filesystem::path> files;
+    std::error_code ignored;
+    for (size_t p = 0; p < scan.pages.size(); ++p) {
+        files.push_back(folder / nameOfLayer("confidence", p, scan.pages.size(), "png"));
+        if (!std::filesystem::exists(files.back(), ignored)) return {};
+    }
+    return imagesOf(files, scan);
+}
+
+DelitRoom roomOfFolder(const std::filesystem::path& folder, const DelitOptions& options,
+                       Progress& progress)
+{
+    const FormerRun run = readFormerRun(folder);
+    DelitRoom room;
+    room.scan = scanOf(folder, run, options.scan.empty() ? run.scanFile : options.scan, progress);
+    room.gather = run.gather;
+    room.captured = readLights(folder / "lights.json", room.warnings);
+    room.transport = folder / "transport.bin";
+    if (options.albedo.empty()) {
+        room.albedo = readAlbedo(folder, room.scan);
+        room.confidence = readConfidence(folder, room.scan);
+    }
+    return room;
+}
+
+} // namespace
+
+DelitRoom readDelitRoom(const std::filesystem::path& folderOrScan, const DelitOptions& options,
+                        Progress& progress)
+{
+    std::error_code ignored;
+    const bool isFolder = std::filesystem::is_directory(folderOrScan, ignored);
+    DelitRoom room;
+    if (isFolder) {
+        room = roomOfFolder(folderOrScan, options, progress);
+    } else {
+        room.scan = readScan(folderOrScan, options.asScan, progress);
+        room.isLit = false;
+        if (options.albedo.empty())
+            for (const Page& page : room.scan.pages) room.albedo.push_back(page.image);
+    }
+    if (!options.albedo.empty()) room.albedo = imagesOf(options.albedo, room.scan);
+    room.warnings.insert(room.warnings.end(), room.scan.warnings.begin(), room.scan.warnings.end());
+    return room;
+}
+
+} // namespace relamp

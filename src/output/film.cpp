@@ -1,0 +1,112 @@
+#include "relamp/film.h"
+
+#include "base/file.h"
+#include "output/staged_folder.h"
+#include "output/video_file.h"
+
+#include <algorithm>
+#include <functional>
+
+#include <fmt/format.h>
+
+namespace relamp
+{
+namespace
+{
+
+/// Calls `take(frame)` for one after the other; what it gives is sRGB.
+using TakeFrame = std::function<std::vector<uint8_t>(int frame)>;
+
+bool isVideo(const std::filesystem::path& target)
+{
+    return target.extension() == ".mp4";
+}
+
+Size sizeOf(const Film& film)
+{
+    return {film.picture.width, film.picture.height};
+}
+
+std::string nameOfFrame(int frame)
+{
+    return fmt::format("frame_{:04}.png", frame + 1);
+}
+
+/// Frames that a former film may have left in a folder.
+std::vector<std::string> framesIn(const std::filesystem::path& folder)
+{
+    const auto isFrame = [](const std::string& name) {
+        return name.size() == nameOfFrame(0).size() && name.starts_with("frame_") &&
+               name.ends_with(".png") &&
+               std::all_of(name.begin() + 6, name.begin() + 10,
+                           [](char c) { return c >= '0' && c <= '9'; });
+    };
+    std::vector<std::string> names;
+    std::error_code failure;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, failure))
+        if (isFrame(entry.path().filename().string()))
+            names.push_back(entry.path().filename().string());
+    return names;
+}
+
+void writeFolder(const std::filesystem::path& folder, const Film& film, const TakeFrame& take,
+                 Progress& progress)
+{
+    StagedFolder staged(folder, progress);
+    for (int frame = 0; frame < film.frames; ++frame) {
+        const auto png = encodePng(take(frame), sizeOf(film), 3);
+        writeFile(staged / nameOfFrame(frame), std::as_bytes(std::span(png)));
+    }
+    progress.check();
+    staged.commit(nameOfFrame(film.frames - 1), framesIn(folder));
+}
+
+void writeVideo(const std::filesystem::path& file, const Film& film, const TakeFrame& take,
+                Progress& progress)
+{
+    VideoFile video(file, sizeOf(film), film.framesPerSecond, progress);
+    for (int frame = 0; frame < film.frames; ++frame) video.add(take(frame));
+    progress.check();
+    video.commit();
+}
+
+} // namespace
+
+void checkFilm(const Film& film, const std::filesystem::path& target)
+{
+    Progress nobody;
+    if (isVideo(target))
+        const VideoFile trial(target, sizeOf(film), film.framesPerSecond, nobody);
+    else
+        const StagedFolder trial(target, nobody);
+}
+
+void writeFilm(Relighter& relighter, const Photographer& photographer, const Film& film,
+               const std::filesystem::path& target, Progress& progress)
+{
+    Progress::Stage stage(progress, "film", static_cast<size_t>(film.frames));
+    PictureOptions picture = film.picture;
+    std::vector<Image> pages;
+    const auto take = [&](int frame) {
+        const auto last = static_cast<double>(std::max(film.frames - 1, 1));
+        if (film.timeline != nullptr) {
+            const Relighting lighting = film.timeline->at(frame / last);
+            relighter.light(lighting, progress);
+            picture.sky = lighting.sky;
+            picture.lamps = lighting.lights;
+        }
+        if (film.timeline != nullptr || pages.empty()) pages = radianceOfPages(relighter, progress);
+        const Camera camera = film.turns ? turned(film.camera, relighter.room().scan,
+                                                  static_cast<double>(frame) / film.frames)
+                                         : film.camera;
+        auto rgb = photographer.develop(pages, camera, picture, progress);
+        stage.advance();
+        return rgb;
+    };
+    if (isVideo(target))
+        writeVideo(target, film, take, progress);
+    else
+        writeFolder(target, film, take, progress);
+}
+
+} // namespace relamp

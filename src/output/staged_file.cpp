@@ -1,0 +1,57 @@
+#include "output/staged_file.h"
+
+#include "base/fail.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include <unistd.h>
+
+namespace relamp
+{
+namespace fs = std::filesystem;
+namespace
+{
+
+[[noreturn]] void cannotWrite(const fs::path& file, const std::string& why)
+{
+    fail(ErrorCode::cannotWrite, file.string(), "cannot be written: " + why);
+}
+
+} // namespace
+
+StagedFile::StagedFile(const fs::path& file, Progress& progress) : file_(file)
+{
+    if (!file.has_filename()) cannotWrite(file, "it names a folder; name a file with -o");
+    std::error_code failure;
+    const fs::file_status status = fs::status(file, failure);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        cannotWrite(file, "is no file; name another with -o");
+    std::string pattern =
+        (file.parent_path() / fmt::format(".{}.XXXXXX", file.filename().string())).string();
+    const int descriptor = mkstemp(pattern.data());
+    if (descriptor < 0) cannotWrite(file, std::strerror(errno));
+    close(descriptor);
+    staging_ = pattern;
+    fs::permissions(staging_,
+                    fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read |
+                        fs::perms::others_read,
+                    failure);
+    progress.removeIfAbandoned(staging_);
+}
+
+StagedFile::~StagedFile()
+{
+    std::error_code ignored;
+    fs::remove(staging_, ignored);
+}
+
+void StagedFile::commit()
+{
+    std::error_code failure;
+    fs::rename(staging_, file_, failure);
+    if (failure) cannotWrite(file_, failure.message());
+}
+
+} // namespace relamp

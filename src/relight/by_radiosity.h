@@ -1,0 +1,60 @@
+#pragma once
+
+#include "relamp/progress.h"
+#include "relight/active_lights.h"
+#include "relight/obstacles.h"
+#include "relight/radiosity.h"
+#include "relight/shadows.h"
+#include "relight/transport.h"
+#include "scan/texels.h"
+#include "shading/texel_shading.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace relamp
+{
+
+/// A light with what it does to the room at emission 1.
+struct ShadowedLight
+{
+    ActiveLight light;
+    std::vector<AreaSample> onSides; // one a side of the transport
+    Shadows shadows;
+};
+
+/// Light in a room by shadow rays and radiosity. What rays found of a light is kept as long as the
+/// next relighting has the same light, however bright.
+class RadiosityLight
+{
+public:
+    /// The arguments must outlive this.
+    RadiosityLight(const Texels& texels, const RayScene& scene, const Transport& transport,
+                   std::span<const std::vector<uint8_t>> isClipped, size_t shadowRays);
+
+    /// Takes over the light; `albedo` is that of surfels.
+    void set(const ActiveLights& active, std::span<const glm::vec3> albedo, Progress& progress);
+
+    /// The shading under the light that was set. It stays valid when another is set.
+    [[nodiscard]] TexelShading shading() const;
+
+private:
+    void findShadows(const ActiveLights& active, Progress& progress);
+
+    const Texels& texels_;
+    const RayScene& scene_;
+    const Transport& transport_;
+    std::span<const std::vector<uint8_t>> isClipped_;
+    size_t shadowRays_;
+    std::vector<uint8_t> isBuried_; // of surfels
+
+    std::vector<uint8_t> panes_;
+    std::vector<std::shared_ptr<const ShadowedLight>> lights_;
+    std::vector<glm::vec3> emissions_;
+    std::shared_ptr<const std::vector<glm::vec3>> indirect_; // irradiance on fronts
+};
+
+} // namespace relamp

@@ -1,0 +1,136 @@
+#include "relight/fixture_settings.h"
+
+#include "base/fail.h"
+#include "relight/light_emission.h"
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+#include <glm/geometric.hpp>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kMoved = 0.02f; // m; a fixture that was moved farther is another
+constexpr float kMost = 1e7f;   // lumens, per cent
+
+/// What one part of a setting does to a fixture.
+struct Setting
+{
+    bool isOn = true;
+    bool isWindow = false;
+    float share = 1.0f;
+    EmissionWish wish;
+};
+
+[[noreturn]] void refuse(const std::string& setting)
+{
+    malformed(fmt::format("--fixture {}", setting),
+              "is not a setting; say N=off, N=on, N=50%, N=2700K,800lm or N=window, where N is the "
+              "id of a fixture in lights.json, or all");
+}
+
+/// The number before `unit`, if `part` is such a thing.
+std::optional<float> numberBefore(std::string_view part, std::string_view unit)
+{
+    if (!part.ends_with(unit)) return {};
+    part.remove_suffix(unit.size());
+    float value = 0.0f;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (error != std::errc() || end != part.data() + part.size() || !(value >= 0.0f) ||
+        value > kMost)
+        return {};
+    return value;
+}
+
+bool take(std::string_view part, Setting& setting)
+{
+    if (part == "on") return true;
+    if (part == "off") {
+        setting.isOn = false;
+        return true;
+    }
+    if (part == "window") return setting.isWindow = true;
+    if (const auto percent = numberBefore(part, "%")) {
+        setting.share = *percent / 100.0f;
+        return true;
+    }
+    if (const auto lumens = numberBefore(part, "lm")) {
+        setting.wish.lumens = lumens;
+        return true;
+    }
+    const auto kelvin = numberBefore(part, "K");
+    if (!kelvin || *kelvin < kColdestKelvin || *kelvin > kHottestKelvin) return false;
+    setting.wish.kelvin = kelvin;
+    return true;
+}
+
+Setting settingFrom(const std::string& text, std::string_view parts)
+{
+    Setting setting;
+    while (true) {
+        const size_t comma = parts.find(',');
+        if (!take(parts.substr(0, comma), setting)) refuse(text);
+        if (comma == std::string_view::npos) return setting;
+        parts.remove_prefix(comma + 1);
+    }
+}
+
+LitFixture fixtureUnder(const Setting& setting, const Fixture& captured)
+{
+    LitFixture lit{captured, setting.isWindow};
+    const EmissionWish& wish = setting.wish;
+    if (wish.lumens || wish.kelvin) lit.fixture.radiance = radianceUnder(wish, captured, {});
+    lit.fixture.radiance *= setting.isOn ? setting.share : 0.0f;
+    // A window shines by what is behind it, unless somebody says how bright it is.
+    const bool isOnlyWindow = setting.isWindow && !wish.lumens && !wish.kelvin;
+    if (isOnlyWindow && setting.share == 1.0f) lit.fixture.radiance = glm::vec3(0.0f);
+    return lit;
+}
+
+} // namespace
+
+size_t placeOfFixture(const Lights& captured, glm::vec3 centre)
+{
+    size_t place = 0;
+    while (place < captured.fixtures.size() &&
+           glm::distance(captured.fixtures[place].centre, centre) >= kMoved)
+        ++place;
+    return place;
+}
+
+Relighting darkened(const Lights& captured)
+{
+    Relighting lighting;
+    for (const Fixture& fixture : captured.fixtures) {
+        lighting.fixtures.push_back({fixture, false});
+        lighting.fixtures.back().fixture.radiance = glm::vec3(0.0f);
+    }
+    return lighting;
+}
+
+void setFixture(Relighting& lighting, const Lights& captured, const std::string& setting)
+{
+    const size_t equals = setting.find('=');
+    if (equals == std::string::npos) refuse(setting);
+    const std::string_view all(setting);
+    const Setting wanted = settingFrom(setting, all.substr(equals + 1));
+    if (all.substr(0, equals) == "all") {
+        for (size_t i = 0; i < captured.fixtures.size(); ++i)
+            lighting.fixtures[i] = fixtureUnder(wanted, captured.fixtures[i]);
+        return;
+    }
+    size_t place = 0;
+    const auto [end, error] = std::from_chars(all.data(), all.data() + equals, place);
+    if (error != std::errc() || end != all.data() + equals) refuse(setting);
+    if (place >= captured.fixtures.size())
+        malformed(fmt::format("--fixture {}", setting),
+                  fmt::format("there is no fixture {}; the room has {}, counted from 0", place,
+                              captured.fixtures.size()));
+    lighting.fixtures[place] = fixtureUnder(wanted, captured.fixtures[place]);
+}
+
+} // namespace relamp

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "scan/rays.h"
+#include "scan/texels.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace relamp
+{
+
+/// What stops light on its way: the scan's surface, but for window panes where it comes from
+/// outside. The arguments must outlive this. Thread safe.
+class Obstacles
+{
+public:
+    /// `isPane` marks surfels, `isClipped` [page][pixel] what is burnt out of them; light that is
+    /// burnt out in a pane's surfel goes through. Without panes everything stops light.
+    Obstacles(const Texels& texels, const RayScene& scene, std::span<const uint8_t> isPane,
+              std::span<const std::vector<uint8_t>> isClipped)
+        : texels_(texels), scene_(scene), isPane_(isPane), isClipped_(isClipped)
+    {}
+
+    /// blocked[i] is not 0 where rays[i] does not come through.
+    void blocked(std::span<const Ray> rays, std::span<uint8_t> blocked) const;
+
+private:
+    [[nodiscard]] bool isBlocked(Ray ray) const;
+
+    const Texels& texels_;
+    const RayScene& scene_;
+    std::span<const uint8_t> isPane_; // empty: none
+    std::span<const std::vector<uint8_t>> isClipped_;
+};
+
+} // namespace relamp

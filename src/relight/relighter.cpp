@@ -1,0 +1,107 @@
+#include "relight/by_lpv.h"
+#include "relight/by_paths.h"
+#include "relight/relighter_state.h"
+#include "relight/relit_page.h"
+#include "relight/room_transport.h"
+#include "solve/found_room.h"
+
+#include "relamp/error.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace relamp
+{
+namespace
+{
+
+Texels checkedTexels(const DelitRoom& room, Progress& progress)
+{
+    for (size_t p = 0; p < room.scan.pages.size(); ++p) {
+        const Image& page = room.scan.pages[p].image;
+        const auto isSame = [&](const std::vector<Image>& images) {
+            return p < images.size() && images[p].width == page.width &&
+                   images[p].height == page.height;
+        };
+        if (!isSame(room.albedo) || (!room.confidence.empty() && !isSame(room.confidence)))
+            throw Error(ErrorCode::sizeMismatch,
+                        fmt::format("page {} of the scan is {} x {}, its albedo is not; it "
+                                    "belongs to another scan",
+                                    p, page.width, page.height));
+    }
+    Texels texels = rasterizeAtlas(room.scan, progress, surfelsOf(room.gather.quality));
+    checkOverlap(texels);
+    return texels;
+}
+
+} // namespace
+
+Relighter::State::State(const DelitRoom& of, const RelightOptions& with, Progress& progress)
+    : room(of), options(with), scene(of.scan), texels(checkedTexels(of, progress)),
+      radiance(collectRadiance(texels, progress)),
+      transport(transportOfRoom(of, texels, scene, radiance, with, warningsOfRoom, progress)),
+      albedo(texels, of.albedo, of.confidence),
+      radiosity(texels, scene, transport, radiance.isClipped, static_cast<size_t>(with.shadowRays))
+{}
+
+Relighter::Relighter(const DelitRoom& room, const RelightOptions& options, Progress& progress)
+    : state_(std::make_unique<State>(room, options, progress))
+{}
+
+Relighter::~Relighter() = default;
+Relighter::Relighter(Relighter&&) noexcept = default;
+Relighter& Relighter::operator=(Relighter&&) noexcept = default;
+
+void Relighter::light(const Relighting& lighting, Progress& progress)
+{
+    State& state = *state_;
+    state.warnings = state.warningsOfRoom;
+    state.active = activate(state.texels, state.transport, state.room.captured, lighting);
+    switch (state.options.solver) {
+    case Solver::gather:
+        state.radiosity.set(state.active, reflecting(state), progress);
+        state.shade = state.radiosity.shading();
+        break;
+    case Solver::thesis:
+        state.shade = shadingByLpv(state, state.warnings, progress);
+        break;
+    case Solver::pathtrace:
+        state.shade = shadingByPaths(state);
+        break;
+    }
+}
+
+Image Relighter::radiance(size_t page, Progress& progress) const
+{
+    return relitPage(*state_, page, progress);
+}
+
+const DelitRoom& Relighter::room() const
+{
+    return state_->room;
+}
+
+const std::vector<std::string>& Relighter::warnings() const
+{
+    return state_->warnings;
+}
+
+const Relighter::State& Relighter::state() const
+{
+    return *state_;
+}
+
+std::vector<Image> relight(const DelitRoom& room, const Relighting& lighting,
+                           const RelightOptions& options, Progress& progress)
+{
+    Relighter relighter(room, options, progress);
+    relighter.light(lighting, progress);
+    std::vector<Image> pages;
+    for (size_t p = 0; p < room.scan.pages.size(); ++p)
+        pages.push_back(relighter.radiance(p, progress));
+    return pages;
+}
+
+} // namespace relamp

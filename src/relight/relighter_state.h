@@ -1,0 +1,39 @@
+#pragma once
+
+#include "relamp/relight.h"
+#include "relight/active_lights.h"
+#include "relight/by_radiosity.h"
+#include "relight/room_albedo.h"
+#include "relight/transport.h"
+#include "scan/rays.h"
+#include "scan/texels.h"
+
+#include <string>
+#include <vector>
+
+namespace relamp
+{
+
+/// What a Relighter knows of its room, and the light that was set.
+struct Relighter::State
+{
+    State(const DelitRoom& of, const RelightOptions& with, Progress& progress);
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+
+    const DelitRoom& room;
+    RelightOptions options;
+    std::vector<std::string> warningsOfRoom;
+    RayScene scene;
+    Texels texels;
+    SurfelRadiance radiance;
+    Transport transport;
+    RoomAlbedo albedo;
+    RadiosityLight radiosity;
+
+    ActiveLights active;
+    TexelShading shade;                // empty until a light was set
+    std::vector<std::string> warnings; // these and those of the light
+};
+
+} // namespace relamp

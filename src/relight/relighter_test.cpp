@@ -1,0 +1,286 @@
+#include "relamp/relight.h"
+
+#include "base/half.h"
+#include "relamp/error.h"
+#include "relamp/threads.h"
+#include "relight/relighter_state.h"
+#include "scenes/lit_room.h"
+#include "scenes/scenes.h"
+#include "scenes/temporary_folder.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kPi = 3.14159265f;
+
+/// A scan whose texture is its albedo.
+DelitRoom painted(Scan scan)
+{
+    DelitRoom room;
+    room.scan = std::move(scan);
+    room.albedo.push_back(room.scan.pages[0].image);
+    room.isLit = false;
+    return room;
+}
+
+/// The lit room of the tests with its true albedo, and the panel that lights it.
+DelitRoom litRoom()
+{
+    const scenes::LitRoom lit;
+    DelitRoom room;
+    room.scan = lit.scan;
+    room.albedo.push_back(
+        scenes::room(scenes::LitRoom::kSize, 96, scenes::LitRoom::albedo).pages[0].image);
+    room.captured.fixtures.push_back({scenes::LitRoom::kLampCentre,
+                                      {0, -1, 0},
+                                      scenes::LitRoom::kLampArea,
+                                      scenes::LitRoom::kLampRadiance});
+    return room;
+}
+
+Relighting bulb(glm::vec3 position, glm::vec3 intensity)
+{
+    Relighting lighting;
+    NewLight light;
+    light.position = position;
+    light.emission = intensity;
+    lighting.lights.push_back(light);
+    return lighting;
+}
+
+Image lit(const DelitRoom& room, const Relighting& lighting, const RelightOptions& options = {})
+{
+    Progress progress;
+    return relight(room, lighting, options, progress).at(0);
+}
+
+glm::vec3 at(const Image& image, size_t pixel)
+{
+    return {floatFromHalf(image.half[3 * pixel]), floatFromHalf(image.half[3 * pixel + 1]),
+            floatFromHalf(image.half[3 * pixel + 2])};
+}
+
+/// Calls visit(site, radiance) for every texel.
+template<class Visit>
+void forEachTexel(const DelitRoom& room, const Image& image, const Visit& visit)
+{
+    Progress progress;
+    const Texels texels = rasterizeAtlas(room.scan, progress);
+    for (size_t i = 0; i < texels.pages[0].count(); ++i)
+        visit(texels.siteOf(0, i), at(image, texels.pages[0].pixel[i]));
+}
+
+double rmsBetween(const Image& a, const Image& b)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < a.half.size(); ++i) {
+        const double off = static_cast<double>(floatFromHalf(a.half[i]) - floatFromHalf(b.half[i]));
+        sum += off * off;
+    }
+    return std::sqrt(sum / static_cast<double>(a.half.size()));
+}
+
+} // namespace
+
+// Every bounce, against radiosity of the box by Lambert's formula.
+TEST(Relighter, CapturedLightPutBackShowsTheRoomAsItWas)
+{
+    const DelitRoom room = litRoom();
+    const scenes::LitRoom lit;
+    Relighting lighting = darkened(room.captured);
+    setFixture(lighting, room.captured, "0=on");
+    const Image image = relamp::lit(room, lighting);
+    double error = 0.0;
+    double all = 0.0;
+    forEachTexel(room, image, [&](const TexelSite& site, glm::vec3 radiance) {
+        if (lit.box.isLamp(site.position, site.normal)) return;
+        const glm::vec3 exact = scenes::LitRoom::albedo(site.position, site.normal) *
+                                lit.box.irradiance(site.position, site.normal) / kPi;
+        if (std::max({exact.r, exact.g, exact.b}) > 1.0f) return;
+        error += static_cast<double>(glm::dot(radiance - exact, radiance - exact)) / 3.0;
+        all += 1.0;
+    });
+    EXPECT_GT(-10.0 * std::log10(error / all), 36.0); // dB
+}
+
+TEST(Relighter, LampShinesWhenOnAndReflectsWhenOff)
+{
+    const DelitRoom room = litRoom();
+    const scenes::LitRoom lit;
+    Relighting lighting = bulb({2.0f, 1.0f, 2.5f}, glm::vec3(2.0f));
+    lighting.fixtures = darkened(room.captured).fixtures;
+    const auto meanOfLamp = [&](const Image& image) {
+        glm::dvec3 sum(0.0);
+        double count = 0.0;
+        forEachTexel(room, image, [&](const TexelSite& site, glm::vec3 radiance) {
+            const glm::vec3 off = glm::abs(site.position - scenes::LitRoom::kLampCentre);
+            if (off.y > 0.01f || off.x > 0.3f || off.z > 0.2f) return;
+            sum += glm::dvec3(radiance);
+            count += 1.0;
+        });
+        return glm::vec3(sum / count);
+    };
+    const glm::vec3 off = meanOfLamp(relamp::lit(room, lighting));
+    const float distance = 1.5f;
+    EXPECT_GT(off.g, 0.2f * 0.7f / kPi * 2.0f / (distance * distance)); // some of the bulb's light
+    EXPECT_LT(off.g, 1.0f);
+    setFixture(lighting, room.captured, "0=on");
+    EXPECT_NEAR(meanOfLamp(relamp::lit(room, lighting)).r, 40.0f, 0.5f);
+    setFixture(lighting, room.captured, "0=25%");
+    EXPECT_NEAR(meanOfLamp(relamp::lit(room, lighting)).r, 10.0f, 0.2f);
+}
+
+// A floor under a small ceiling panel in the air: its shadow is dark, beside it is E = I cos / d^2.
+TEST(Relighter, WhatStandsBeforeALightCastsAShadow)
+{
+    const std::vector<scenes::Panel> panels{{{0, 0, 0}, {0, 0, 4}, {4, 0, 0}},
+                                            {{1.5f, 1, 1.5f}, {1, 0, 0}, {0, 0, 1}}};
+    const DelitRoom room = painted(scenes::panels(
+        panels, 128, [](glm::vec3, glm::vec3 n) { return glm::vec3(n.y > 0.5f ? 0.5f : 0.0f); }));
+    const glm::vec3 place(2.0f, 2.0f, 2.0f);
+    const Image image = lit(room, bulb(place, glm::vec3(4.0f)));
+    forEachTexel(room, image, [&](const TexelSite& site, glm::vec3 radiance) {
+        if (site.normal.y < 0.5f) return;
+        const glm::vec3 off = glm::abs(site.position - glm::vec3(2.0f, 0.0f, 2.0f));
+        const float from = std::max(off.x, off.z);
+        if (from < 0.95f) {
+            EXPECT_LT(radiance.g, 0.003f);
+        } else if (from > 1.08f) {
+            const glm::vec3 way = place - site.position;
+            const float distance = glm::length(way);
+            const float exact = 0.5f / kPi * 4.0f * way.y / (distance * distance * distance);
+            EXPECT_NEAR(radiance.g, exact, 0.02f * exact);
+        }
+    });
+}
+
+TEST(Relighter, SunComesThroughAWindowAndNoWall)
+{
+    DelitRoom room = litRoom();
+    Relighting lighting = darkened(room.captured);
+    NewLight sun;
+    sun.type = LightType::sun;
+    sun.emission = glm::vec3(10.0f);
+    lighting.lights.push_back(sun);
+    EXPECT_EQ(rmsBetween(lit(room, lighting), lit(room, darkened(room.captured))), 0.0);
+    setFixture(lighting, room.captured, "0=window"); // a skylight
+    const Image image = lit(room, lighting);
+    float under = 0.0f;
+    float beside = 0.0f;
+    forEachTexel(room, image, [&](const TexelSite& site, glm::vec3 radiance) {
+        if (site.normal.y < 0.5f) return;
+        const glm::vec3 off = glm::abs(site.position - scenes::LitRoom::kLampCentre);
+        if (off.x < 0.3f && off.z < 0.2f) under = std::max(under, radiance.r);
+        if (off.x > 1.0f) beside = std::max(beside, radiance.r);
+    });
+    EXPECT_NEAR(under, 0.5f * 10.0f / kPi, 0.1f);
+    EXPECT_LT(beside, 0.3f);
+}
+
+TEST(Relighter, LightAddsUpAndScales)
+{
+    const DelitRoom room = painted(scenes::room({3, 2.5f, 4}, 48, scenes::plain(glm::vec3(0.5f))));
+    Progress progress;
+    Relighter relighter(room, {}, progress);
+    const auto under = [&](const Relighting& lighting) {
+        relighter.light(lighting, progress);
+        return relighter.radiance(0, progress);
+    };
+    const Relighting a = bulb({1, 1.5f, 1}, {2, 1, 0});
+    const Relighting b = bulb({2, 1, 3}, {0, 1, 3});
+    Relighting both = a;
+    both.lights.push_back(b.lights[0]);
+    const Image shownA = under(a);
+    const Image shownB = under(b);
+    const Image shown = under(both);
+    for (size_t i = 0; i < shown.half.size(); ++i) {
+        const float sum = floatFromHalf(shownA.half[i]) + floatFromHalf(shownB.half[i]);
+        EXPECT_NEAR(floatFromHalf(shown.half[i]), sum,
+                    0.03f * sum + 1e-3f); // noise is judged for each
+    }
+    // What was kept of a light gives just what was found anew.
+    Relighter fresh(room, {}, progress);
+    fresh.light(a, progress);
+    EXPECT_EQ(under(a).half, fresh.radiance(0, progress).half);
+}
+
+TEST(Relighter, PathsSayTheSame)
+{
+    const DelitRoom room = painted(scenes::room({3, 2.5f, 4}, 12, scenes::plain(glm::vec3(0.6f))));
+    Relighting lighting = bulb({1, 1.5f, 1}, glm::vec3(2.0f));
+    lighting.sky.radiance = glm::vec3(0.5f); // nothing comes in
+    const Image ours = lit(room, lighting);
+    const Image paths =
+        lit(room, lighting, {.solver = Solver::pathtrace, .pathtrace = {.samples = 256}});
+    double sumOurs = 0.0;
+    double sumPaths = 0.0;
+    for (size_t i = 0; i < ours.half.size(); ++i) {
+        sumOurs += static_cast<double>(floatFromHalf(ours.half[i]));
+        sumPaths += static_cast<double>(floatFromHalf(paths.half[i]));
+    }
+    EXPECT_NEAR(sumOurs / sumPaths, 1.0, 0.02);
+}
+
+TEST(Relighter, ThesisHasNoShadowsAndSaysThatItHasNoSun)
+{
+    const DelitRoom room = painted(scenes::room({3, 2.5f, 4}, 24, scenes::plain(glm::vec3(0.6f))));
+    Relighting lighting = bulb({1, 1.5f, 1}, glm::vec3(2.0f));
+    NewLight sun;
+    sun.type = LightType::sun;
+    sun.emission = glm::vec3(5.0f);
+    lighting.lights.push_back(sun);
+    Progress progress;
+    Relighter relighter(room, {.solver = Solver::thesis}, progress);
+    relighter.light(lighting, progress);
+    EXPECT_THAT(relighter.warnings(), testing::ElementsAre(testing::HasSubstr("no sun")));
+    const Image thesis = relighter.radiance(0, progress);
+    const Image ours = lit(room, bulb({1, 1.5f, 1}, glm::vec3(2.0f)));
+    EXPECT_LT(rmsBetween(thesis, ours), 0.1);
+    EXPECT_GT(rmsBetween(thesis, ours), 1e-4);
+}
+
+TEST(Relighter, IsTheSameOnAnyNumberOfThreads)
+{
+    const DelitRoom room = painted(scenes::room({3, 2.5f, 4}, 32, scenes::plain(glm::vec3(0.5f))));
+    const Relighting lighting = bulb({1, 1.5f, 1}, {2, 1, 0.5f});
+    const Image many = lit(room, lighting);
+    const ThreadLimit one(1);
+    EXPECT_EQ(lit(room, lighting).half, many.half);
+}
+
+TEST(Relighter, KeepsItsTransportAndMakesAStaleOneAnew)
+{
+    const scenes::TemporaryFolder folder;
+    const DelitRoom room = painted(scenes::room({3, 2.5f, 4}, 24, scenes::plain(glm::vec3(0.5f))));
+    const Relighting lighting = bulb({1, 1.5f, 1}, {2, 1, 0.5f});
+    const RelightOptions options{.transport = folder / "transport.bin"};
+    const Image first = lit(room, lighting, options);
+    ASSERT_TRUE(std::filesystem::exists(options.transport));
+    EXPECT_EQ(lit(room, lighting, options).half, first.half);
+
+    const DelitRoom other = painted(scenes::room({3, 2, 4}, 24, scenes::plain(glm::vec3(0.5f))));
+    EXPECT_EQ(lit(other, lighting, options).half, lit(other, lighting).half);
+    folder.write("transport.bin", std::string("no transport"));
+    EXPECT_EQ(lit(room, lighting, options).half, first.half);
+
+    Progress progress;
+    const Relighter nowhere(room, {.transport = folder / "not/there.bin"}, progress);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(Relighter, AlbedoOfAnotherSizeIsRefused)
+{
+    DelitRoom room = painted(scenes::room({3, 2.5f, 4}, 24, scenes::plain(glm::vec3(0.5f))));
+    room.albedo[0].width /= 2;
+    Progress progress;
+    EXPECT_THROW(Relighter(room, {}, progress), Error);
+}
+
+} // namespace relamp

@@ -1,0 +1,268 @@
+#include "relight/relighting_file.h"
+#include "base/fail.h"
+#include "lights/json_document.h"
+#include "lights/sun_item.h"
+#include "relamp/relight.h"
+#include "relight/fixture_settings.h"
+#include "relight/ies.h"
+#include "relight/light_emission.h"
+
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace relamp
+{
+namespace
+{
+
+using nlohmann::json;
+
+constexpr float kPi = 3.14159265f;
+constexpr float kPerDegree = kPi / 180.0f;
+
+/// A lights file being read.
+class RelightingReader
+{
+public:
+    RelightingReader(std::filesystem::path folder, const Lights& captured,
+                     std::vector<std::string>& warnings)
+        : folder_(std::move(folder)), captured_(captured), warnings_(warnings)
+    {}
+
+    Relighting read(const JsonItem& top);
+
+private:
+    void readWhite(const JsonItem& top);
+    void readSky(const JsonItem& top);
+    void readFixtures(const JsonItem& top);
+    void readFixture(const JsonItem& item);
+    void readLight(const JsonItem& item);
+    void readShape(const JsonItem& item, NewLight& light) const;
+    [[nodiscard]] std::filesystem::path besideFile(const JsonItem& item, const char* key) const;
+
+    std::filesystem::path folder_; // in which the files lie that are named
+    const Lights& captured_;
+    std::vector<std::string>& warnings_;
+    PhotometricWhite white_;
+    Relighting lighting_;
+};
+
+LightType typeOf(const JsonItem& item)
+{
+    constexpr std::array<std::pair<const char*, LightType>, 6> kTypes{
+        {{"point", LightType::point},
+         {"spot", LightType::spot},
+         {"rectangle", LightType::rectangle},
+         {"disc", LightType::disc},
+         {"sphere", LightType::sphere},
+         {"sun", LightType::sun}}};
+    const std::string name = item.text("type", "point");
+    for (const auto& [known, type] : kTypes)
+        if (name == known) return type;
+    item.refuse(
+        fmt::format("\"type\" is {}; it must be one of point, spot, rectangle, disc, sphere, "
+                    "sun",
+                    printable(json(name))),
+        "type");
+}
+
+float positive(const JsonItem& item, const char* key)
+{
+    const float value = item.numberAt(key);
+    if (!(value > 0.0f)) item.refuse(fmt::format("\"{}\" must be greater than 0", key), key);
+    return value;
+}
+
+float degrees(const JsonItem& item, const char* key, float otherwise, float most)
+{
+    if (!item.has(key)) return otherwise;
+    const float value = item.size(key);
+    if (value > most)
+        item.refuse(fmt::format("\"{}\" must lie between 0 and {} degrees", key, most), key);
+    return value * kPerDegree;
+}
+
+glm::vec3 directionOf(const JsonItem& item)
+{
+    const glm::vec3 direction = item.vectorAt("direction");
+    if (glm::length(direction) < 1e-6f) item.refuse("\"direction\" has no length", "direction");
+    return glm::normalize(direction);
+}
+
+glm::vec2 sizeOf(const JsonItem& item)
+{
+    const json* value = item.find("size");
+    if (value == nullptr || !value->is_array() || value->size() != 2 || !(*value)[0].is_number() ||
+        !(*value)[1].is_number())
+        item.refuse("\"size\" must be there: a list of two numbers, width and height in metres",
+                    "size");
+    const glm::vec2 size((*value)[0].get<float>(), (*value)[1].get<float>());
+    if (!(size.x > 0.0f) || !(size.y > 0.0f) || size.x > 1e4f || size.y > 1e4f)
+        item.refuse("\"size\" must be greater than 0 and no more than 10000 m", "size");
+    return size;
+}
+
+void RelightingReader::readShape(const JsonItem& item, NewLight& light) const
+{
+    if (light.type != LightType::sun) light.position = item.vectorAt("position");
+    const bool isAimed = light.type != LightType::point && light.type != LightType::sphere;
+    if (isAimed || item.has("direction")) light.direction = directionOf(item);
+    if (item.has("along")) light.along = item.vectorAt("along");
+    const bool isRound = light.type == LightType::disc || light.type == LightType::sphere;
+    light.radius = isRound ? positive(item, "radius") : item.size("radius");
+    if (light.type == LightType::rectangle) light.size = sizeOf(item);
+    if (light.type == LightType::spot)
+        light.cone = 0.5f * degrees(item, "cone", 0.5f * kPi, 360.0f);
+    light.blend = item.size("blend", light.blend);
+    if (light.blend > 1.0f) item.refuse("\"blend\" must lie between 0 and 1", "blend");
+    light.angle = degrees(item, "angle", light.angle, 90.0f);
+}
+
+std::filesystem::path RelightingReader::besideFile(const JsonItem& item, const char* key) const
+{
+    return folder_ / item.text(key, "");
+}
+
+void RelightingReader::readLight(const JsonItem& item)
+{
+    // What delight writes of a fixture: the fixture itself is what shines.
+    if (item.has("fixture")) return;
+    item.warnOfUnknown({"type",     "position",   "direction", "normal", "along",   "size",
+                        "radius",   "cone",       "blend",     "angle",  "ies",     "intensity",
+                        "radiance", "irradiance", "lumens",    "watts",  "candela", "nits",
+                        "lux",      "kelvin",     "colour",    "on",     "dim",     "name"},
+                       warnings_);
+    NewLight light;
+    light.type = typeOf(item);
+    readShape(item, light);
+    if (item.has("ies")) {
+        if (light.type != LightType::point && light.type != LightType::spot)
+            item.refuse("\"ies\" is for a point or spot", "ies");
+        const IesPhotometry lamp = readIes(besideFile(item, "ies"));
+        light.profile = lamp.profile;
+        const EmissionWish wish = emissionWishOf(item);
+        light.emission = radiometric(wish.lumens ? *wish.lumens / lamp.lumens : 1.0f,
+                                     wish.colourOr(glm::vec3(1.0f), white_), white_);
+    } else {
+        light.emission = emissionOf(item, light, white_);
+    }
+    light.emission *= item.flag("on", true) ? item.size("dim", 1.0f) : 0.0f;
+    lighting_.lights.push_back(std::move(light));
+}
+
+void RelightingReader::readFixture(const JsonItem& item)
+{
+    item.warnOfUnknown({"id", "centre", "normal", "area", "radiance", "power", "error",
+                        "determined", "on", "dim", "lumens", "watts", "kelvin", "colour", "window",
+                        "name"},
+                       warnings_);
+    LitFixture lit;
+    size_t place = captured_.fixtures.size();
+    if (item.has("centre")) {
+        lit.fixture.centre = item.vectorAt("centre");
+        lit.fixture.normal = item.facing("normal");
+        lit.fixture.area = item.size("area");
+        lit.fixture.radiance = item.lightAt("radiance");
+        place = placeOfFixture(captured_, lit.fixture.centre);
+    } else {
+        const json* id = item.find("id");
+        if (id == nullptr) item.refuse("needs an \"id\" of the room's fixtures, or a \"centre\"");
+        if (!id->is_number_unsigned() || id->get<uint64_t>() >= captured_.fixtures.size())
+            item.refuse(fmt::format("\"id\" is {}; the room has {} fixtures, counted from 0",
+                                    printable(*id), captured_.fixtures.size()),
+                        "id");
+        place = id->get<size_t>();
+        lit.fixture = captured_.fixtures[place];
+        if (item.has("radiance")) lit.fixture.radiance = item.lightAt("radiance");
+    }
+    lit.isWindow = item.flag("window", false);
+    const EmissionWish wish = emissionWishOf(item);
+    if (wish.lumens || wish.kelvin || wish.colour)
+        lit.fixture.radiance = radianceUnder(wish, lit.fixture, white_);
+    lit.fixture.radiance *= item.flag("on", true) ? item.size("dim", 1.0f) : 0.0f;
+    if (place < captured_.fixtures.size())
+        lighting_.fixtures[place] = lit;
+    else
+        lighting_.fixtures.push_back(lit);
+}
+
+/// "off" or "on" for all of them, or a list.
+void RelightingReader::readFixtures(const JsonItem& top)
+{
+    const json* fixtures = top.find("fixtures");
+    if (fixtures != nullptr && fixtures->is_string()) {
+        const std::string word = top.text("fixtures", "");
+        if (word == "on")
+            for (size_t i = 0; i < captured_.fixtures.size(); ++i)
+                lighting_.fixtures[i].fixture = captured_.fixtures[i];
+        else if (!word.starts_with("off"))
+            top.refuse("\"fixtures\" must be \"on\", \"off\" or a list", "fixtures");
+        return;
+    }
+    top.forEachIn("fixtures", "fixture", [&](const JsonItem& item) { readFixture(item); });
+}
+
+void RelightingReader::readSky(const JsonItem& top)
+{
+    if (top.has("ambient")) lighting_.sky.radiance = top.lightAt("ambient");
+    if (const auto sun = sunOf(top, warnings_)) // as delight writes it: where it stands
+        lighting_.lights.push_back(
+            {.type = LightType::sun, .emission = sun->irradiance, .direction = -sun->direction});
+    const json* object = top.find("sky");
+    if (object == nullptr) return;
+    if (!object->is_object()) top.refuse("\"sky\" must be an object in { }", "sky");
+    const JsonItem item{*object, top.what + ": sky", top.lines, top.path + "/sky"};
+    item.warnOfUnknown({"radiance", "nits", "kelvin", "colour", "environment", "turn"}, warnings_);
+    Sky& sky = lighting_.sky;
+    const EmissionWish wish = emissionWishOf(item);
+    if (item.has("nits"))
+        sky.radiance =
+            radiometric(item.size("nits"), wish.colourOr(glm::vec3(1.0f), white_), white_);
+    else
+        sky.radiance = item.has("radiance") ? item.lightAt("radiance") : glm::vec3(1.0f);
+    sky.turn = degrees(item, "turn", 0.0f, 360.0f);
+    if (item.has("environment"))
+        sky.environment = std::make_shared<const Image>(readImage(besideFile(item, "environment")));
+}
+
+void RelightingReader::readWhite(const JsonItem& top)
+{
+    const json* object = top.find("white");
+    if (object == nullptr) return;
+    if (!object->is_object()) top.refuse("\"white\" must be an object in { }", "white");
+    const JsonItem item{*object, top.what + ": white", top.lines, top.path + "/white"};
+    item.warnOfUnknown({"nits", "kelvin"}, warnings_);
+    if (item.has("nits")) white_.luminance = positive(item, "nits");
+    if (const EmissionWish wish = emissionWishOf(item); wish.kelvin) white_.kelvin = *wish.kelvin;
+}
+
+Relighting RelightingReader::read(const JsonItem& top)
+{
+    top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient", "sun", "sky", "white"},
+                      warnings_);
+    lighting_ = darkened(captured_);
+    readWhite(top);
+    readFixtures(top);
+    top.forEachIn("lights", "light", [&](const JsonItem& item) { readLight(item); });
+    readSky(top);
+    return std::move(lighting_);
+}
+
+} // namespace
+
+Relighting relightingFrom(const JsonItem& top, const std::filesystem::path& folder,
+                          const Lights& captured, std::vector<std::string>& warnings)
+{
+    return RelightingReader(folder, captured, warnings).read(top);
+}
+
+Relighting readRelighting(const std::filesystem::path& file, const Lights& captured,
+                          std::vector<std::string>& warnings)
+{
+    const JsonDocument document(file, kLightsFormat);
+    return relightingFrom(document.top(), file.parent_path(), captured, warnings);
+}
+
+} // namespace relamp

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "lights/surfel_radiance.h"
+#include "relamp/relight.h"
+#include "relight/transport.h"
+#include "scan/rays.h"
+#include "scan/texels.h"
+
+#include <string>
+#include <vector>
+
+namespace relamp
+{
+
+/// Rays of a surfel where a person leaves their number open.
+size_t raysOf(const RelightOptions& options, size_t surfels);
+
+/// The room's transport, and the texels' `buried`: read from the options' file where that is of
+/// this room and these options, else found by rays, and kept there if the place lets it; `warnings`
+/// says if not.
+Transport transportOfRoom(const DelitRoom& room, Texels& texels, const RayScene& scene,
+                          const SurfelRadiance& radiance, const RelightOptions& options,
+                          std::vector<std::string>& warnings, Progress& progress);
+
+} // namespace relamp

@@ -1,0 +1,230 @@
+#include "relight/shadows.h"
+
+#include "base/parallel.h"
+#include "shading/sampling.shared.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kOffSurface = 2e-3f; // m; less than things that lie on each other are apart
+constexpr size_t kOrigins = 4;       // texels of a side that look for a light
+constexpr size_t kFirstRays = 4;     // of a texel
+constexpr size_t kBatch = 256;       // rays
+constexpr float kRing = 1.7f;        // surfel sizes; so near, neighbours must agree
+constexpr float kAllOfIt = 0.999f;
+
+/// A piece of a page's texels: where rays of each start.
+class Footprints
+{
+public:
+    Footprints(const Texels& texels, size_t page)
+        : texels_(texels), page_(texels.pages[page]),
+          width_(static_cast<uint32_t>(texels.scan->pages[page].image.width)),
+          isSpread_(!texels.scan->pages[page].ofVertices)
+    {}
+
+    /// A place within a texel, `u` in its unit square.
+    [[nodiscard]] TexelSite at(size_t texel, glm::vec2 u) const
+    {
+        const Facet& facet = texels_.facets.facets[page_.facet[texel]];
+        const uint32_t pixel = page_.pixel[texel];
+        const glm::vec2 off = isSpread_ ? u - 0.5f : glm::vec2(0.0f);
+        const float x = static_cast<float>(pixel % width_) + off.x - facet.pixel.x;
+        const float y = static_cast<float>(pixel / width_) + off.y - facet.pixel.y;
+        return {facet.position + x * facet.positionX + y * facet.positionY,
+                glm::normalize(facet.normal + x * facet.normalX + y * facet.normalY)};
+    }
+
+private:
+    const Texels& texels_;
+    const PageTexels& page_;
+    uint32_t width_;
+    bool isSpread_;
+};
+
+/// Rays of several texels that are traced together.
+class Batch
+{
+public:
+    Batch(const Obstacles& obstacles, const LightSource& light)
+        : obstacles_(obstacles), light_(light)
+    {}
+
+    /// Adds rays [first, end) of a texel's sequence.
+    void add(const Footprints& prints, size_t texel, size_t first, size_t end, AreaSample& sum)
+    {
+        const auto salt = static_cast<uint32_t>(texel);
+        const glm::vec2 shift(hashedShift(salt, 3), hashedShift(salt, 4));
+        const glm::vec2 turn(hashedShift(salt, 5), hashedShift(salt, 6));
+        const float turned = hashedShift(salt, 7);
+        for (size_t i = first; i < end; ++i) {
+            if (count_ == kBatch) trace();
+            const auto at = static_cast<float>(i);
+            const TexelSite site = prints.at(texel, evenPoint(at, shift));
+            const glm::vec3 origin = site.position + kOffSurface * site.normal;
+            // The golden ratio fills the light evenly at any number of rays, and apart from where
+            // the rays start.
+            const float share = glm::fract(turned + 0.61803399f * at);
+            const Look look = light_.look(origin, site.normal, share,
+                                          glm::fract(turn + glm::vec2(share, 0.41421356f * at)));
+            if (look.irradiance <= 0.0f) continue;
+            sum.open += look.irradiance;
+            rays_[count_] = {
+                .origin = origin, .direction = look.direction, .farthest = look.distance};
+            gains_[count_] = look.irradiance;
+            sums_[count_++] = &sum;
+        }
+    }
+
+    void trace()
+    {
+        uint8_t blocked[kBatch];
+        obstacles_.blocked({rays_, count_}, {blocked, count_});
+        for (size_t i = 0; i < count_; ++i)
+            if (blocked[i] == 0) sums_[i]->visible += gains_[i];
+        count_ = 0;
+    }
+
+private:
+    const Obstacles& obstacles_;
+    const LightSource& light_;
+    Ray rays_[kBatch];
+    float gains_[kBatch];
+    AreaSample* sums_[kBatch];
+    size_t count_ = 0;
+};
+
+} // namespace
+
+std::vector<AreaSample> directOfSides(const Texels& texels, const Obstacles& obstacles,
+                                      const LightSource& light, std::span<const Side> sides)
+{
+    const SurfelSites sites(texels);
+    std::vector<AreaSample> direct(sides.size());
+    forEachChunk(sides.size(), kBatch / kOrigins, [&](size_t begin, size_t end) {
+        Ray rays[kBatch];
+        float gains[kBatch];
+        size_t owner[kBatch];
+        size_t count = 0;
+        for (size_t i = begin; i < end; ++i)
+            for (size_t k = 0; k < kOrigins; ++k) {
+                const uint32_t index = sides[i].index;
+                const TexelSite site = sites.at(sides[i].surfel(), k);
+                const glm::vec3 normal = sides[i].isBack() ? -site.normal : site.normal;
+                const float share =
+                    (static_cast<float>(k) + hashedShift(index, 0)) / static_cast<float>(kOrigins);
+                const glm::vec2 u = evenPoint(
+                    static_cast<float>(k), glm::vec2(hashedShift(index, 1), hashedShift(index, 2)));
+                const glm::vec3 origin = site.position + kOffSurface * normal;
+                const Look look = light.look(origin, normal, share, u);
+                if (look.irradiance <= 0.0f) continue;
+                direct[i].open += look.irradiance / kOrigins;
+                rays[count] = {
+                    .origin = origin, .direction = look.direction, .farthest = look.distance};
+                gains[count] = look.irradiance / kOrigins;
+                owner[count++] = i;
+            }
+        uint8_t blocked[kBatch];
+        obstacles.blocked({rays, count}, {blocked, count});
+        for (size_t i = 0; i < count; ++i)
+            if (blocked[i] == 0) direct[owner[i]].visible += gains[i];
+    });
+    return direct;
+}
+
+Shadows::Shadows(const Texels& texels, const Obstacles& obstacles, const LightSource& light,
+                 std::span<const AreaSample> coarse, size_t rays)
+    : texels_(texels)
+{
+    const std::vector<State> states = statesOf(coarse);
+    for (size_t p = 0; p < texels.pages.size(); ++p)
+        pages_.push_back(look(p, states, obstacles, light, rays));
+}
+
+/// All or nothing only where the ring of neighbours says the same.
+std::vector<Shadows::State> Shadows::statesOf(std::span<const AreaSample> coarse) const
+{
+    const Surfels& surfels = texels_.surfels;
+    std::vector<State> own(surfels.count());
+    for (size_t s = 0; s < own.size(); ++s)
+        own[s] = coarse[s].visible <= 0.0f                        ? none
+                 : coarse[s].visible >= kAllOfIt * coarse[s].open ? all
+                                                                  : some;
+    std::vector<State> states = own;
+    const float ring = kRing * surfels.size;
+    forEachChunk(own.size(), 1024, [&](size_t begin, size_t end) {
+        for (size_t s = begin; s < end; ++s)
+            for (const uint32_t n : surfels.neighborsOf(s)) {
+                const glm::vec3 way = surfels.position[n] - surfels.position[s];
+                if (own[n] != own[s] && glm::dot(way, way) < ring * ring) states[s] = some;
+            }
+    });
+    return states;
+}
+
+Shadows::OfPage Shadows::look(size_t p, std::span<const State> states, const Obstacles& obstacles,
+                              const LightSource& light, size_t rays) const
+{
+    const PageTexels& page = texels_.pages[p];
+    OfPage found;
+    uint32_t count = 0;
+    for (size_t run = 0; run + 1 < page.runs.size(); ++run) {
+        const State state = states[page.runs[run].surfel];
+        found.firstShare.push_back(state == some ? count : state == all ? kAll : kNone);
+        if (state == some) count += page.runs[run + 1].begin - page.runs[run].begin;
+    }
+    found.shares.resize(count);
+    const Footprints prints(texels_, p);
+    forEachChunk(found.firstShare.size(), 32, [&](size_t begin, size_t end) {
+        Batch batch(obstacles, light);
+        std::vector<AreaSample> sums;
+        for (size_t run = begin; run < end; ++run) {
+            const uint32_t first = found.firstShare[run];
+            if (first == kNone || first == kAll) continue;
+            const size_t texel = page.runs[run].begin;
+            sums.assign(page.runs[run + 1].begin - texel, {});
+            const size_t few = std::min(kFirstRays, rays);
+            for (size_t i = 0; i < sums.size(); ++i) batch.add(prints, texel + i, 0, few, sums[i]);
+            batch.trace();
+            for (size_t i = 0; i < sums.size(); ++i)
+                if (sums[i].visible > 0.0f && sums[i].visible < kAllOfIt * sums[i].open)
+                    batch.add(prints, texel + i, few, rays, sums[i]);
+            batch.trace();
+            for (size_t i = 0; i < sums.size(); ++i)
+                if (sums[i].open > 0.0f)
+                    found.shares[first + i] = static_cast<uint8_t>(
+                        std::lround(255.0f * std::min(sums[i].visible / sums[i].open, 1.0f)));
+        }
+    });
+    return found;
+}
+
+bool Shadows::at(size_t p, size_t begin, size_t count, float* share) const
+{
+    const PageTexels& page = texels_.pages[p];
+    const OfPage& found = pages_[p];
+    bool isSeen = false;
+    size_t run = page.runOf(begin);
+    for (size_t at = begin; at < begin + count; ++run) {
+        const size_t end = std::min<size_t>(begin + count, page.runs[run + 1].begin);
+        const uint32_t first = found.firstShare[run];
+        for (; at < end; ++at) {
+            float value = first == kAll ? 1.0f : 0.0f;
+            if (first != kAll && first != kNone)
+                value =
+                    static_cast<float>(found.shares[first + at - page.runs[run].begin]) / 255.0f;
+            share[at - begin] = value;
+            isSeen |= value > 0.0f;
+        }
+    }
+    return isSeen;
+}
+
+} // namespace relamp

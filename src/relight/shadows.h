@@ -1,0 +1,56 @@
+#pragma once
+
+#include "relight/light_source.h"
+#include "relight/obstacles.h"
+#include "scan/texels.h"
+#include "shading/area_direct.h"
+#include "shading/hit_lists.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace relamp
+{
+
+/// Irradiance from one light at emission 1 on the sides that `sides` name: a few rays each, from
+/// places all over a side.
+std::vector<AreaSample> directOfSides(const Texels& texels, const Obstacles& obstacles,
+                                      const LightSource& light, std::span<const Side> sides);
+
+/// What share of a light every texel sees.
+///
+/// Rays go where the answer changes: a surfel that sees all or nothing, as its neighbours do, needs
+/// none. Elsewhere every texel looks for itself, from all over its own area, so that an edge lies
+/// between texels as it does in a picture; a few rays first, all of them where these do not agree.
+class Shadows
+{
+public:
+    /// `coarse[surfel]` is what directOfSides found for its front.
+    Shadows(const Texels& texels, const Obstacles& obstacles, const LightSource& light,
+            std::span<const AreaSample> coarse, size_t rays);
+
+    /// Share, 0..1, that texels [begin, begin + count) of a page see. False: none sees anything.
+    bool at(size_t page, size_t begin, size_t count, float* share) const;
+
+private:
+    enum State : uint8_t { none, all, some };
+
+    struct OfPage
+    {
+        std::vector<uint32_t> firstShare; // of runs; kNone or kAll without shares
+        std::vector<uint8_t> shares;      // of 255
+    };
+    static constexpr uint32_t kNone = ~0u;
+    static constexpr uint32_t kAll = ~0u - 1;
+
+    [[nodiscard]] std::vector<State> statesOf(std::span<const AreaSample> coarse) const;
+    [[nodiscard]] OfPage look(size_t page, std::span<const State> states,
+                              const Obstacles& obstacles, const LightSource& light,
+                              size_t rays) const;
+
+    const Texels& texels_;
+    std::vector<OfPage> pages_;
+};
+
+} // namespace relamp

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "relamp/relight.h"
+
+#include <cstddef>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace relamp
+{
+
+/// Directions to the sky, in bins of equal area in cylinder coordinates.
+struct SkyBins
+{
+    static constexpr size_t kAround = 64;
+    static constexpr size_t kUp = 32;
+    static constexpr size_t kCount = kAround * kUp;
+
+    static size_t of(glm::vec3 direction);
+    static glm::vec3 middleOf(size_t bin);
+};
+
+/// Radiance of the sky in a direction.
+glm::vec3 skyRadiance(const Sky& sky, glm::vec3 direction);
+
+/// Mean radiance of every bin.
+std::vector<glm::vec3> skyInBins(const Sky& sky);
+
+/// Radiance of a pane that the sky shines on from behind and that spreads it evenly: irradiance /
+/// pi. `outwards` is unit; zero: all directions count alike.
+glm::vec3 skyThroughPane(const std::vector<glm::vec3>& bins, glm::vec3 outwards);
+
+} // namespace relamp

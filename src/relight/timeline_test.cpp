@@ -1,0 +1,145 @@
+#include "relamp/timeline.h"
+
+#include "relamp/error.h"
+#include "scenes/temporary_folder.h"
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+
+namespace relamp
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class TimelineFile : public testing::Test
+{
+protected:
+    TimelineFile() { captured_.fixtures = {{.area = 0.5f, .radiance = glm::vec3(8.0f)}}; }
+
+    Timeline read(const std::string& text)
+    {
+        return {folder.write("day.json", text), captured_, warnings};
+    }
+
+    /// A timeline of two keys, 6 and 18 o'clock.
+    Timeline between(const std::string& first, const std::string& second)
+    {
+        return read("{\"keys\": [{\"time\": 6, \"light\": " + first +
+                    "},\n{\"time\": 18, \"light\": " + second + "}]}");
+    }
+
+    std::string refusal(const std::string& text)
+    {
+        try {
+            read(text);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    std::string refusalBetween(const std::string& first, const std::string& second)
+    {
+        try {
+            between(first, second);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    scenes::TemporaryFolder folder;
+    std::vector<std::string> warnings;
+
+private:
+    Lights captured_;
+};
+
+/// Lights with one of this.
+std::string oneLight(const std::string& light)
+{
+    return R"({"lights": [{"position": [1, 2, 3], )" + light + "}]}";
+}
+
+} // namespace
+
+// Halfway between 2 and 6 is 4, halfway between two places is the middle of them.
+TEST_F(TimelineFile, LightAndPlacesChangeEvenly)
+{
+    const Timeline timeline =
+        between(R"({"lights": [{"position": [1, 2, 3], "intensity": [2, 0, 1]}]})",
+                R"({"lights": [{"position": [3, 2, 1], "intensity": [6, 1, 1]}]})");
+    const NewLight light = timeline.at(0.5).lights.at(0);
+    EXPECT_EQ(light.emission, glm::vec3(4.0f, 0.5f, 1.0f));
+    EXPECT_EQ(light.position, glm::vec3(2.0f, 2.0f, 2.0f));
+    EXPECT_EQ(timeline.at(0.0).lights.at(0).emission, glm::vec3(2.0f, 0.0f, 1.0f));
+    EXPECT_EQ(timeline.at(1.0).lights.at(0).emission, glm::vec3(6.0f, 1.0f, 1.0f));
+    EXPECT_EQ(timeline.seconds(), 10.0);
+    EXPECT_THAT(warnings, IsEmpty());
+}
+
+// Between 2000 K (500 mired) and 5000 K (200 mired) lies 350 mired, not 3500 K.
+TEST_F(TimelineFile, ColourTemperatureChangesInMired)
+{
+    const Timeline timeline = between(oneLight(R"("lumens": 800, "kelvin": 2000)"),
+                                      oneLight(R"("lumens": 800, "kelvin": 5000)"));
+    const std::string same = oneLight(R"("lumens": 800, "kelvin": 2857.142857142857)");
+    const glm::vec3 expected = between(same, same).at(0.0).lights.at(0).emission;
+    EXPECT_LT(glm::length(timeline.at(0.5).lights.at(0).emission - expected), 1e-5f);
+}
+
+TEST_F(TimelineFile, FixturesAreDimmedEvenlyAndSwitchedAtTheKey)
+{
+    const Timeline dimmed =
+        between(R"({"fixtures": [{"id": 0}]})", R"({"fixtures": [{"id": 0, "dim": 0.5}]})");
+    EXPECT_EQ(dimmed.at(0.5).fixtures.at(0).fixture.radiance.g, 6.0f);
+    const Timeline switched =
+        between(R"({"fixtures": [{"id": 0, "on": false}]})", R"({"fixtures": [{"id": 0}]})");
+    EXPECT_EQ(switched.at(0.99).fixtures.at(0).fixture.radiance.g, 0.0f);
+    EXPECT_EQ(switched.at(1.0).fixtures.at(0).fixture.radiance.g, 8.0f);
+}
+
+TEST_F(TimelineFile, KeysNeedNotBeEvenlySpread)
+{
+    const Timeline timeline = read(R"({"format": "relamp timeline 1", "seconds": 4, "keys": [
+        {"time": 0, "light": {"ambient": [0, 0, 0]}},
+        {"time": 1, "light": {"ambient": [1, 1, 1]}},
+        {"time": 4, "light": {"ambient": [4, 4, 4]}}]})");
+    for (const float part : {0.0f, 0.125f, 0.25f, 0.5f, 1.0f})
+        EXPECT_NEAR(timeline.at(part).sky.radiance.g, 4.0f * part, 1e-6f);
+    EXPECT_EQ(timeline.seconds(), 4.0);
+}
+
+TEST_F(TimelineFile, AKeyMayBeALightsFileBesideIt)
+{
+    folder.write("noon.json", R"({"ambient": [3, 3, 3], "season": "summer"})");
+    const Timeline timeline =
+        between(R"({"ambient": [1, 1, 1], "season": "summer"})", R"("noon.json")");
+    EXPECT_EQ(timeline.at(0.5).sky.radiance.g, 2.0f);
+    EXPECT_THAT(warnings, ElementsAre(HasSubstr("season"), HasSubstr("noon.json: \"season\"")));
+}
+
+TEST_F(TimelineFile, WhatDoesNotFitTogetherIsRefusedWithLineAndKey)
+{
+    EXPECT_THAT(refusalBetween(oneLight(R"("intensity": [1, 1, 1])"), R"({"lights": []})"),
+                HasSubstr("\"lights\" has 1 entries, and 0 in"));
+    EXPECT_THAT(refusalBetween(oneLight(R"("lumens": 1)"), oneLight(R"("candela": 1)")),
+                HasSubstr("\"lights/0/candela\" is in one of this and"));
+    EXPECT_THAT(refusalBetween("{}", "7"), HasSubstr("\"light\" must be an object"));
+    EXPECT_THAT(refusalBetween("{}", "7"), HasSubstr("(line 2)"));
+    EXPECT_THAT(refusalBetween("{}", R"("dusk.json")"), HasSubstr("dusk.json"));
+    EXPECT_THAT(refusalBetween("{}", oneLight(R"("lumens": -1)")), HasSubstr("key 1"));
+    EXPECT_THAT(refusal(R"({"keys": [{"time": 1, "light": {}}]})"), HasSubstr("two or more"));
+    EXPECT_THAT(refusal("{}"), HasSubstr("two or more"));
+    EXPECT_THAT(refusal(R"({"keys": [{"time": 1, "light": {}}, {"time": 1, "light": {}}]})"),
+                HasSubstr("later than"));
+    EXPECT_THAT(refusal(R"({"keys": [{"light": {}}]})"), HasSubstr("\"time\" is missing"));
+    EXPECT_THAT(refusal(R"({"keys": [{"time": 1}]})"), HasSubstr("\"light\" is missing"));
+    EXPECT_THAT(refusal(R"({"seconds": 0})"), HasSubstr("\"seconds\" must be greater than 0"));
+}
+
+} // namespace relamp
