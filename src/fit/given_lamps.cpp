@@ -3,7 +3,11 @@
 #include "shading/sampling.shared.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <set>
+#include <span>
 
 #include <glm/geometric.hpp>
 
@@ -22,11 +26,11 @@ bool isDark(glm::vec3 light)
     return std::max({light.r, light.g, light.b}) <= 0.0f;
 }
 
-glm::vec3 centreOf(const FoundLamp& lamp)
+glm::vec3 centreOf(std::span<const ClippedPatch> patches)
 {
     glm::vec3 sum(0.0f);
     float area = 0.0f;
-    for (const ClippedPatch& patch : lamp.patches) {
+    for (const ClippedPatch& patch : patches) {
         sum += patch.area * patch.position;
         area += patch.area;
     }
@@ -65,11 +69,8 @@ std::vector<ClippedPatch> disc(const Fixture& fixture)
     return patches;
 }
 
-FoundLamp lampOf(const Fixture& fixture, const FoundLamps& found)
+FoundLamp lampOf(const Fixture& fixture)
 {
-    for (const FoundLamp& lamp : found.lamps)
-        if (glm::distance(centreOf(lamp), fixture.centre) < kMoved)
-            return {lamp.patches, fixture.radiance, fixture.error, lamp.onSides};
     const bool isFlat = fixture.normal != glm::vec3(0.0f);
     return {isFlat ? disc(fixture) : ball(fixture.centre, fixture.area),
             fixture.radiance,
@@ -86,14 +87,67 @@ FoundLamp lampOf(const PointLight& light)
             {}};
 }
 
+/// Lamps that were found, as far as a file still has them there.
+class Standing
+{
+public:
+    explicit Standing(const FoundLamps& found) : found_(found) {}
+
+    /// Adds the lamp that stands where the fixture does. Those of a group to which the file gives
+    /// one radiance stay together. False where none stands there.
+    bool add(const Fixture& fixture, std::vector<FoundLamp>& lamps);
+
+private:
+    void addToGroup(size_t group, std::span<const ClippedPatch> single, const Fixture& fixture,
+                    std::vector<FoundLamp>& lamps);
+
+    const FoundLamps& found_;
+    std::map<std::array<float, 4>, size_t> placed_; // group and radiance: index in `lamps`
+    std::set<const ClippedPatch*> taken_;           // first of each lamp of a group that was added
+};
+
+void Standing::addToGroup(size_t group, std::span<const ClippedPatch> single,
+                          const Fixture& fixture, std::vector<FoundLamp>& lamps)
+{
+    const glm::vec3 light = fixture.radiance;
+    const auto [place, isNew] =
+        placed_.try_emplace({static_cast<float>(group), light.r, light.g, light.b}, lamps.size());
+    if (isNew) lamps.push_back({{}, light, fixture.error});
+    FoundLamp& kept = lamps[place->second];
+    kept.patches.insert(kept.patches.end(), single.begin(), single.end());
+    kept.ends.push_back(static_cast<uint32_t>(kept.patches.size()));
+    if (kept.ends.size() == found_.lamps[group].ends.size())
+        kept.onSides = found_.lamps[group].onSides;
+}
+
+bool Standing::add(const Fixture& fixture, std::vector<FoundLamp>& lamps)
+{
+    for (size_t f = 0; f < found_.lamps.size(); ++f) {
+        const FoundLamp& lamp = found_.lamps[f];
+        for (const auto& single : singlesOf(lamp)) {
+            if (glm::distance(centreOf(single), fixture.centre) >= kMoved) continue;
+            if (lamp.ends.empty() || !taken_.insert(single.data()).second) {
+                lamps.push_back({{single.begin(), single.end()}, fixture.radiance, fixture.error});
+                if (lamp.ends.empty()) lamps.back().onSides = lamp.onSides;
+            } else {
+                addToGroup(f, single, fixture, lamps);
+            }
+            return true;
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 FoundLamps asGiven(const Lights& given, const FoundLamps& found)
 {
     FoundLamps lamps;
     lamps.ambient = given.ambient;
+    Standing standing(found);
     for (const Fixture& fixture : given.fixtures)
-        if (!isDark(fixture.radiance)) lamps.lamps.push_back(lampOf(fixture, found));
+        if (!isDark(fixture.radiance) && !standing.add(fixture, lamps.lamps))
+            lamps.lamps.push_back(lampOf(fixture));
     for (const PointLight& light : given.points)
         if (light.fixture < 0 && !isDark(light.intensity)) lamps.lamps.push_back(lampOf(light));
     return lamps;

@@ -48,6 +48,27 @@ TEST(GivenLamps, FixtureThatStandsWhereOneWasFoundIsThatOne)
     EXPECT_EQ(lamps.ambient, glm::vec3(0.1f));
 }
 
+TEST(GivenLamps, LampsOfAGroupStayTogetherAsFarAsTheyAreAlike)
+{
+    FoundLamps found = onePanel();
+    found.lamps[0].patches.push_back({{2, 2, 3}, kDown, 0.5f, 18});
+    found.lamps[0].patches.push_back({{3, 2, 3}, kDown, 0.5f, 19});
+    found.lamps[0].ends = {1, 2, 3};
+    std::vector<Fixture> fixtures{panelAt({1, 2, 3}), panelAt({2, 2, 3}), panelAt({3, 2, 3})};
+
+    const FoundLamps whole = asGiven({.fixtures = fixtures}, found);
+    ASSERT_EQ(whole.lamps.size(), 1u);
+    EXPECT_THAT(whole.lamps[0].ends, testing::ElementsAre(1, 2, 3));
+    EXPECT_EQ(whole.lamps[0].onSides.size(), 1u);
+
+    fixtures[1].radiance *= 2.0f;
+    const FoundLamps parts = asGiven({.fixtures = fixtures}, found);
+    ASSERT_EQ(parts.lamps.size(), 2u);
+    EXPECT_THAT(parts.lamps[0].ends, testing::ElementsAre(1, 2));
+    EXPECT_EQ(parts.lamps[1].patches[0].surfel, 18u);
+    EXPECT_THAT(parts.lamps[0].onSides, testing::IsEmpty()); // looked at anew
+}
+
 TEST(GivenLamps, WhatIsOffOrNotNamedIsDark)
 {
     Fixture off = panelAt({1, 2, 3});

@@ -2,6 +2,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
+#include "fit/lamp_groups.h"
 #include "fit/missed.h"
 #include "fit/pairs.h"
 #include "fit/powers.h"
@@ -46,10 +47,6 @@ constexpr float kWallPieceMissed = 0.02f; // of what would be burnt out anyway
 constexpr float kWallMissed = 0.06f;      // of that, once pieces are joined to lamps
 constexpr float kGreyWall = 0.5f;         // radiance
 constexpr float kHardlyMissed = 0.3f;     // of these
-constexpr float kSameSize = 2.5f;         // ratio of areas of one model
-constexpr float kFlat = 0.9f;             // length of a mean normal, and cosine between two
-constexpr float kSameLevel = 0.1f;        // m
-constexpr float kLeastModel = 0.01f;      // m^2; smaller things are not told apart by their shape
 constexpr float kTold = 0.5f;             // of the prior's variance; beyond, data decide
 constexpr float kTouching = 0.12f;        // m between pieces of one lamp
 constexpr float kPointedAt = 0.3f;        // m around a place that a person names
@@ -67,8 +64,10 @@ struct Suspect
     size_t body = 0;                 // of the same number: two sides of one lamp
     bool isUnseen = false;           // its far side, not scanned
     float told = 1.0f;               // see Powers
+    std::vector<uint32_t> ends{};    // see LampGroup; empty: it is one lamp
 
     [[nodiscard]] float power() const { return candidate.area * luminance(radiance); }
+    [[nodiscard]] size_t rays() const { return raysToGroup(std::max<size_t>(ends.size(), 1)); }
 };
 
 class LampSearch
@@ -83,6 +82,7 @@ private:
     void choosePlaces(size_t most);
     void chooseBurntOut();
     void takeCandidates(const GatherOptions& options);
+    void addSuspects(LampGroup group);
     void look(Suspect& suspect, size_t raysPerOrigin) const;
     [[nodiscard]] std::vector<std::pair<uint32_t, uint32_t>> alikes() const;
     void fit(size_t pairsPerPlace, bool oneChannel);
@@ -147,15 +147,16 @@ size_t nearestTo(std::span<const Candidate> candidates, glm::vec3 place)
 
 void LampSearch::look(Suspect& suspect, size_t raysPerOrigin) const
 {
-    const std::vector<AreaSample> samples = directOfLists(
-        texels_, scene_, hits_, AreaLight(suspect.candidate.patches), places_, raysPerOrigin);
+    const std::vector<AreaSample> samples =
+        directOfLists(texels_, scene_, hits_, AreaLight(suspect.candidate.patches), places_,
+                      raysPerOrigin * suspect.rays());
     suspect.direct.clear();
     for (const AreaSample& sample : samples) suspect.direct.push_back(sample.visible);
 }
 
 void LampSearch::takeCandidates(const GatherOptions& options)
 {
-    std::vector<Candidate> candidates = findCandidates(texels_, radiance_, kMostCandidates);
+    std::vector<Candidate> candidates = findCandidates(texels_, radiance_);
     std::vector<uint8_t> isGiven(candidates.size() + 1, 0);
     std::vector<uint8_t> isRefused(candidates.size() + 1, 0);
     const auto mark = [&](glm::vec3 place, std::vector<uint8_t>& marks) {
@@ -168,18 +169,36 @@ void LampSearch::takeCandidates(const GatherOptions& options)
     };
     for (const glm::vec3 place : options.lights) mark(place, isGiven);
     for (const glm::vec3 place : options.notLights) mark(place, isRefused);
-    for (size_t c = 0; c < candidates.size(); ++c) {
-        stage_.advance();
-        if (isRefused[c] != 0) continue;
-        Suspect suspect{
-            .candidate = std::move(candidates[c]), .isGiven = isGiven[c] != 0, .body = c};
-        look(suspect, 1);
-        const Candidate unseen = unseenSideOf(suspect.candidate, texels_, scene_);
-        suspects_.push_back(std::move(suspect));
-        if (unseen.patches.empty()) continue;
-        suspects_.push_back({.candidate = unseen, .body = c, .isUnseen = true});
-        look(suspects_.back(), 1);
-    }
+    isGiven.resize(candidates.size());
+    size_t c = 0;
+    std::erase_if(isGiven, [&](uint8_t) { return isRefused[c++] != 0; });
+    c = 0;
+    std::erase_if(candidates, [&](const Candidate&) { return isRefused[c++] != 0; });
+    LampGroups lamps = groupLamps(std::move(candidates), isGiven, kMostCandidates);
+    if (lamps.leftOut > 0)
+        warnings_.push_back(fmt::format("{} burnt-out pieces, {:.2f} m^2 together, are more than "
+                                        "the {} largest and were taken for no lights; point at "
+                                        "those that are with --light",
+                                        lamps.leftOut, lamps.areaLeftOut, kMostCandidates));
+    for (LampGroup& group : lamps.groups) addSuspects(std::move(group));
+}
+
+/// A group is flat and so has no far side.
+void LampSearch::addSuspects(LampGroup group)
+{
+    const size_t body = suspects_.size();
+    Suspect suspect{.candidate = std::move(group.whole),
+                    .isGiven = group.isGiven,
+                    .body = body,
+                    .ends = std::move(group.ends)};
+    look(suspect, 1);
+    stage_.advance();
+    Candidate unseen;
+    if (suspect.ends.empty()) unseen = unseenSideOf(suspect.candidate, texels_, scene_);
+    suspects_.push_back(std::move(suspect));
+    if (unseen.patches.empty()) return;
+    suspects_.push_back({.candidate = std::move(unseen), .body = body, .isUnseen = true});
+    look(suspects_.back(), 1);
 }
 
 /// Evenly along the curve through space that surfels are sorted by.
@@ -244,17 +263,6 @@ FitData LampSearch::dataFor() const
         for (const Suspect& suspect : suspects_) data.direct.push_back(suspect.direct[i]);
     }
     return data;
-}
-
-/// Whether two pieces look like the same model of lamp, as the panels of a ceiling do.
-bool areAlike(const Candidate& a, const Candidate& b)
-{
-    const float sizes = a.area / b.area;
-    if (sizes > kSameSize || sizes < 1.0f / kSameSize) return false;
-    if (glm::length(a.normal) < kFlat || glm::length(b.normal) < kFlat) return false;
-    const glm::vec3 normal = glm::normalize(a.normal);
-    return glm::dot(normal, glm::normalize(b.normal)) > kFlat &&
-           std::abs(glm::dot(b.centre - a.centre, normal)) < kSameLevel;
 }
 
 std::vector<std::pair<uint32_t, uint32_t>> LampSearch::alikes() const
@@ -391,6 +399,7 @@ void LampSearch::joinPieces()
         for (uint32_t b = a + 1; b < suspects_.size(); ++b) {
             const float ratio = luminance(suspects_[a].radiance) / luminance(suspects_[b].radiance);
             const bool isBody = suspects_[a].body == suspects_[b].body;
+            if (!suspects_[a].ends.empty() || !suspects_[b].ends.empty()) continue;
             if (isBody || (ratio < kAboutEqual && ratio > 1.0f / kAboutEqual &&
                            touch(suspects_[a].candidate, suspects_[b].candidate)))
                 sets.join(a, b);
@@ -419,8 +428,8 @@ void LampSearch::updateField()
 {
     std::vector<glm::vec3> direct(hits_.sideOfList.size(), glm::vec3(0.0f));
     for (Suspect& suspect : suspects_) {
-        suspect.onSides =
-            directOfLists(texels_, scene_, hits_, AreaLight(suspect.candidate.patches));
+        suspect.onSides = directOfLists(texels_, scene_, hits_,
+                                        AreaLight(suspect.candidate.patches), {}, suspect.rays());
         addDirect(suspect.onSides, suspect.radiance, direct);
     }
     field_ =
@@ -484,8 +493,13 @@ void LampSearch::dropNeedless(float missedIfWall)
     }
 }
 
-std::string unknownAt(glm::vec3 place)
+std::string unknownAt(glm::vec3 place, size_t lamps)
 {
+    if (lamps > 1)
+        return fmt::format("the scan does not tell how bright the {} lights around {:.2f}, {:.2f}, "
+                           "{:.2f} are, for they light little that can be seen; their radiance is "
+                           "a guess. Set it in lights.json and pass that with --lights",
+                           lamps, place.x, place.y, place.z);
     return fmt::format("the scan does not tell how bright the light at {:.2f}, {:.2f}, {:.2f} is, "
                        "for it lights little that can be seen; its radiance is a guess. Set it in "
                        "lights.json and pass that with --lights",
@@ -518,9 +532,11 @@ FoundLamps LampSearch::run()
                      [](const Suspect& a, const Suspect& b) { return a.power() > b.power(); });
     for (Suspect& suspect : suspects_) {
         const bool isDetermined = suspect.told >= kTold;
-        if (!isDetermined) found.warnings.push_back(unknownAt(suspect.candidate.centre));
+        if (!isDetermined)
+            found.warnings.push_back(unknownAt(suspect.candidate.centre, suspect.ends.size()));
         found.lamps.push_back({std::move(suspect.candidate.patches), suspect.radiance,
-                               suspect.logError, std::move(suspect.onSides), false, isDetermined});
+                               suspect.logError, std::move(suspect.onSides), false, isDetermined,
+                               std::move(suspect.ends)});
     }
     found.ambient = powers_.ambient;
     found.residual = powers_.residual;
@@ -535,6 +551,18 @@ FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists
                      Progress& progress)
 {
     return LampSearch(texels, scene, hits, radiance, options, progress).run();
+}
+
+std::vector<std::span<const ClippedPatch>> singlesOf(const FoundLamp& lamp)
+{
+    if (lamp.ends.empty()) return {lamp.patches};
+    std::vector<std::span<const ClippedPatch>> singles;
+    uint32_t begin = 0;
+    for (const uint32_t end : lamp.ends) {
+        singles.push_back(std::span(lamp.patches).subspan(begin, end - begin));
+        begin = end;
+    }
+    return singles;
 }
 
 std::vector<uint8_t> shinesOf(const FoundLamps& found, size_t surfels)

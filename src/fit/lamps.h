@@ -7,21 +7,24 @@
 #include "shading/hit_lists.h"
 #include "shading/lit_sides.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
 namespace relamp
 {
 
-/// A lamp that the scan gives away by what it does to the walls.
+/// A lamp that the scan gives away by what it does to the walls, or a group of alike neighbours
+/// where there are many.
 struct FoundLamp
 {
     std::vector<ClippedPatch> patches;
-    glm::vec3 radiance{0.0f};        // RGB, 1 = the texture's white
-    glm::vec3 logError{0.0f};        // standard error of log radiance
-    std::vector<AreaSample> onSides; // at radiance 1, one a hit list; empty: not looked at
-    bool isSunlit = false;           // no lamp but a burnt-out patch of sun, which lights the room
-    bool isDetermined = true;        // false: it lights too little that is seen to tell how bright
+    glm::vec3 radiance{0.0f};          // RGB, 1 = the texture's white
+    glm::vec3 logError{0.0f};          // standard error of log radiance
+    std::vector<AreaSample> onSides{}; // at radiance 1, one a hit list; empty: not looked at
+    bool isSunlit = false;        // no lamp but a burnt-out patch of sun, which lights the room
+    bool isDetermined = true;     // false: it lights too little that is seen to tell how bright
+    std::vector<uint32_t> ends{}; // of each single lamp in `patches`; empty: it is one
 };
 
 struct FoundLamps
@@ -38,10 +41,14 @@ struct FoundLamps
 /// nothing: it is a wall. One whose brightness the others explain, within the error of its own, is
 /// a wall too. What remains is fitted again, until nothing changes; pieces that touch and are about
 /// equally bright become one lamp. What a person says of a place in `options` is not doubted;
-/// where such a lamp lights too little to tell how bright it is, a warning says so.
+/// where such a lamp lights too little to tell how bright it is, a warning says so. Beyond 64
+/// candidates, alike neighbours are one unknown and come out as one FoundLamp.
 FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists& hits,
                      const SurfelRadiance& radiance, const GatherOptions& options,
                      Progress& progress);
+
+/// The patches of each lamp of a group, or of the one that it is.
+std::vector<std::span<const ClippedPatch>> singlesOf(const FoundLamp& lamp);
 
 /// Marks the surfels whose burnt-out texels belong to a lamp.
 std::vector<uint8_t> shinesOf(const FoundLamps& found, size_t surfels);

@@ -2,6 +2,7 @@
 
 #include "lights/expand.shared.h"
 #include "scenes/lit_room.h"
+#include "scenes/many_lamps.h"
 #include "scenes/surfaces.h"
 
 #include <glm/geometric.hpp>
@@ -105,6 +106,27 @@ TEST(Lamps, LampThatLightsNothingSeenIsNotDetermined)
     EXPECT_NEAR(lamps.lamps[1].radiance.g, 1.0f, 0.1f);
     EXPECT_THAT(lamps.warnings, testing::ElementsAre(testing::HasSubstr(
                                     "how bright the light at 1.25, 3.00, 1.25 is")));
+}
+
+TEST(Lamps, ThreeHundredCeilingPanelsAreFoundInGroups)
+{
+    const scenes::ManyLamps hall(20, 15);
+    const FoundLamps lamps = lampsOf(scenes::Surfaces(hall.scan), {});
+    EXPECT_LE(lamps.lamps.size(), 32u);
+    size_t found = 0;
+    for (const FoundLamp& lamp : lamps.lamps) {
+        const auto singles = singlesOf(lamp);
+        for (const auto& patches : singles) {
+            const Candidate one = candidateOf({patches.begin(), patches.end()});
+            EXPECT_TRUE(hall.box.isLamp(one.centre, {0, -1, 0}));
+        }
+        found += singles.size();
+        const glm::vec3 ratio =
+            powerOf(lamp) / (static_cast<float>(singles.size()) * hall.lampPower());
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0f, 0.15f) << "channel " << c;
+    }
+    EXPECT_EQ(found, 300u);
+    EXPECT_THAT(lamps.warnings, testing::IsEmpty());
 }
 
 TEST(Lamps, SurfelsOfLampsShine)

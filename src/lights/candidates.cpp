@@ -190,8 +190,7 @@ Candidate candidateOf(std::vector<ClippedPatch> patches)
     return candidate;
 }
 
-std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance& radiance,
-                                      size_t most)
+std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance& radiance)
 {
     std::vector<int32_t> part(radiance.clipped.size(), 0);
     int32_t parts = 1;
@@ -207,7 +206,6 @@ std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance
     }
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.area > b.area; });
-    if (candidates.size() > most) candidates.resize(most);
     return candidates;
 }
 

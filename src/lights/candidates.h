@@ -27,8 +27,7 @@ Candidate candidateOf(std::vector<ClippedPatch> patches);
 ///
 /// A lamp on a wall that it burns out is one blob in the texture; in space it stands off the wall,
 /// so large planes are cut from what rises over them. Specks in a surface that is nearly as bright
-/// around them are no lamps and are left out, and so is what exceeds the `most` largest.
-std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance& radiance,
-                                      size_t most);
+/// around them are no lamps and are left out.
+std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance& radiance);
 
 } // namespace relamp

@@ -10,10 +10,10 @@ namespace relamp
 namespace
 {
 
-std::vector<Candidate> candidatesOf(Scan scan, size_t most = 64)
+std::vector<Candidate> candidatesOf(Scan scan)
 {
     const scenes::Surfaces surfaces(std::move(scan));
-    return findCandidates(surfaces.texels, surfaces.radiance, most);
+    return findCandidates(surfaces.texels, surfaces.radiance);
 }
 
 /// A square floor of radiance `around` with a white disc of `radius` in its middle.
@@ -97,16 +97,16 @@ TEST(Candidates, FixtureOverASeamIsOne)
     EXPECT_NEAR(candidates[0].centre.x, 1.0f, 0.02f);
 }
 
-TEST(Candidates, BeyondTheMostTheSmallestAreLeftOut)
+TEST(Candidates, LargestComesFirst)
 {
     const scenes::Paint stripes = [](glm::vec3 p, glm::vec3) {
         const bool isIn = (p.x > 0.2f && p.x < 0.8f) || (p.x > 1.4f && p.x < 1.7f);
         return glm::vec3(isIn && p.z > 0.5f && p.z < 1.5f ? 1.0f : 0.3f);
     };
-    EXPECT_EQ(candidatesOf(scenes::square(2.0f, 128, stripes)).size(), 2u);
-    const auto one = candidatesOf(scenes::square(2.0f, 128, stripes), 1);
-    ASSERT_EQ(one.size(), 1u);
-    EXPECT_NEAR(one[0].area, 0.6f, 0.03f);
+    const auto candidates = candidatesOf(scenes::square(2.0f, 128, stripes));
+    ASSERT_EQ(candidates.size(), 2u);
+    EXPECT_NEAR(candidates[0].area, 0.6f, 0.03f);
+    EXPECT_NEAR(candidates[1].area, 0.3f, 0.03f);
 }
 
 } // namespace relamp

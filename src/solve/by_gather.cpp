@@ -1,11 +1,13 @@
 #include "solve/by_gather.h"
 
 #include "albedo/gather_closure.h"
+#include "fit/lamp_groups.h"
 #include "fit/stray.h"
 #include "shading/buried.h"
 #include "shading/gathered_light.h"
 #include "solve/found_room.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -15,20 +17,21 @@ namespace
 {
 
 constexpr size_t kPatchesOfLamp = 32;
+constexpr size_t kPatchesInGroup = 8; // of each of its lamps, at least
 
 std::shared_ptr<GatheredLight> lightOf(const Texels& texels, const RayScene& scene,
                                        const FoundRoom& room, std::vector<glm::vec3> indirect)
 {
-    std::vector<AreaLight> areas;
     std::vector<LitLamp> lamps;
-    std::vector<std::vector<AreaSample>> coarse;
-    for (const FoundLamp& lamp : room.found.lamps) {
-        areas.emplace_back(lamp.patches);
-        lamps.push_back({LampPatches(areas.back(), kPatchesOfLamp), lamp.radiance});
-        coarse.push_back(lamp.onSides);
-    }
     const auto rays = static_cast<size_t>(room.options.shadowRays);
-    Visibility visibility(texels, scene, areas, coarse, {.raysPerProbe = rays});
+    Visibility visibility(texels, scene, {}, {}, {});
+    for (const FoundLamp& lamp : room.found.lamps) {
+        const AreaLight area(lamp.patches);
+        const size_t singles = singlesOf(lamp).size();
+        const size_t patches = std::max(kPatchesOfLamp, kPatchesInGroup * singles);
+        lamps.push_back({LampPatches(area, patches), lamp.radiance});
+        visibility.add(scene, area, lamp.onSides, rays * raysToGroup(singles));
+    }
     if (const auto& sun = room.sun) {
         lamps.push_back({LampPatches(sun->disc, kPatchesOfLamp), sunRadiance(sun->sun)});
         visibility.add(sun->outside, sun->disc, sun->onSides, rays);

@@ -2,6 +2,7 @@
 
 #include "albedo/fill.h"
 #include "fit/given_lamps.h"
+#include "fit/lamp_groups.h"
 #include "lights/fixtures.h"
 #include "lights/surfel_radiance.h"
 
@@ -47,11 +48,11 @@ GatherOptions withRays(GatherOptions options, size_t surfels)
     return options;
 }
 
-Fixture fixtureOf(const FoundLamp& lamp)
+Fixture fixtureOf(const FoundLamp& lamp, std::span<const ClippedPatch> patches)
 {
     Fixture fixture;
     glm::vec3 normal(0.0f);
-    for (const ClippedPatch& patch : lamp.patches) {
+    for (const ClippedPatch& patch : patches) {
         fixture.centre += patch.area * patch.position;
         normal += patch.area * patch.normal;
         fixture.area += patch.area;
@@ -72,7 +73,8 @@ std::vector<glm::vec3> directOf(const Texels& texels, const RayScene& scene, con
     std::vector<glm::vec3> direct(hits.sideOfList.size(), glm::vec3(0.0f));
     for (FoundLamp& lamp : found.lamps) {
         if (lamp.onSides.empty())
-            lamp.onSides = directOfLists(texels, scene, hits, AreaLight(lamp.patches));
+            lamp.onSides = directOfLists(texels, scene, hits, AreaLight(lamp.patches), {},
+                                         raysToGroup(singlesOf(lamp).size()));
         addDirect(lamp.onSides, lamp.radiance, direct);
     }
     return direct;
@@ -162,9 +164,12 @@ Lights lightsOf(const FoundRoom& room)
     if (room.sun) lights.sun = room.sun->sun;
     for (const FoundLamp& lamp : room.found.lamps) {
         if (lamp.isSunlit) continue;
-        lights.points.push_back(
-            pointLightOf(fixtureOf(lamp), static_cast<int>(lights.fixtures.size())));
-        lights.fixtures.push_back(fixtureOf(lamp));
+        for (const auto& patches : singlesOf(lamp)) {
+            const Fixture fixture = fixtureOf(lamp, patches);
+            lights.points.push_back(
+                pointLightOf(fixture, static_cast<int>(lights.fixtures.size())));
+            lights.fixtures.push_back(fixture);
+        }
     }
     return lights;
 }

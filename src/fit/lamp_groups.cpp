@@ -1,0 +1,146 @@
+#include "fit/lamp_groups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kSameSize = 2.5f;  // ratio of areas of one model
+constexpr float kFlat = 0.9f;      // length of a mean normal, and cosine between two
+constexpr float kSameLevel = 0.1f; // m
+
+using Members = std::vector<uint32_t>; // indices of candidates, ascending
+
+/// Sets of alike candidates, each like its largest, so that no chain of small steps joins a panel
+/// and a speck.
+std::vector<Members> familiesOf(std::span<const Candidate> candidates,
+                                std::span<const uint8_t> isGiven)
+{
+    std::vector<Members> families;
+    for (uint32_t c = 0; c < candidates.size(); ++c) {
+        if (isGiven[c] != 0 || candidates[c].area < kLeastModel) continue;
+        const auto family = std::find_if(families.begin(), families.end(), [&](const Members& f) {
+            return areAlike(candidates[f.front()], candidates[c]);
+        });
+        if (family == families.end())
+            families.push_back({c});
+        else
+            family->push_back(c);
+    }
+    std::erase_if(families, [](const Members& f) { return f.size() == 1; });
+    return families;
+}
+
+/// Cuts across the longest side of the box around their centres; returns the far half.
+Members cutInHalf(std::span<const Candidate> candidates, Members& members)
+{
+    glm::vec3 least = candidates[members.front()].centre;
+    glm::vec3 most = least;
+    for (const uint32_t c : members) {
+        least = glm::min(least, candidates[c].centre);
+        most = glm::max(most, candidates[c].centre);
+    }
+    const glm::vec3 extent = most - least;
+    int axis = extent.x >= extent.y ? 0 : 1;
+    if (extent.z > extent[axis]) axis = 2;
+    std::stable_sort(members.begin(), members.end(), [&](uint32_t a, uint32_t b) {
+        return candidates[a].centre[axis] < candidates[b].centre[axis];
+    });
+    const auto middle = members.begin() + static_cast<ptrdiff_t>(members.size() / 2);
+    Members far(middle, members.end());
+    members.erase(middle, members.end());
+    std::sort(members.begin(), members.end());
+    std::sort(far.begin(), far.end());
+    return far;
+}
+
+/// Divides the families among neighbours until there are `most` sets.
+void divide(std::span<const Candidate> candidates, size_t most, std::vector<Members>& sets)
+{
+    while (!sets.empty() && sets.size() < most) {
+        const auto largest =
+            std::max_element(sets.begin(), sets.end(), [](const Members& a, const Members& b) {
+                return a.size() < b.size();
+            });
+        if (largest->size() == 1) break;
+        Members far = cutInHalf(candidates, *largest);
+        sets.push_back(std::move(far));
+    }
+}
+
+LampGroup groupOf(std::span<const Candidate> candidates, const Members& members,
+                  std::span<const uint8_t> isGiven)
+{
+    const bool given = isGiven[members.front()] != 0;
+    if (members.size() == 1) return {candidates[members.front()], {}, given};
+    std::vector<ClippedPatch> patches;
+    std::vector<uint32_t> ends;
+    for (const uint32_t c : members) {
+        const auto& ofOne = candidates[c].patches;
+        patches.insert(patches.end(), ofOne.begin(), ofOne.end());
+        ends.push_back(static_cast<uint32_t>(patches.size()));
+    }
+    return {candidateOf(std::move(patches)), std::move(ends), given};
+}
+
+} // namespace
+
+bool areAlike(const Candidate& a, const Candidate& b)
+{
+    const float sizes = a.area / b.area;
+    if (sizes > kSameSize || sizes < 1.0f / kSameSize) return false;
+    if (glm::length(a.normal) < kFlat || glm::length(b.normal) < kFlat) return false;
+    const glm::vec3 normal = glm::normalize(a.normal);
+    return glm::dot(normal, glm::normalize(b.normal)) > kFlat &&
+           std::abs(glm::dot(b.centre - a.centre, normal)) < kSameLevel;
+}
+
+LampGroups groupLamps(std::vector<Candidate> candidates, std::span<const uint8_t> isGiven,
+                      size_t most)
+{
+    std::vector<Members> sets;
+    if (candidates.size() > most && candidates[most].area > kLeastModel)
+        sets = familiesOf(candidates, isGiven);
+    divide(candidates, most / 2, sets);
+    std::vector<uint8_t> isInSet(candidates.size(), 0);
+    for (const Members& set : sets)
+        for (const uint32_t c : set) isInSet[c] = 1;
+    for (uint32_t c = 0; c < candidates.size(); ++c)
+        if (isInSet[c] == 0) sets.push_back({c});
+
+    const auto areaOf = [&](const Members& set) {
+        return std::accumulate(set.begin(), set.end(), 0.0f,
+                               [&](float sum, uint32_t c) { return sum + candidates[c].area; });
+    };
+    const auto rank = [&](const Members& set) {
+        return std::pair(isGiven[set.front()] != 0, areaOf(set));
+    };
+    std::stable_sort(sets.begin(), sets.end(),
+                     [&](const Members& a, const Members& b) { return rank(a) > rank(b); });
+    LampGroups result;
+    while (sets.size() > most && isGiven[sets.back().front()] == 0) {
+        for (const uint32_t c : sets.back())
+            if (candidates[c].area > kLeastModel) {
+                ++result.leftOut;
+                result.areaLeftOut += candidates[c].area;
+            }
+        sets.pop_back();
+    }
+    std::sort(sets.begin(), sets.end());
+    for (const Members& set : sets) result.groups.push_back(groupOf(candidates, set, isGiven));
+    return result;
+}
+
+size_t raysToGroup(size_t lamps)
+{
+    return static_cast<size_t>(std::ceil(std::sqrt(static_cast<double>(lamps))));
+}
+
+} // namespace relamp
