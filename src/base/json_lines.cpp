@@ -16,11 +16,13 @@ using nlohmann::json;
 class CountingIterator
 {
 public:
+    // NOLINTBEGIN(readability-identifier-naming): the standard's names
     using iterator_category = std::input_iterator_tag;
     using value_type = char;
     using difference_type = std::ptrdiff_t;
     using pointer = const char*;
     using reference = const char&;
+    // NOLINTEND(readability-identifier-naming)
 
     CountingIterator(const char* at, int* line) : at_(at), line_(line) {}
 

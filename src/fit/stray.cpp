@@ -35,10 +35,10 @@ struct Between
 
 Between knotsAround(float shading)
 {
-    constexpr int last = StrayLight::kKnots - 1;
+    constexpr int kLast = StrayLight::kKnots - 1;
     const float at = std::clamp(std::log2(std::max(shading, kDarkest)) - StrayLight::kFirst, 0.0f,
-                                static_cast<float>(last));
-    const int knot = std::min(static_cast<int>(at), last - 1);
+                                static_cast<float>(kLast));
+    const int knot = std::min(static_cast<int>(at), kLast - 1);
     return {knot, at - static_cast<float>(knot)};
 }
 

@@ -31,7 +31,8 @@ AreaLight rectangleOf(const NewLight& light)
 {
     const glm::mat3 frame = frameOf(light);
     std::vector<ClippedPatch> patches;
-    const float area = light.size.x * light.size.y / (kPatchesAcross * kPatchesAcross);
+    const float area =
+        light.size.x * light.size.y / (static_cast<size_t>(kPatchesAcross) * kPatchesAcross);
     for (int j = 0; j < kPatchesAcross; ++j)
         for (int i = 0; i < kPatchesAcross; ++i) {
             const float u = (static_cast<float>(i) + 0.5f) / kPatchesAcross - 0.5f;

@@ -41,7 +41,7 @@ Texels checkedTexels(const DelitRoom& room, Progress& progress)
 Relighter::State::State(const DelitRoom& of, const RelightOptions& with, Progress& progress)
     : room(of), options(with), scene(of.scan), texels(checkedTexels(of, progress)),
       radiance(collectRadiance(texels, progress)),
-      transport(transportOfRoom(of, texels, scene, radiance, with, warningsOfRoom, progress)),
+      transport(transportOfRoom(of, {texels, scene, radiance}, with, warningsOfRoom, progress)),
       albedo(texels, of.albedo, of.confidence),
       radiosity(texels, scene, transport, radiance.isClipped, static_cast<size_t>(with.shadowRays))
 {}

@@ -51,10 +51,11 @@ size_t raysOf(const RelightOptions& options, size_t surfels)
     return std::clamp(kRaysOfScan / std::max<size_t>(surfels, 1), kFewestRays, kMostRays);
 }
 
-Transport transportOfRoom(const DelitRoom& room, Texels& texels, const RayScene& scene,
-                          const SurfelRadiance& radiance, const RelightOptions& options,
-                          std::vector<std::string>& warnings, Progress& progress)
+Transport transportOfRoom(const DelitRoom& room, const SurfaceOfRoom& surface,
+                          const RelightOptions& options, std::vector<std::string>& warnings,
+                          Progress& progress)
 {
+    Texels& texels = surface.texels;
     const size_t rays = raysOf(options, texels.surfels.count());
     const uint64_t key =
         options.transport.empty() ? 0 : keyOfTransport(texels, room.captured.fixtures, rays);
@@ -64,11 +65,11 @@ Transport transportOfRoom(const DelitRoom& room, Texels& texels, const RayScene&
             return std::move(*kept);
         }
 
-    texels.buried = findBuried(texels, scene, progress);
+    texels.buried = findBuried(texels, surface.scene, progress);
     std::vector<std::vector<ClippedPatch>> fixtures =
-        surfacesOfFixtures(room, texels, scene, progress);
+        surfacesOfFixtures(room, texels, surface.scene, progress);
     Transport transport =
-        transportOf(texels, castHitLists(texels, scene, radiance, rays, progress));
+        transportOf(texels, castHitLists(texels, surface.scene, surface.radiance, rays, progress));
     transport.fixtures = std::move(fixtures);
     transport.buried = texels.buried;
     if (options.transport.empty()) return transport;

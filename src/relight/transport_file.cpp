@@ -221,6 +221,7 @@ void saveTransport(const std::filesystem::path& file, uint64_t key, const Transp
     content.add(uint64_t{transport.fixtures.size()});
     for (const auto& fixture : transport.fixtures) {
         std::vector<PatchRecord> records;
+        records.reserve(fixture.size());
         for (const ClippedPatch& patch : fixture) records.push_back(recordOf(patch));
         content.add(records);
     }

@@ -49,6 +49,7 @@ std::vector<size_t> countCharts(const Scan& scan)
             if (chartOf[triangle] != kNoChart)
                 charts[static_cast<size_t>(mesh.page)].insert(chartOf[triangle]);
     std::vector<size_t> counts;
+    counts.reserve(charts.size());
     for (const auto& ofPage : charts) counts.push_back(ofPage.size());
     return counts;
 }
