@@ -36,7 +36,7 @@ std::shared_ptr<GatheredLight> lightOf(const Texels& texels, const RayScene& sce
     }
     if (const auto& sun = room.sun) {
         lamps.push_back({LampPatches(sun->disc, kPatchesOfLamp), sunRadiance(sun->sun)});
-        visibility.add(sun->outside, sun->disc, sun->onSides, rays);
+        visibility.add(*sun->outside, sun->disc, sun->onSides, rays);
     }
     return std::make_shared<GatheredLight>(
         GatheredLight{std::move(lamps), std::move(visibility), std::move(indirect)});
