@@ -24,6 +24,7 @@ namespace
 
 constexpr float kPi = 3.14159265f;
 constexpr size_t kMostCandidates = 64;
+constexpr size_t kSteps = 4; // of the search, as progress tells
 constexpr size_t kPlaces = 6000;
 constexpr size_t kPlacesOfDraft = 2000;
 constexpr size_t kPlacesBurntOut = 150;
@@ -83,7 +84,8 @@ private:
     void chooseBurntOut();
     void takeCandidates(const GatherOptions& options);
     void addSuspects(LampGroup group);
-    void look(Suspect& suspect, size_t raysPerOrigin) const;
+    [[nodiscard]] std::vector<SoughtLamp> sought(size_t raysPerOrigin) const;
+    void look(size_t raysPerOrigin);
     [[nodiscard]] std::vector<std::pair<uint32_t, uint32_t>> alikes() const;
     void fit(size_t pairsPerPlace, bool oneChannel);
     void updateField();
@@ -117,7 +119,7 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
                        const SurfelRadiance& radiance, const GatherOptions& options,
                        Progress& progress)
     : texels_(texels), scene_(scene), hits_(hits), radiance_(radiance),
-      stage_(progress, "lamps", kMostCandidates + 3), field_(fieldOf(radiance))
+      stage_(progress, "lamps", kSteps), field_(fieldOf(radiance))
 {
     choosePlaces(options.quality == Quality::draft ? kPlacesOfDraft : kPlaces);
     if (places_.size() > 1) chooseBurntOut();
@@ -145,13 +147,23 @@ size_t nearestTo(std::span<const Candidate> candidates, glm::vec3 place)
     return nearest;
 }
 
-void LampSearch::look(Suspect& suspect, size_t raysPerOrigin) const
+std::vector<SoughtLamp> LampSearch::sought(size_t raysPerOrigin) const
 {
-    const std::vector<AreaSample> samples =
-        directOfLists(texels_, scene_, hits_, AreaLight(suspect.candidate.patches), places_,
-                      raysPerOrigin * suspect.rays());
-    suspect.direct.clear();
-    for (const AreaSample& sample : samples) suspect.direct.push_back(sample.visible);
+    std::vector<SoughtLamp> lamps;
+    for (const Suspect& suspect : suspects_)
+        lamps.push_back({AreaLight(suspect.candidate.patches), raysPerOrigin * suspect.rays()});
+    return lamps;
+}
+
+/// Looks for all suspects from all places.
+void LampSearch::look(size_t raysPerOrigin)
+{
+    const auto samples = directOfLists(texels_, scene_, hits_, sought(raysPerOrigin), places_);
+    for (size_t f = 0; f < suspects_.size(); ++f) {
+        suspects_[f].direct.clear();
+        for (const AreaSample& sample : samples[f]) suspects_[f].direct.push_back(sample.visible);
+    }
+    stage_.advance();
 }
 
 void LampSearch::takeCandidates(const GatherOptions& options)
@@ -181,6 +193,7 @@ void LampSearch::takeCandidates(const GatherOptions& options)
                                         "those that are with --light",
                                         lamps.leftOut, lamps.areaLeftOut, kMostCandidates));
     for (LampGroup& group : lamps.groups) addSuspects(std::move(group));
+    look(1);
 }
 
 /// A group is flat and so has no far side.
@@ -191,14 +204,11 @@ void LampSearch::addSuspects(LampGroup group)
                     .isGiven = group.isGiven,
                     .body = body,
                     .ends = std::move(group.ends)};
-    look(suspect, 1);
-    stage_.advance();
     Candidate unseen;
     if (suspect.ends.empty()) unseen = unseenSideOf(suspect.candidate, texels_, scene_);
     suspects_.push_back(std::move(suspect));
     if (unseen.patches.empty()) return;
     suspects_.push_back({.candidate = std::move(unseen), .body = body, .isUnseen = true});
-    look(suspects_.back(), 1);
 }
 
 /// Evenly along the curve through space that surfels are sorted by.
@@ -427,10 +437,10 @@ void LampSearch::joinPieces()
 void LampSearch::updateField()
 {
     std::vector<glm::vec3> direct(hits_.sideOfList.size(), glm::vec3(0.0f));
-    for (Suspect& suspect : suspects_) {
-        suspect.onSides = directOfLists(texels_, scene_, hits_,
-                                        AreaLight(suspect.candidate.patches), {}, suspect.rays());
-        addDirect(suspect.onSides, suspect.radiance, direct);
+    auto onSides = directOfLists(texels_, scene_, hits_, sought(1));
+    for (size_t f = 0; f < suspects_.size(); ++f) {
+        suspects_[f].onSides = std::move(onSides[f]);
+        addDirect(suspects_[f].onSides, suspects_[f].radiance, direct);
     }
     field_ =
         lightSides(texels_, hits_, radiance_, std::move(direct), field_.shines, powers_.ambient)
@@ -513,8 +523,7 @@ FoundLamps LampSearch::run()
     if (places_.size() < 2) return found;
     fit(kPairsFirst, true);
     dropWalls(kHardlyWhite, kHardlyPower);
-    for (Suspect& suspect : suspects_) look(suspect, kRaysPerOrigin);
-    stage_.advance();
+    look(kRaysPerOrigin);
     for (int round = 0; round < kMostRounds; ++round) {
         fit(kPairs, true);
         if (dropWalls() + dropExplained() == 0) break;
