@@ -81,6 +81,7 @@ public:
 
 private:
     void choosePlaces(size_t most);
+    void findAround();
     void chooseBurntOut();
     void takeCandidates(const GatherOptions& options);
     void addSuspects(LampGroup group);
@@ -94,7 +95,8 @@ private:
     size_t dropExplained();
     void dropNeedless(float missedIfWall);
     [[nodiscard]] std::vector<uint8_t> goneWith(size_t f) const;
-    [[nodiscard]] std::vector<float> rises() const;
+    const std::vector<MaterialPair>& pairsOf(const FitData& data, size_t perPlace);
+    [[nodiscard]] std::vector<float> rises();
     void joinPieces();
     [[nodiscard]] float brightnessOfWallAt(size_t suspect) const;
     [[nodiscard]] bool isExplained(size_t suspect) const;
@@ -106,8 +108,11 @@ private:
     const HitLists& hits_;
     const SurfelRadiance& radiance_;
     Progress::Stage stage_;
-    std::vector<uint32_t> places_;       // surfels, which are also the lists of their fronts
-    std::vector<ClippedPatch> burntOut_; // of the last of these, which are
+    std::vector<uint32_t> places_;        // surfels, which are also the lists of their fronts
+    std::vector<ClippedPatch> burntOut_;  // of the last of these, which are
+    std::vector<uint32_t> around_;        // surfels around places, ascending
+    std::vector<uint32_t> placeInAround_; // [surfel]; only of those
+    std::map<size_t, std::vector<MaterialPair>> pairs_; // by how many a place
     std::vector<Suspect> suspects_;
     std::vector<std::string> warnings_;
     RadianceField field_;
@@ -123,6 +128,7 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
 {
     choosePlaces(options.quality == Quality::draft ? kPlacesOfDraft : kPlaces);
     if (places_.size() > 1) chooseBurntOut();
+    findAround();
     takeCandidates(options);
 }
 
@@ -236,20 +242,40 @@ void LampSearch::chooseBurntOut()
     }
 }
 
+/// Calls `visit(surfel)` for those around a place that bounce light is averaged over.
+template<class Visit>
+void forEachAround(const Surfels& surfels, uint32_t place, const Visit& visit)
+{
+    for (const uint32_t n : surfels.neighborsOf(place)) {
+        const glm::vec3 way = surfels.position[n] - surfels.position[place];
+        if (glm::dot(way, way) <= kAround * kAround * surfels.size * surfels.size) visit(n);
+    }
+}
+
+void LampSearch::findAround()
+{
+    constexpr uint32_t kSome = 1;
+    placeInAround_.assign(texels_.surfels.count(), 0);
+    for (const uint32_t place : places_)
+        forEachAround(texels_.surfels, place, [&](uint32_t n) { placeInAround_[n] = kSome; });
+    for (uint32_t s = 0; s < placeInAround_.size(); ++s) {
+        if (placeInAround_[s] != kSome) continue;
+        placeInAround_[s] = static_cast<uint32_t>(around_.size());
+        around_.push_back(s);
+    }
+}
+
 /// Mean over the surfels around a place: bounce light changes slowly, its few rays are noisy.
 void LampSearch::addGathered(const Gathered& gathered, uint32_t place, FitData& data) const
 {
     glm::vec3 irradiance(0.0f);
     float missed = 0.0f;
     float count = 0.0f;
-    const Surfels& surfels = texels_.surfels;
-    for (const uint32_t n : surfels.neighborsOf(place)) {
-        const glm::vec3 way = surfels.position[n] - surfels.position[place];
-        if (glm::dot(way, way) > kAround * kAround * surfels.size * surfels.size) continue;
-        irradiance += gathered.irradiance[n]; // a front's list has its surfel's number
-        missed += gathered.missed[n];
+    forEachAround(texels_.surfels, place, [&](uint32_t n) {
+        irradiance += gathered.irradiance[placeInAround_[n]];
+        missed += gathered.missed[placeInAround_[n]];
         count += 1.0f;
-    }
+    });
     data.gathered.push_back(irradiance / count);
     data.missed.push_back(missed / count);
 }
@@ -258,7 +284,7 @@ FitData LampSearch::dataFor() const
 {
     FitData data;
     data.lamps = suspects_.size();
-    const Gathered gathered = gather(hits_, field_);
+    const Gathered gathered = gather(hits_, field_, around_); // a front's list is its surfel's
     const size_t measured = places_.size() - burntOut_.size();
     for (size_t i = 0; i < places_.size(); ++i) {
         if (i >= measured) {
@@ -289,6 +315,14 @@ std::vector<std::pair<uint32_t, uint32_t>> LampSearch::alikes() const
     return alike;
 }
 
+/// Drawn once: what places show of their material does not change with the lamps.
+const std::vector<MaterialPair>& LampSearch::pairsOf(const FitData& data, size_t perPlace)
+{
+    const auto [pairs, isNew] = pairs_.try_emplace(perPlace);
+    if (isNew) pairs->second = drawPairs(data, places_, texels_.surfels, perPlace);
+    return pairs->second;
+}
+
 void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
 {
     std::fill(field_.shines.begin(), field_.shines.end(), uint8_t{0});
@@ -296,7 +330,7 @@ void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
         for (const ClippedPatch& patch : suspect.candidate.patches)
             if (patch.surfel != Surfels::kNone) field_.shines[patch.surfel] = 1;
     const FitData data = dataFor();
-    const auto pairs = drawPairs(data, places_, texels_.surfels, pairsPerPlace);
+    const auto& pairs = pairsOf(data, pairsPerPlace);
     PowersOptions options{.oneChannel = oneChannel, .alike = alikes()};
     if (isFitted_) { // most of it is known; a narrower loss finds the rest
         options.firstScale = 2.0 * options.lastScale;
@@ -460,10 +494,10 @@ std::vector<uint8_t> LampSearch::goneWith(size_t f) const
 }
 
 /// How much worse the pairs agree without one lamp, the others free to take its part.
-std::vector<float> LampSearch::rises() const
+std::vector<float> LampSearch::rises()
 {
     const FitData data = dataFor();
-    const auto pairs = drawPairs(data, places_, texels_.surfels, kPairsOfTrial);
+    const auto& pairs = pairsOf(data, kPairsOfTrial);
     PowersOptions options{.firstScale = PowersOptions{}.lastScale, .oneChannel = true};
     options.alike = alikes();
     options.start = powers_.radiance;

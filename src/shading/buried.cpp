@@ -11,7 +11,7 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kRaysOfSurfel = 12; // that say whether its texels need to be looked at
+constexpr size_t kRaysOfSurfel = 12; // one of each texel, at most; say whether to look closer
 constexpr size_t kRaysOfTexel = 4;
 constexpr float kOffSurface = 2e-3f; // m, as hit lists start theirs
 constexpr double kInsideOut = 0.5;   // share of buried texels from which a scan is inside out
@@ -22,7 +22,7 @@ bool meetsBack(const RayScene& scene, const Ray& ray)
     return !hit.missed() && !hit.front;
 }
 
-/// Surfels of which some ray met a surface from behind.
+/// Surfels of which some texel's ray met a surface from behind.
 std::vector<uint8_t> suspects(const Texels& texels, const RayScene& scene)
 {
     const SurfelSites sites(texels);
@@ -30,7 +30,8 @@ std::vector<uint8_t> suspects(const Texels& texels, const RayScene& scene)
     forEachChunk(isSuspect.size(), 256, [&](size_t begin, size_t end) {
         for (auto s = static_cast<uint32_t>(begin); s < end; ++s) {
             const RaysOfSide rays(sites, Side::front(s));
-            for (size_t i = 0; i < kRaysOfSurfel && isSuspect[s] == 0; ++i)
+            const size_t count = std::min(kRaysOfSurfel, sites.countOf(s));
+            for (size_t i = 0; i < count && isSuspect[s] == 0; ++i)
                 if (meetsBack(scene, rays[i])) isSuspect[s] = 1;
         }
     });

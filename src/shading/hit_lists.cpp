@@ -90,12 +90,21 @@ HitTarget Caster::targetOf(const Ray& ray, const Hit& hit) const
     return hit.front ? target : HitTarget::of(Side::back(target.side().surfel()), false);
 }
 
+/// Rays are traced one by one, for they go everywhere; what they met is looked up for many, so that
+/// the waits for memory overlap.
 void Caster::cast(Side side, size_t first, std::span<HitTarget> out) const
 {
-    const RaysOfSide rays(sites_, side);
-    for (size_t i = 0; i < out.size(); ++i) { // one by one: they go everywhere
-        const Ray ray = rays[first + i];
-        out[i] = targetOf(ray, scene_.intersect(ray));
+    constexpr size_t kBatch = 32;
+    Ray rays[kBatch];
+    Hit hits[kBatch];
+    const RaysOfSide raysOfSide(sites_, side);
+    for (size_t begin = 0; begin < out.size(); begin += kBatch) {
+        const size_t count = std::min(kBatch, out.size() - begin);
+        for (size_t i = 0; i < count; ++i) {
+            rays[i] = raysOfSide[first + begin + i];
+            hits[i] = scene_.intersect(rays[i]);
+        }
+        for (size_t i = 0; i < count; ++i) out[begin + i] = targetOf(rays[i], hits[i]);
     }
 }
 

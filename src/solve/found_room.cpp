@@ -30,7 +30,7 @@ Effort effortFor(Quality quality)
 {
     switch (quality) {
     case Quality::draft:
-        return {500'000, 8, 32, 3};
+        return {250'000, 8, 32, 2};
     case Quality::high:
         return {10'000'000, 64, 256, 32};
     case Quality::standard:
