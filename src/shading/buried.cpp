@@ -11,7 +11,7 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kRaysOfSurfel = 12; // one of each texel, at most; say whether to look closer
+constexpr size_t kRaysOfSurfel = 12; // that say whether its texels need to be looked at
 constexpr size_t kRaysOfTexel = 4;
 constexpr float kOffSurface = 2e-3f; // m, as hit lists start theirs
 constexpr double kInsideOut = 0.5;   // share of buried texels from which a scan is inside out
@@ -22,16 +22,17 @@ bool meetsBack(const RayScene& scene, const Ray& ray)
     return !hit.missed() && !hit.front;
 }
 
-/// Surfels of which some texel's ray met a surface from behind.
+/// Surfels of which some ray met a surface from behind. Those of few texels are all looked at,
+/// which takes no more rays.
 std::vector<uint8_t> suspects(const Texels& texels, const RayScene& scene)
 {
     const SurfelSites sites(texels);
     std::vector<uint8_t> isSuspect(texels.surfels.count(), 0);
     forEachChunk(isSuspect.size(), 256, [&](size_t begin, size_t end) {
         for (auto s = static_cast<uint32_t>(begin); s < end; ++s) {
+            if (sites.countOf(s) <= kRaysOfSurfel) isSuspect[s] = 1;
             const RaysOfSide rays(sites, Side::front(s));
-            const size_t count = std::min(kRaysOfSurfel, sites.countOf(s));
-            for (size_t i = 0; i < count && isSuspect[s] == 0; ++i)
+            for (size_t i = 0; i < kRaysOfSurfel && isSuspect[s] == 0; ++i)
                 if (meetsBack(scene, rays[i])) isSuspect[s] = 1;
         }
     });

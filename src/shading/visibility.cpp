@@ -104,18 +104,15 @@ void Visibility::placeProbes()
     });
 }
 
-Visibility::State Visibility::stateOf(const AreaSample& sample)
-{
-    if (sample.visible <= 0.0f) return none;
-    return sample.visible >= 0.999f * sample.open ? all : some;
-}
-
 /// All or nothing only where the ring of neighbours says the same.
 std::vector<Visibility::State> Visibility::statesOf(std::span<const AreaSample> coarse) const
 {
     const Surfels& surfels = texels_.surfels;
     std::vector<State> own(surfels.count());
-    for (size_t s = 0; s < own.size(); ++s) own[s] = stateOf(coarse[s]);
+    for (size_t s = 0; s < own.size(); ++s)
+        own[s] = coarse[s].visible <= 0.0f                      ? none
+                 : coarse[s].visible >= 0.999f * coarse[s].open ? all
+                                                                : some;
     std::vector<State> states = own;
     const float ring = kRing * surfels.size;
     forEachChunk(own.size(), 1024, [&](size_t begin, size_t end) {
@@ -128,36 +125,21 @@ std::vector<Visibility::State> Visibility::statesOf(std::span<const AreaSample> 
     return states;
 }
 
-/// Half of the rays first; the others where a surfel's probes do not all see all, or nothing.
 std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const State> states,
                                       const RayScene& scene, size_t rays) const
 {
-    const size_t half = std::max<size_t>(rays / 2, 1);
     std::vector<uint8_t> shares(x_.size(), kUnknown);
     forEachChunk(states.size(), 64, [&](size_t begin, size_t end) {
         const uint32_t firstProbe = firstProbe_[begin];
         std::vector<AreaSample> samples(firstProbe_[end] - firstProbe);
         AreaSampler sampler(scene, lamp);
-        const auto add = [&](uint32_t surfel, float shift) {
-            for (uint32_t probe = firstProbe_[surfel]; probe < firstProbe_[surfel + 1]; ++probe) {
-                const TexelSite site = sites_.at(surfel, probe - firstProbe_[surfel]);
-                sampler.add({&site, 1}, half, glm::fract(hashedShift(probe, 0) + shift),
-                            samples[probe - firstProbe]);
+        for (auto s = static_cast<uint32_t>(begin); s < end; ++s) {
+            if (states[s] != some) continue;
+            for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {
+                const TexelSite site = sites_.at(s, probe - firstProbe_[s]);
+                sampler.add({&site, 1}, rays, hashedShift(probe, 0), samples[probe - firstProbe]);
             }
-        };
-        const auto isMixed = [&](uint32_t surfel) {
-            AreaSample sum;
-            for (uint32_t probe = firstProbe_[surfel]; probe < firstProbe_[surfel + 1]; ++probe) {
-                sum.open += samples[probe - firstProbe].open;
-                sum.visible += samples[probe - firstProbe].visible;
-            }
-            return stateOf(sum) == some;
-        };
-        for (auto s = static_cast<uint32_t>(begin); s < end; ++s)
-            if (states[s] == some) add(s, 0.0f);
-        sampler.finish();
-        for (auto s = static_cast<uint32_t>(begin); s < end; ++s)
-            if (states[s] == some && 2 * half <= rays && isMixed(s)) add(s, 0.5f);
+        }
         sampler.finish();
         for (size_t i = 0; i < samples.size(); ++i)
             if (samples[i].open > 0.0f)

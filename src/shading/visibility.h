@@ -50,7 +50,6 @@ private:
     enum State : uint8_t { none, all, some };
 
     void placeProbes();
-    [[nodiscard]] static State stateOf(const AreaSample& sample);
     [[nodiscard]] std::vector<State> statesOf(std::span<const AreaSample> coarse) const;
     [[nodiscard]] std::vector<uint8_t> look(const AreaLight& lamp, std::span<const State> states,
                                             const RayScene& scene, size_t rays) const;
