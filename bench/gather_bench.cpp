@@ -72,14 +72,10 @@ void embreeAlone(benchmark::State& state)
     const SurfelSites sites(r.texels);
     const auto surfels = static_cast<uint32_t>(r.texels.surfels.count());
     std::vector<Ray> rays;
-    for (uint32_t s = 0; s < surfels; ++s)
-        for (size_t i = 0; i < kRays; ++i) {
-            const TexelSite site = sites.at(s, i);
-            const glm::vec2 shift(hashedShift(2 * s, 1), hashedShift(2 * s, 2));
-            rays.push_back({.origin = site.position + 2e-3f * site.normal,
-                            .direction = cosineDirection(site.normal,
-                                                         evenPoint(static_cast<float>(i), shift))});
-        }
+    for (uint32_t s = 0; s < surfels; ++s) {
+        const RaysOfSide ofFront(sites, Side::front(s));
+        for (size_t i = 0; i < kRays; ++i) rays.push_back(ofFront[i]);
+    }
     for (auto _ : state)
         forEachChunk(rays.size(), 1024, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i)

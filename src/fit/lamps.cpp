@@ -24,6 +24,7 @@ namespace
 
 constexpr float kPi = 3.14159265f;
 constexpr size_t kMostCandidates = 64;
+constexpr size_t kSteps = 4; // of the search, as progress tells
 constexpr size_t kPlaces = 6000;
 constexpr size_t kPlacesOfDraft = 2000;
 constexpr size_t kPlacesBurntOut = 150;
@@ -80,10 +81,12 @@ public:
 
 private:
     void choosePlaces(size_t most);
+    void findAround();
     void chooseBurntOut();
     void takeCandidates(const GatherOptions& options);
     void addSuspects(LampGroup group);
-    void look(Suspect& suspect, size_t raysPerOrigin) const;
+    [[nodiscard]] std::vector<SoughtLamp> sought(size_t raysPerOrigin) const;
+    void look(size_t raysPerOrigin);
     [[nodiscard]] std::vector<std::pair<uint32_t, uint32_t>> alikes() const;
     void fit(size_t pairsPerPlace, bool oneChannel);
     void updateField();
@@ -92,7 +95,8 @@ private:
     size_t dropExplained();
     void dropNeedless(float missedIfWall);
     [[nodiscard]] std::vector<uint8_t> goneWith(size_t f) const;
-    [[nodiscard]] std::vector<float> rises() const;
+    const std::vector<MaterialPair>& pairsOf(const FitData& data, size_t perPlace);
+    [[nodiscard]] std::vector<float> rises();
     void joinPieces();
     [[nodiscard]] float brightnessOfWallAt(size_t suspect) const;
     [[nodiscard]] bool isExplained(size_t suspect) const;
@@ -104,8 +108,11 @@ private:
     const HitLists& hits_;
     const SurfelRadiance& radiance_;
     Progress::Stage stage_;
-    std::vector<uint32_t> places_;       // surfels, which are also the lists of their fronts
-    std::vector<ClippedPatch> burntOut_; // of the last of these, which are
+    std::vector<uint32_t> places_;        // surfels, which are also the lists of their fronts
+    std::vector<ClippedPatch> burntOut_;  // of the last of these, which are
+    std::vector<uint32_t> around_;        // surfels around places, ascending
+    std::vector<uint32_t> placeInAround_; // [surfel]; only of those
+    std::map<size_t, std::vector<MaterialPair>> pairs_; // by how many a place
     std::vector<Suspect> suspects_;
     std::vector<std::string> warnings_;
     RadianceField field_;
@@ -117,10 +124,11 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
                        const SurfelRadiance& radiance, const GatherOptions& options,
                        Progress& progress)
     : texels_(texels), scene_(scene), hits_(hits), radiance_(radiance),
-      stage_(progress, "lamps", kMostCandidates + 3), field_(fieldOf(radiance))
+      stage_(progress, "lamps", kSteps), field_(fieldOf(radiance))
 {
     choosePlaces(options.quality == Quality::draft ? kPlacesOfDraft : kPlaces);
     if (places_.size() > 1) chooseBurntOut();
+    findAround();
     takeCandidates(options);
 }
 
@@ -145,13 +153,23 @@ size_t nearestTo(std::span<const Candidate> candidates, glm::vec3 place)
     return nearest;
 }
 
-void LampSearch::look(Suspect& suspect, size_t raysPerOrigin) const
+std::vector<SoughtLamp> LampSearch::sought(size_t raysPerOrigin) const
 {
-    const std::vector<AreaSample> samples =
-        directOfLists(texels_, scene_, hits_, AreaLight(suspect.candidate.patches), places_,
-                      raysPerOrigin * suspect.rays());
-    suspect.direct.clear();
-    for (const AreaSample& sample : samples) suspect.direct.push_back(sample.visible);
+    std::vector<SoughtLamp> lamps;
+    for (const Suspect& suspect : suspects_)
+        lamps.push_back({AreaLight(suspect.candidate.patches), raysPerOrigin * suspect.rays()});
+    return lamps;
+}
+
+/// Looks for all suspects from all places.
+void LampSearch::look(size_t raysPerOrigin)
+{
+    const auto samples = directOfLists(texels_, scene_, hits_, sought(raysPerOrigin), places_);
+    for (size_t f = 0; f < suspects_.size(); ++f) {
+        suspects_[f].direct.clear();
+        for (const AreaSample& sample : samples[f]) suspects_[f].direct.push_back(sample.visible);
+    }
+    stage_.advance();
 }
 
 void LampSearch::takeCandidates(const GatherOptions& options)
@@ -181,6 +199,7 @@ void LampSearch::takeCandidates(const GatherOptions& options)
                                         "those that are with --light",
                                         lamps.leftOut, lamps.areaLeftOut, kMostCandidates));
     for (LampGroup& group : lamps.groups) addSuspects(std::move(group));
+    look(1);
 }
 
 /// A group is flat and so has no far side.
@@ -191,14 +210,11 @@ void LampSearch::addSuspects(LampGroup group)
                     .isGiven = group.isGiven,
                     .body = body,
                     .ends = std::move(group.ends)};
-    look(suspect, 1);
-    stage_.advance();
     Candidate unseen;
     if (suspect.ends.empty()) unseen = unseenSideOf(suspect.candidate, texels_, scene_);
     suspects_.push_back(std::move(suspect));
     if (unseen.patches.empty()) return;
     suspects_.push_back({.candidate = std::move(unseen), .body = body, .isUnseen = true});
-    look(suspects_.back(), 1);
 }
 
 /// Evenly along the curve through space that surfels are sorted by.
@@ -226,20 +242,40 @@ void LampSearch::chooseBurntOut()
     }
 }
 
+/// Calls `visit(surfel)` for those around a place that bounce light is averaged over.
+template<class Visit>
+void forEachAround(const Surfels& surfels, uint32_t place, const Visit& visit)
+{
+    for (const uint32_t n : surfels.neighborsOf(place)) {
+        const glm::vec3 way = surfels.position[n] - surfels.position[place];
+        if (glm::dot(way, way) <= kAround * kAround * surfels.size * surfels.size) visit(n);
+    }
+}
+
+void LampSearch::findAround()
+{
+    constexpr uint32_t kSome = 1;
+    placeInAround_.assign(texels_.surfels.count(), 0);
+    for (const uint32_t place : places_)
+        forEachAround(texels_.surfels, place, [&](uint32_t n) { placeInAround_[n] = kSome; });
+    for (uint32_t s = 0; s < placeInAround_.size(); ++s) {
+        if (placeInAround_[s] != kSome) continue;
+        placeInAround_[s] = static_cast<uint32_t>(around_.size());
+        around_.push_back(s);
+    }
+}
+
 /// Mean over the surfels around a place: bounce light changes slowly, its few rays are noisy.
 void LampSearch::addGathered(const Gathered& gathered, uint32_t place, FitData& data) const
 {
     glm::vec3 irradiance(0.0f);
     float missed = 0.0f;
     float count = 0.0f;
-    const Surfels& surfels = texels_.surfels;
-    for (const uint32_t n : surfels.neighborsOf(place)) {
-        const glm::vec3 way = surfels.position[n] - surfels.position[place];
-        if (glm::dot(way, way) > kAround * kAround * surfels.size * surfels.size) continue;
-        irradiance += gathered.irradiance[n]; // a front's list has its surfel's number
-        missed += gathered.missed[n];
+    forEachAround(texels_.surfels, place, [&](uint32_t n) {
+        irradiance += gathered.irradiance[placeInAround_[n]];
+        missed += gathered.missed[placeInAround_[n]];
         count += 1.0f;
-    }
+    });
     data.gathered.push_back(irradiance / count);
     data.missed.push_back(missed / count);
 }
@@ -248,7 +284,7 @@ FitData LampSearch::dataFor() const
 {
     FitData data;
     data.lamps = suspects_.size();
-    const Gathered gathered = gather(hits_, field_);
+    const Gathered gathered = gather(hits_, field_, around_); // a front's list is its surfel's
     const size_t measured = places_.size() - burntOut_.size();
     for (size_t i = 0; i < places_.size(); ++i) {
         if (i >= measured) {
@@ -279,6 +315,14 @@ std::vector<std::pair<uint32_t, uint32_t>> LampSearch::alikes() const
     return alike;
 }
 
+/// Drawn once: what places show of their material does not change with the lamps.
+const std::vector<MaterialPair>& LampSearch::pairsOf(const FitData& data, size_t perPlace)
+{
+    const auto [pairs, isNew] = pairs_.try_emplace(perPlace);
+    if (isNew) pairs->second = drawPairs(data, places_, texels_.surfels, perPlace);
+    return pairs->second;
+}
+
 void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
 {
     std::fill(field_.shines.begin(), field_.shines.end(), uint8_t{0});
@@ -286,7 +330,7 @@ void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
         for (const ClippedPatch& patch : suspect.candidate.patches)
             if (patch.surfel != Surfels::kNone) field_.shines[patch.surfel] = 1;
     const FitData data = dataFor();
-    const auto pairs = drawPairs(data, places_, texels_.surfels, pairsPerPlace);
+    const auto& pairs = pairsOf(data, pairsPerPlace);
     PowersOptions options{.oneChannel = oneChannel, .alike = alikes()};
     if (isFitted_) { // most of it is known; a narrower loss finds the rest
         options.firstScale = 2.0 * options.lastScale;
@@ -427,10 +471,10 @@ void LampSearch::joinPieces()
 void LampSearch::updateField()
 {
     std::vector<glm::vec3> direct(hits_.sideOfList.size(), glm::vec3(0.0f));
-    for (Suspect& suspect : suspects_) {
-        suspect.onSides = directOfLists(texels_, scene_, hits_,
-                                        AreaLight(suspect.candidate.patches), {}, suspect.rays());
-        addDirect(suspect.onSides, suspect.radiance, direct);
+    auto onSides = directOfLists(texels_, scene_, hits_, sought(1));
+    for (size_t f = 0; f < suspects_.size(); ++f) {
+        suspects_[f].onSides = std::move(onSides[f]);
+        addDirect(suspects_[f].onSides, suspects_[f].radiance, direct);
     }
     field_ =
         lightSides(texels_, hits_, radiance_, std::move(direct), field_.shines, powers_.ambient)
@@ -450,10 +494,10 @@ std::vector<uint8_t> LampSearch::goneWith(size_t f) const
 }
 
 /// How much worse the pairs agree without one lamp, the others free to take its part.
-std::vector<float> LampSearch::rises() const
+std::vector<float> LampSearch::rises()
 {
     const FitData data = dataFor();
-    const auto pairs = drawPairs(data, places_, texels_.surfels, kPairsOfTrial);
+    const auto& pairs = pairsOf(data, kPairsOfTrial);
     PowersOptions options{.firstScale = PowersOptions{}.lastScale, .oneChannel = true};
     options.alike = alikes();
     options.start = powers_.radiance;
@@ -514,8 +558,7 @@ FoundLamps LampSearch::run()
     if (places_.size() < 2) return found;
     fit(kPairsFirst, true);
     dropWalls(kHardlyWhite, kHardlyPower);
-    for (Suspect& suspect : suspects_) look(suspect, kRaysPerOrigin);
-    stage_.advance();
+    look(kRaysPerOrigin);
     for (int round = 0; round < kMostRounds; ++round) {
         fit(kPairs, true);
         if (dropWalls() + dropExplained() == 0) break;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -53,8 +54,8 @@ struct RowOfRays
     std::vector<Hit> hits;
 };
 
-/// Calls `see(x, ray, hit)` for every pixel of row `y`, for `samples` x `samples` rays through
-/// each.
+/// Calls `see(x, ray, hit)` for every pixel of row `y`, for `samples` rays through each: evenly, no
+/// two in one row or column of it, one in the middle.
 template<class See>
 void lookAlong(int y, int samples, const CameraRays& camera, const RayScene& scene, RowOfRays& row,
                const See& see)
@@ -62,10 +63,11 @@ void lookAlong(int y, int samples, const CameraRays& camera, const RayScene& sce
     const auto width = static_cast<size_t>(camera.size().width);
     row.rays.resize(width);
     row.hits.resize(width);
-    const auto step = 1.0f / static_cast<float>(samples);
-    for (int sample = 0; sample < samples * samples; ++sample) {
-        const float dx = (static_cast<float>(sample % samples) + 0.5f) * step;
-        const float dy = (static_cast<float>(sample / samples) + 0.5f) * step;
+    const auto count = static_cast<float>(samples);
+    for (int sample = 0; sample < samples; ++sample) {
+        const float place = static_cast<float>(sample) - 0.5f * (count - 1.0f);
+        const float dx = 0.5f + place / count;
+        const float dy = glm::fract(0.5f + 0.618034f * place); // the golden ratio
         for (size_t x = 0; x < width; ++x)
             row.rays[x] = camera.through(static_cast<float>(x) + dx, static_cast<float>(y) + dy);
         scene.intersect(row.rays, row.hits);

@@ -19,7 +19,7 @@ constexpr int kHeight = 400;
 constexpr int kColumns = 3;
 constexpr size_t kRow = size_t{kColumns} * kWidth;
 constexpr size_t kShadingColumn = size_t{2} * kWidth; // the last
-constexpr int kSamples = 2;                           // along each side of a pixel
+constexpr int kSamples = 2;                           // of a pixel
 constexpr int kLongestSide = 2048;                    // of a page in a preview
 constexpr float kNothing = 0.02f;                     // where no surface is seen
 constexpr float kBackside = 0.08f;                    // where one is seen from behind
@@ -82,7 +82,7 @@ void renderRow(const Texels& texels, const RayScene& scene, const std::vector<Pr
               [&](size_t x, const Ray&, const Hit& hit) {
                   const Columns columns = look(texels, pages, hit);
                   for (size_t c = 0; c < kColumns; ++c)
-                      row[c * kWidth + x] += columns[c] / static_cast<float>(kSamples * kSamples);
+                      row[c * kWidth + x] += columns[c] / static_cast<float>(kSamples);
               });
 }
 

@@ -50,7 +50,8 @@ std::vector<glm::vec3> RoomView::look(const CameraRays& camera, int samples,
     const std::vector<Radiance> radiance(pages.begin(), pages.end());
     const auto width = static_cast<size_t>(camera.size().width);
     const auto height = static_cast<size_t>(camera.size().height);
-    const float share = 1.0f / static_cast<float>(samples * samples);
+    const int rays = samples * samples;
+    const float share = 1.0f / static_cast<float>(rays);
     const bool throughBacks = !box_.contains(camera.position());
     const auto seen = [&](const Ray& ray, Hit hit) {
         if (throughBacks) hit = frontBehind(scene_, ray, hit);
@@ -71,7 +72,7 @@ std::vector<glm::vec3> RoomView::look(const CameraRays& camera, int samples,
         RowOfRays row;
         for (size_t y = begin; y < end; ++y) {
             glm::vec3* line = &picture[y * width];
-            lookAlong(static_cast<int>(y), samples, camera, scene_, row,
+            lookAlong(static_cast<int>(y), rays, camera, scene_, row,
                       [&](size_t x, const Ray& ray, const Hit& hit) {
                           line[x] += share * seen(ray, hit);
                       });

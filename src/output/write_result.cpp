@@ -25,6 +25,7 @@ namespace
 {
 
 constexpr int kViewpoints = 3;
+constexpr int kViewpointsOfDraft = 1;
 
 std::vector<uint8_t> srgbBytes(const std::vector<uint16_t>& half)
 {
@@ -159,7 +160,9 @@ PreviewPicture ResultWriter::preview()
 {
     const Progress::Stage stage(progress_, "preview");
     const Decomposition::State& state = result_.state();
-    const std::vector<Camera> cameras = chooseViewpoints(scan_, state.scene, kViewpoints);
+    const bool isDraft = result_.optionsInForce().gather.quality == Quality::draft;
+    const std::vector<Camera> cameras =
+        chooseViewpoints(scan_, state.scene, isDraft ? kViewpointsOfDraft : kViewpoints);
     return renderPreview(state.texels, state.scene, previews_, cameras, progress_);
 }
 

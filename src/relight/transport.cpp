@@ -88,7 +88,7 @@ public:
     {
         const HitTarget target = hits_.targetsOf(list)[i];
         if (target.isNothing()) {
-            const Ray ray = rayOfList(sites_, hits_.sideOfList[list], i);
+            const Ray ray = RaysOfSide(sites_, hits_.sideOfList[list])[i];
             return sky_ + static_cast<uint32_t>(SkyBins::of(ray.direction));
         }
         const int32_t met = hits_.listOfSide[target.side().index];

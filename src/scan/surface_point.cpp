@@ -1,5 +1,7 @@
 #include "scan/surface_point.h"
 
+#include "base/parallel.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -56,6 +58,35 @@ PixelAt nearestPixelAt(const Texels& texels, const Hit& hit)
     const uint32_t column = wrapped(std::round(at.x), page.image.width, mesh.wrapU);
     const uint32_t row = wrapped(std::round(at.y), page.image.height, mesh.wrapV);
     return {pageIndex, row * static_cast<uint32_t>(page.image.width) + column};
+}
+
+NearestPixels::NearestPixels(const Texels& texels)
+    : texels_(texels), triangles_(texels.facets.triangles)
+{
+    forEachChunk(triangles_.size(), 4096, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            const auto [mesh, triangle] = triangleOf(texels, static_cast<uint32_t>(i));
+            const Page& page = texels.scan->pages[static_cast<size_t>(mesh.page)];
+            if (page.ofVertices) continue;
+            const PixelTriangle t = pixelTriangle(*texels.scan, mesh, mesh.triangles[triangle]);
+            triangles_[i] = {.corner = glm::vec2(t.corner[0] + 0.5), // that cutting off rounds
+                             .second = glm::vec2(t.corner[1] - t.corner[0]),
+                             .third = glm::vec2(t.corner[2] - t.corner[0]),
+                             .end = glm::vec2(page.image.width, page.image.height),
+                             .page = static_cast<uint32_t>(mesh.page),
+                             .width = static_cast<uint32_t>(page.image.width)};
+        }
+    });
+}
+
+PixelAt NearestPixels::at(const Hit& hit) const
+{
+    const OnPage& on = triangles_[hit.triangle];
+    const glm::vec2 pixel = on.corner + hit.weights.x * on.second + hit.weights.y * on.third;
+    const bool isOn =
+        pixel.x >= 0.0f && pixel.y >= 0.0f && pixel.x < on.end.x && pixel.y < on.end.y;
+    if (!isOn) return nearestPixelAt(texels_, hit);
+    return {on.page, static_cast<uint32_t>(pixel.y) * on.width + static_cast<uint32_t>(pixel.x)};
 }
 
 PixelMix pixelsAt(const Texels& texels, const Hit& hit)

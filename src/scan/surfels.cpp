@@ -34,14 +34,29 @@ uint64_t facingOf(glm::vec3 normal)
     return static_cast<uint64_t>(2 * axis + (normal[axis] < 0.0f ? 1 : 0));
 }
 
+constexpr float kReach = 1.75f;   // of neighbours, in surfel sizes
+constexpr float kMostStep = 0.6f; // off the surface, in these
+constexpr float kSlack = 0.01f;   // for rounding, in these
+
 bool isSameSurface(const Surfels& surfels, size_t a, size_t b)
 {
     const glm::vec3 way = surfels.position[b] - surfels.position[a];
-    const float reach = 1.75f * surfels.size;
+    const float reach = kReach * surfels.size;
     const float step = std::max(std::abs(glm::dot(way, surfels.normal[a])),
                                 std::abs(glm::dot(way, surfels.normal[b])));
-    return glm::dot(way, way) < reach * reach && step < 0.6f * surfels.size &&
+    return glm::dot(way, way) < reach * reach && step < kMostStep * surfels.size &&
            glm::dot(surfels.normal[a], surfels.normal[b]) > 0.5f;
+}
+
+/// Whether a cell, `way` from a surfel to its middle, may hold a neighbour: some of it is near and
+/// on the surfel's level. In cells.
+bool mayHoldNeighbor(glm::vec3 normal, glm::vec3 way)
+{
+    const glm::vec3 atLeast = glm::max(glm::abs(way) - 0.5f, 0.0f);
+    const glm::vec3 facing = glm::abs(normal);
+    const float halfThickness = 0.5f * (facing.x + facing.y + facing.z);
+    return glm::dot(atLeast, atLeast) < kReach * kReach + kSlack &&
+           std::abs(glm::dot(way, normal)) < kMostStep + halfThickness + kSlack;
 }
 
 } // namespace
@@ -124,10 +139,13 @@ void connectNeighbors(Surfels& surfels)
         for (size_t s = begin; s < end; ++s) {
             const size_t before = list.size();
             list.push_back(static_cast<uint32_t>(s));
-            surfels.forEachInReach(surfels.position[s], [&](size_t other) {
-                if (other != s && isSameSurface(surfels, s, other))
-                    list.push_back(static_cast<uint32_t>(other));
-            });
+            surfels.forEachInReach(
+                surfels.position[s],
+                [&](size_t other) {
+                    if (other != s && isSameSurface(surfels, s, other))
+                        list.push_back(static_cast<uint32_t>(other));
+                },
+                [&](glm::vec3 way) { return mayHoldNeighbor(surfels.normal[s], way); });
             surfels.firstNeighbor[s + 1] = static_cast<uint32_t>(list.size() - before);
         }
     });

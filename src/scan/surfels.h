@@ -23,6 +23,11 @@ public:
     [[nodiscard]] glm::ivec3 cellOf(glm::vec3 position) const;
     /// Key of the first surfel that can lie in a cell; the next kFacings keys are the same cell's.
     [[nodiscard]] static uint64_t firstKeyOf(glm::ivec3 cell);
+    /// A place in units of cells.
+    [[nodiscard]] glm::vec3 inCells(glm::vec3 position) const
+    {
+        return (position - low_) * perMetre_;
+    }
 
     static constexpr uint64_t kFacings = 8; // six axes, rounded up to bits
     static constexpr int kMostCells = 1 << 20;
@@ -90,24 +95,32 @@ struct Surfels
     [[nodiscard]] uint32_t find(glm::vec3 place, glm::vec3 facing) const;
 
     /// Calls `visit(surfel)` for all whose cell is at most two from that of `place`: all within a
-    /// distance of `size`, and more.
+    /// distance of `size`, and more; of cells that
+    /// `matters(way)` is true for, the way to the cell's middle in cells.
+    template<class Visit, class Matters>
+    void forEachInReach(glm::vec3 place, const Visit& visit, const Matters& matters) const;
     template<class Visit>
-    void forEachInReach(glm::vec3 place, const Visit& visit) const;
+    void forEachInReach(glm::vec3 place, const Visit& visit) const
+    {
+        forEachInReach(place, visit, [](glm::vec3) { return true; });
+    }
 };
 
 /// Finds for every surfel those within two cells' reach whose surface goes on from its own: not
 /// turned away by more than 60 degrees and not on another level.
 void connectNeighbors(Surfels& surfels);
 
-template<class Visit>
-void Surfels::forEachInReach(glm::vec3 place, const Visit& visit) const
+template<class Visit, class Matters>
+void Surfels::forEachInReach(glm::vec3 place, const Visit& visit, const Matters& matters) const
 {
+    const glm::vec3 at = grid.inCells(place);
     const glm::ivec3 home = grid.cellOf(place);
     const glm::ivec3 low = glm::max(home - 2, glm::ivec3(0));
     const glm::ivec3 high = glm::min(home + 2, glm::ivec3(SurfelGrid::kMostCells - 1));
     for (int z = low.z; z <= high.z; ++z)
         for (int y = low.y; y <= high.y; ++y)
             for (int x = low.x; x <= high.x; ++x) {
+                if (!matters(glm::vec3(x, y, z) + 0.5f - at)) continue;
                 const auto [begin, end] = cells[SurfelGrid::firstKeyOf({x, y, z})];
                 for (uint32_t surfel = begin; surfel < end; ++surfel) visit(size_t{surfel});
             }

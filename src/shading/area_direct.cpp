@@ -14,7 +14,6 @@ namespace
 
 constexpr float kOffSurface = 2e-3f; // m, at the lit end
 constexpr float kOffLamp = 0.015f;   // m, at the lamp's: its surface is as uneven as any of a scan
-constexpr size_t kBatch = 32;
 
 struct OpenArgs
 {
@@ -44,44 +43,6 @@ void openKernel(const OpenArgs& args)
             args.irradiance[first + lane] = sum[lane] * lamp.area;
     }
 }
-
-/// Shadow rays with what each brings if nothing is in its way, traced many at a time.
-class ShadowRays
-{
-public:
-    explicit ShadowRays(const RayScene& scene) : scene_(scene) {}
-
-    void add(glm::vec3 origin, glm::vec3 way, float gain)
-    {
-        const float distance = glm::length(way);
-        gain_[count_] = gain;
-        rays_[count_++] = {.origin = origin,
-                           .direction = way / distance,
-                           .farthest = std::max(distance - kOffLamp, 0.0f)};
-        if (count_ == kBatch) trace();
-    }
-    /// The sum of what was not blocked.
-    [[nodiscard]] float arrived()
-    {
-        trace();
-        return arrived_;
-    }
-
-private:
-    void trace()
-    {
-        uint8_t blocked[kBatch];
-        scene_.occluded({rays_, count_}, {blocked, count_});
-        for (size_t i = 0; i < count_; ++i) arrived_ += blocked[i] ? 0.0f : gain_[i];
-        count_ = 0;
-    }
-
-    const RayScene& scene_;
-    Ray rays_[kBatch];
-    float gain_[kBatch];
-    size_t count_ = 0;
-    float arrived_ = 0.0f;
-};
 
 } // namespace
 
@@ -136,36 +97,50 @@ void openIrradiance(const TexelBlock& block, const LampPatches& lamp, float* irr
     runKernel<openKernel>(set, args);
 }
 
-AreaSample sampleAreaLight(const RayScene& scene, const AreaLight& light,
-                           std::span<const TexelSite> sites, size_t samples, float shift)
+void AreaSampler::add(std::span<const TexelSite> sites, size_t samples, float shift,
+                      AreaSample& sum)
 {
     const auto count = static_cast<float>(sites.size());
-    const float perSample = light.area() / (static_cast<float>(samples) * count);
-    ShadowRays rays(scene);
-    AreaSample sum;
+    const float perSample = light_.area() / (static_cast<float>(samples) * count);
     for (size_t k = 0; k < sites.size(); ++k) {
         const glm::vec3 origin = sites[k].position + kOffSurface * sites[k].normal;
         const float shifted = (static_cast<float>(k) + shift) / count;
         for (size_t i = 0; i < samples; ++i) {
             const ClippedPatch& patch =
-                light.at((static_cast<float>(i) + shifted) / static_cast<float>(samples));
+                light_.at((static_cast<float>(i) + shifted) / static_cast<float>(samples));
             const glm::vec3 way = patch.position - origin;
             const float received =
                 perSample * patchFormFactor(way, sites[k].normal, patch.normal, patch.area);
             if (received <= 0.0f) continue;
             sum.open += received;
-            rays.add(origin, way, received);
+            const float distance = glm::length(way);
+            rays_[count_] = {.origin = origin,
+                             .direction = way / distance,
+                             .farthest = std::max(distance - kOffLamp, 0.0f)};
+            gain_[count_] = received;
+            sum_[count_] = &sum;
+            if (++count_ == kBatch) finish();
         }
     }
-    sum.visible = rays.arrived();
-    return sum;
+}
+
+void AreaSampler::finish()
+{
+    uint8_t blocked[kBatch];
+    scene_.occluded({rays_, count_}, {blocked, count_});
+    for (size_t i = 0; i < count_; ++i) sum_[i]->visible += blocked[i] != 0 ? 0.0f : gain_[i];
+    count_ = 0;
 }
 
 AreaSample sampleAreaLight(const RayScene& scene, const AreaLight& light, glm::vec3 position,
                            glm::vec3 normal, size_t samples, float shift)
 {
     const TexelSite site{position, normal};
-    return sampleAreaLight(scene, light, {&site, 1}, samples, shift);
+    AreaSample sum;
+    AreaSampler sampler(scene, light);
+    sampler.add({&site, 1}, samples, shift, sum);
+    sampler.finish();
+    return sum;
 }
 
 } // namespace relamp

@@ -58,13 +58,31 @@ struct AreaSample
     float visible = 0.0f; // with shadows
 };
 
-/// The mean of several sites on surfaces: `samples` points from each, evenly over the lamp's area
-/// and all sites together, shifted by `shift` (0..1), each with a shadow ray where it could be
-/// seen.
-AreaSample sampleAreaLight(const RayScene& scene, const AreaLight& light,
-                           std::span<const TexelSite> sites, size_t samples, float shift);
+/// Looks for one lamp from many places. Shadow rays of several places are traced together.
+class AreaSampler
+{
+public:
+    AreaSampler(const RayScene& scene, const AreaLight& light) : scene_(scene), light_(light) {}
 
-/// The same at one site: `position` is on the surface, `normal` its unit normal.
+    /// The mean of several sites on surfaces: `samples` points from each, evenly over the lamp's
+    /// area and all sites together, shifted by `shift` (0..1), each with a shadow ray where it
+    /// could be seen. Adds it to `sum`, which must stay where it is until finish().
+    void add(std::span<const TexelSite> sites, size_t samples, float shift, AreaSample& sum);
+    /// Completes all sums.
+    void finish();
+
+private:
+    static constexpr size_t kBatch = 64;
+
+    const RayScene& scene_;
+    const AreaLight& light_;
+    Ray rays_[kBatch];
+    float gain_[kBatch]; // of a ray that nothing is in the way of
+    AreaSample* sum_[kBatch];
+    size_t count_ = 0;
+};
+
+/// At one site: `position` is on the surface, `normal` its unit normal.
 AreaSample sampleAreaLight(const RayScene& scene, const AreaLight& light, glm::vec3 position,
                            glm::vec3 normal, size_t samples, float shift);
 

@@ -22,15 +22,19 @@ bool meetsBack(const RayScene& scene, const Ray& ray)
     return !hit.missed() && !hit.front;
 }
 
-/// Surfels of which some ray met a surface from behind.
+/// Surfels of which some ray met a surface from behind. Those of few texels are all looked at,
+/// which takes no more rays.
 std::vector<uint8_t> suspects(const Texels& texels, const RayScene& scene)
 {
     const SurfelSites sites(texels);
     std::vector<uint8_t> isSuspect(texels.surfels.count(), 0);
     forEachChunk(isSuspect.size(), 256, [&](size_t begin, size_t end) {
-        for (auto s = static_cast<uint32_t>(begin); s < end; ++s)
+        for (auto s = static_cast<uint32_t>(begin); s < end; ++s) {
+            if (sites.countOf(s) <= kRaysOfSurfel) isSuspect[s] = 1;
+            const RaysOfSide rays(sites, Side::front(s));
             for (size_t i = 0; i < kRaysOfSurfel && isSuspect[s] == 0; ++i)
-                if (meetsBack(scene, rayOfList(sites, Side::front(s), i))) isSuspect[s] = 1;
+                if (meetsBack(scene, rays[i])) isSuspect[s] = 1;
+        }
     });
     return isSuspect;
 }

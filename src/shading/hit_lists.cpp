@@ -30,65 +30,81 @@ public:
     [[nodiscard]] float noiseOf(std::span<const HitTarget> targets) const;
 
 private:
-    [[nodiscard]] PixelAt texelAt(const Hit& hit) const;
+    [[nodiscard]] HitTarget targetNear(const Hit& hit) const;
     [[nodiscard]] HitTarget targetOf(const Ray& ray, const Hit& hit) const;
 
     const Texels& texels_;
     const RayScene& scene_;
     const SurfelRadiance& radiance_;
     SurfelSites sites_;
-    std::vector<std::vector<uint32_t>> surfelAt_; // [page][pixel]; Surfels::kNone: no texel
+    NearestPixels pixels_;
+    std::vector<std::vector<HitTarget>> frontAt_; // [page][pixel]; nothing where there is no texel
 };
 
 Caster::Caster(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance)
-    : texels_(texels), scene_(scene), radiance_(radiance), sites_(texels)
+    : texels_(texels), scene_(scene), radiance_(radiance), sites_(texels), pixels_(texels)
 {
     for (size_t p = 0; p < texels.pages.size(); ++p) {
         const PageTexels& page = texels.pages[p];
-        std::vector<uint32_t>& surfelAt =
-            surfelAt_.emplace_back(texels.scan->pages[p].image.pixels(), Surfels::kNone);
+        const std::vector<uint8_t>& isClipped = radiance.isClipped[p];
+        std::vector<HitTarget>& frontAt =
+            frontAt_.emplace_back(texels.scan->pages[p].image.pixels(), HitTarget::nothing());
         forEachChunk(page.runs.size() - 1, 256, [&](size_t begin, size_t end) {
             for (size_t run = begin; run < end; ++run)
                 for (size_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i)
-                    surfelAt[page.pixel[i]] = page.runs[run].surfel;
+                    frontAt[page.pixel[i]] = HitTarget::of(Side::front(page.runs[run].surfel),
+                                                           isClipped[page.pixel[i]] != 0);
         });
     }
 }
 
-/// The nearest texel; beyond a chart's rim, the nearest of those that a texture lookup would mix.
-PixelAt Caster::texelAt(const Hit& hit) const
+/// The front at the nearest texel; beyond a chart's rim, at the nearest of those that a texture
+/// lookup would mix.
+HitTarget Caster::targetNear(const Hit& hit) const
 {
-    const PixelAt nearest = nearestPixelAt(texels_, hit);
-    if (surfelAt_[nearest.page][nearest.pixel] != Surfels::kNone) return nearest;
+    const PixelAt nearest = pixels_.at(hit);
+    HitTarget target = frontAt_[nearest.page][nearest.pixel];
+    if (!target.isNothing()) return target;
     const PixelMix mix = pixelsAt(texels_, hit);
-    PixelAt best = nearest;
     float most = 0.0f;
-    for (size_t i = 0; i < mix.pixel.size(); ++i)
-        if (mix.weight[i] > most && surfelAt_[mix.page][mix.pixel[i]] != Surfels::kNone) {
-            most = mix.weight[i];
-            best.pixel = mix.pixel[i];
-        }
-    return best;
+    for (size_t i = 0; i < mix.pixel.size(); ++i) {
+        const HitTarget mixed = frontAt_[mix.page][mix.pixel[i]];
+        if (mix.weight[i] <= most || mixed.isNothing()) continue;
+        most = mix.weight[i];
+        target = mixed;
+    }
+    return target;
 }
 
 HitTarget Caster::targetOf(const Ray& ray, const Hit& hit) const
 {
     if (hit.missed()) return HitTarget::nothing();
-    const PixelAt at = texelAt(hit);
-    uint32_t surfel = surfelAt_[at.page][at.pixel];
-    if (surfel == Surfels::kNone)
-        surfel =
+    HitTarget target = targetNear(hit);
+    if (target.isNothing()) {
+        const uint32_t surfel =
             texels_.surfels.find(ray.origin + hit.distance * ray.direction, normalAt(texels_, hit));
-    if (surfel == Surfels::kNone) return HitTarget::nothing();
-    if (!hit.front) return HitTarget::of(Side::back(surfel), false);
-    return HitTarget::of(Side::front(surfel), radiance_.isClipped[at.page][at.pixel] != 0);
+        if (surfel == Surfels::kNone) return HitTarget::nothing();
+        const PixelAt at = pixels_.at(hit);
+        target = HitTarget::of(Side::front(surfel), radiance_.isClipped[at.page][at.pixel] != 0);
+    }
+    return hit.front ? target : HitTarget::of(Side::back(target.side().surfel()), false);
 }
 
+/// Rays are traced one by one, for they go everywhere; what they met is looked up for many, so that
+/// the waits for memory overlap.
 void Caster::cast(Side side, size_t first, std::span<HitTarget> out) const
 {
-    for (size_t i = 0; i < out.size(); ++i) { // one by one: they go everywhere
-        const Ray ray = rayOfList(sites_, side, first + i);
-        out[i] = targetOf(ray, scene_.intersect(ray));
+    constexpr size_t kBatch = 32;
+    Ray rays[kBatch];
+    Hit hits[kBatch];
+    const RaysOfSide raysOfSide(sites_, side);
+    for (size_t begin = 0; begin < out.size(); begin += kBatch) {
+        const size_t count = std::min(kBatch, out.size() - begin);
+        for (size_t i = 0; i < count; ++i) {
+            rays[i] = raysOfSide[first + begin + i];
+            hits[i] = scene_.intersect(rays[i]);
+        }
+        for (size_t i = 0; i < count; ++i) out[begin + i] = targetOf(rays[i], hits[i]);
     }
 }
 
@@ -158,13 +174,19 @@ void castSides(const Caster& caster, std::span<const Side> sides, size_t rays, H
 
 } // namespace
 
-Ray rayOfList(const SurfelSites& sites, Side side, size_t i)
+RaysOfSide::RaysOfSide(const SurfelSites& sites, Side side)
+    : sites_(sites), side_(side), shift_(hashedShift(side.index, 1), hashedShift(side.index, 2)),
+      count_(sites.countOf(side.surfel()))
 {
-    const TexelSite site = sites.at(side.surfel(), i);
-    const glm::vec3 normal = side.isBack() ? -site.normal : site.normal;
-    const glm::vec2 shift(hashedShift(side.index, 1), hashedShift(side.index, 2));
+    for (size_t i = 0; i < count_ && count_ <= kMost; ++i) site_[i] = sites.at(side.surfel(), i);
+}
+
+Ray RaysOfSide::operator[](size_t i) const
+{
+    const TexelSite site = count_ <= kMost ? site_[i % count_] : sites_.at(side_.surfel(), i);
+    const glm::vec3 normal = side_.isBack() ? -site.normal : site.normal;
     return {.origin = site.position + kOffSurface * normal,
-            .direction = cosineDirection(normal, evenPoint(static_cast<float>(i), shift))};
+            .direction = cosineDirection(normal, evenPoint(static_cast<float>(i), shift_))};
 }
 
 HitLists castHitLists(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance,

@@ -60,8 +60,23 @@ struct HitLists
     }
 };
 
-/// Ray `i` of a side's list: cosine-distributed, all over its texels.
-Ray rayOfList(const SurfelSites& sites, Side side, size_t i);
+/// The rays of a side's list, as many as one wants: cosine-distributed, all over its texels.
+class RaysOfSide
+{
+public:
+    RaysOfSide(const SurfelSites& sites, Side side);
+
+    [[nodiscard]] Ray operator[](size_t i) const;
+
+private:
+    static constexpr size_t kMost = 32;
+
+    const SurfelSites& sites_;
+    Side side_;
+    glm::vec2 shift_;
+    size_t count_;          // of texels
+    TexelSite site_[kMost]; // of them, where they are that few: rays come back to them
+};
 
 /// Casts rays from the fronts of all surfels, then from the backs that were met, then from those
 /// that these met. Rays start all over a surfel's texels, so that a list averages over its area.

@@ -84,25 +84,40 @@ void guessBurntOut(const Texels& texels, const SurfelRadiance& radiance,
     }
 }
 
-std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scene,
-                                      const HitLists& hits, const AreaLight& light,
-                                      std::span<const uint32_t> lists, size_t raysPerOrigin)
+std::vector<std::vector<AreaSample>> directOfLists(const Texels& texels, const RayScene& scene,
+                                                   const HitLists& hits,
+                                                   std::span<const SoughtLamp> lamps,
+                                                   std::span<const uint32_t> lists)
 {
+    constexpr size_t kChunk = 64;
     const SurfelSites sites(texels);
-    std::vector<AreaSample> direct(lists.empty() ? hits.sideOfList.size() : lists.size());
-    forEachChunk(direct.size(), 64, [&](size_t begin, size_t end) {
+    const size_t count = lists.empty() ? hits.sideOfList.size() : lists.size();
+    std::vector<std::vector<AreaSample>> direct(lamps.size(), std::vector<AreaSample>(count));
+    forEachChunk(count, kChunk, [&](size_t begin, size_t end) {
+        Side sides[kChunk];
+        TexelSite origins[kChunk][kOrigins];
         for (size_t i = begin; i < end; ++i) {
-            const Side side = hits.sideOfList[lists.empty() ? i : lists[i]];
-            TexelSite origins[kOrigins];
+            const Side side = sides[i - begin] = hits.sideOfList[lists.empty() ? i : lists[i]];
             for (size_t k = 0; k < kOrigins; ++k) {
-                origins[k] = sites.at(side.surfel(), k);
-                if (side.isBack()) origins[k].normal = -origins[k].normal;
+                TexelSite& origin = origins[i - begin][k] = sites.at(side.surfel(), k);
+                if (side.isBack()) origin.normal = -origin.normal;
             }
-            direct[i] =
-                sampleAreaLight(scene, light, origins, raysPerOrigin, hashedShift(side.index, 0));
+        }
+        for (size_t l = 0; l < lamps.size(); ++l) {
+            AreaSampler sampler(scene, lamps[l].light);
+            for (size_t i = begin; i < end; ++i)
+                sampler.add(origins[i - begin], lamps[l].raysPerOrigin,
+                            hashedShift(sides[i - begin].index, 0), direct[l][i]);
+            sampler.finish();
         }
     });
     return direct;
+}
+
+std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scene,
+                                      const HitLists& hits, const SoughtLamp& lamp)
+{
+    return std::move(directOfLists(texels, scene, hits, {&lamp, 1}, {}).front());
 }
 
 void addDirect(std::span<const AreaSample> ofLamp, glm::vec3 radiance,

@@ -20,12 +20,23 @@ struct LitSides
     std::vector<glm::vec3> albedo; // of surfels, 0..0.95
 };
 
-/// Irradiance from one lamp at radiance 1 on the sides that `lists` name; all where empty.
-/// Rays start at a few places of each side; one from each is right on average over several sides.
+/// A lamp that sides look for. Their rays start at a few places of each; one from each is right on
+/// average over several sides.
+struct SoughtLamp
+{
+    AreaLight light;
+    size_t raysPerOrigin = 1;
+};
+
+/// Irradiance from each lamp at radiance 1 on the sides that `lists` name; all where empty.
+std::vector<std::vector<AreaSample>> directOfLists(const Texels& texels, const RayScene& scene,
+                                                   const HitLists& hits,
+                                                   std::span<const SoughtLamp> lamps,
+                                                   std::span<const uint32_t> lists = {});
+
+/// From one lamp on all sides.
 std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scene,
-                                      const HitLists& hits, const AreaLight& light,
-                                      std::span<const uint32_t> lists = {},
-                                      size_t raysPerOrigin = 1);
+                                      const HitLists& hits, const SoughtLamp& lamp);
 
 /// Adds what a lamp does at `radiance`.
 void addDirect(std::span<const AreaSample> ofLamp, glm::vec3 radiance,

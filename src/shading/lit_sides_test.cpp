@@ -103,7 +103,7 @@ TEST(LitSides, DirectOfListsIsThePanelsFormFactor)
         patches.push_back({panel.at(u, v), -kUp, 0.0025f, 0});
     }
     const std::vector<AreaSample> direct =
-        directOfLists(box.texels, box.rays, hits, AreaLight(std::move(patches)), {}, 4);
+        directOfLists(box.texels, box.rays, hits, {AreaLight(std::move(patches)), 4});
     float sum = 0.0f;
     float expected = 0.0f;
     for (const uint32_t s : box.facing(kUp)) {

@@ -66,7 +66,7 @@ Visibility::Visibility(const Texels& texels, const RayScene& scene,
                        std::span<const AreaLight> lamps,
                        std::span<const std::vector<AreaSample>> coarse,
                        const VisibilityOptions& options)
-    : texels_(texels), set_(options.set)
+    : texels_(texels), sites_(texels), set_(options.set)
 {
     placeProbes();
     for (size_t lamp = 0; lamp < lamps.size(); ++lamp)
@@ -84,11 +84,10 @@ void Visibility::add(const RayScene& scene, const AreaLight& lamp,
 void Visibility::placeProbes()
 {
     const Surfels& surfels = texels_.surfels;
-    const SurfelSites sites(texels_);
     firstProbe_.assign(surfels.count() + 1, 0);
     for (uint32_t s = 0; s < surfels.count(); ++s)
         firstProbe_[s + 1] =
-            firstProbe_[s] + static_cast<uint32_t>(std::min(kProbes, sites.countOf(s)));
+            firstProbe_[s] + static_cast<uint32_t>(std::min(kProbes, sites_.countOf(s)));
     for (auto* axis : {&x_, &y_, &z_}) axis->resize(firstProbe_.back());
     reach_.resize(surfels.count());
     forEachChunk(surfels.count(), 256, [&](size_t begin, size_t end) {
@@ -96,7 +95,7 @@ void Visibility::placeProbes()
             const uint32_t count = firstProbe_[s + 1] - firstProbe_[s];
             reach_[s] = kProbeReach * std::sqrt(surfels.area[s] / static_cast<float>(count));
             for (uint32_t i = 0; i < count; ++i) {
-                const glm::vec3 position = sites.at(s, i).position;
+                const glm::vec3 position = sites_.at(s, i).position;
                 x_[firstProbe_[s] + i] = position.x;
                 y_[firstProbe_[s] + i] = position.y;
                 z_[firstProbe_[s] + i] = position.z;
@@ -129,20 +128,23 @@ std::vector<Visibility::State> Visibility::statesOf(std::span<const AreaSample> 
 std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const State> states,
                                       const RayScene& scene, size_t rays) const
 {
-    const SurfelSites sites(texels_);
     std::vector<uint8_t> shares(x_.size(), kUnknown);
     forEachChunk(states.size(), 64, [&](size_t begin, size_t end) {
+        const uint32_t firstProbe = firstProbe_[begin];
+        std::vector<AreaSample> samples(firstProbe_[end] - firstProbe);
+        AreaSampler sampler(scene, lamp);
         for (auto s = static_cast<uint32_t>(begin); s < end; ++s) {
             if (states[s] != some) continue;
             for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {
-                const TexelSite site = sites.at(s, probe - firstProbe_[s]);
-                const AreaSample sample = sampleAreaLight(scene, lamp, site.position, site.normal,
-                                                          rays, hashedShift(probe, 0));
-                if (sample.open > 0.0f)
-                    shares[probe] =
-                        static_cast<uint8_t>(std::lround(kAll * sample.visible / sample.open));
+                const TexelSite site = sites_.at(s, probe - firstProbe_[s]);
+                sampler.add({&site, 1}, rays, hashedShift(probe, 0), samples[probe - firstProbe]);
             }
         }
+        sampler.finish();
+        for (size_t i = 0; i < samples.size(); ++i)
+            if (samples[i].open > 0.0f)
+                shares[firstProbe + i] =
+                    static_cast<uint8_t>(std::lround(kAll * samples[i].visible / samples[i].open));
     });
     return shares;
 }

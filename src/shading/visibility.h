@@ -58,6 +58,7 @@ private:
                       std::vector<uint8_t>& shares) const;
 
     const Texels& texels_;
+    SurfelSites sites_;
     InstructionSet set_;
     std::vector<uint32_t> firstProbe_;         // of surfels, and one more
     std::vector<float> x_, y_, z_;             // of probes

@@ -64,7 +64,7 @@ private:
         HitLists fronts;
         for (uint32_t s = 0; s < surfaces_.texels.surfels.count(); ++s)
             fronts.sideOfList.push_back(Side::front(s));
-        return directOfLists(surfaces_.texels, surfaces_.rays, fronts, lamps_[0]);
+        return directOfLists(surfaces_.texels, surfaces_.rays, fronts, {lamps_[0]});
     }
 
     scenes::Surfaces surfaces_;

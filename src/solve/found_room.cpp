@@ -31,7 +31,7 @@ Effort effortFor(Quality quality)
 {
     switch (quality) {
     case Quality::draft:
-        return {500'000, 8, 32, 3};
+        return {250'000, 8, 32, 2};
     case Quality::high:
         return {10'000'000, 64, 256, 32};
     case Quality::standard:
@@ -74,8 +74,9 @@ std::vector<glm::vec3> directOf(const Texels& texels, const RayScene& scene, con
     std::vector<glm::vec3> direct(hits.sideOfList.size(), glm::vec3(0.0f));
     for (FoundLamp& lamp : found.lamps) {
         if (lamp.onSides.empty())
-            lamp.onSides = directOfLists(texels, scene, hits, AreaLight(lamp.patches), {},
-                                         raysToGroup(singlesOf(lamp).size()));
+            lamp.onSides =
+                directOfLists(texels, scene, hits,
+                              {AreaLight(lamp.patches), raysToGroup(singlesOf(lamp).size())});
         addDirect(lamp.onSides, lamp.radiance, direct);
     }
     return direct;
@@ -92,7 +93,7 @@ LitSides sidesOf(const Texels& texels, const RayScene& scene, FoundRoom& room)
 SunOnRoom letIn(const Sun& sun, const Texels& texels, const HitLists& hits, RayScene outside)
 {
     AreaLight disc(sunDisc(sun, *texels.scan));
-    std::vector<AreaSample> onSides = directOfLists(texels, outside, hits, disc);
+    std::vector<AreaSample> onSides = directOfLists(texels, outside, hits, {disc});
     return {sun, std::move(disc), std::make_shared<const RayScene>(std::move(outside)),
             std::move(onSides)};
 }
