@@ -57,6 +57,7 @@ int main(int argc, char** argv)
                "relamp COMMAND --help tells more.");
     Run run;
     addDelightCommand(app, run);
+    addDevicesCommand(app, run);
     addInfoCommand(app, run);
     addRelightCommand(app, run);
     addVerifyCommand(app, run);
