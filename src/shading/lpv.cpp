@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace relamp
 {
@@ -228,6 +229,11 @@ Lpv::Lpv(const LpvGrid& grid) : grid_(grid)
     resize(accumulated_, grid_.count());
     for (auto& axis : faceCoverage_)
         for (auto& coefficient : axis) coefficient.assign(grid_.count(), 0.0f);
+}
+
+Lpv::Lpv(const LpvGrid& grid, Field accumulated) : grid_(grid), accumulated_(std::move(accumulated))
+{
+    finish();
 }
 
 void Lpv::block(std::span<const Blocker> blockers)
