@@ -54,7 +54,11 @@ struct ThesisGpu::Page
         : texels(device, all, page), flattened(device, texels.pixels()),
           direct(device, texels.count), indirect(device, texels.count),
           albedo(device, texels.width, texels.height)
-    {}
+    {
+        gpu::Commands commands(device);
+        commands.clear(flattened.buffer()); // a ray may meet a pixel that no texel covers
+        commands.run();
+    }
 
     static uint64_t bytesOf(const Texels& all, size_t page)
     {
