@@ -2,6 +2,8 @@
 
 #include "gpu/check.h"
 
+#include <algorithm>
+
 namespace relamp::gpu
 {
 namespace
@@ -52,6 +54,18 @@ Device::~Device()
     vkDestroyPipelineLayout(device_, pipelineLayout_, nullptr);
     vkDestroyCommandPool(device_, commandPool_, nullptr);
     vkDestroyDevice(device_, nullptr);
+}
+
+std::unique_ptr<Device> deviceFor(const EngineOptions& options)
+{
+    if (options.engine == Engine::cpu) return nullptr;
+    if (options.engine == Engine::automatic && options.gpu.empty()) {
+        const std::vector<GpuDevice> devices = gpuDevices();
+        if (std::none_of(devices.begin(), devices.end(),
+                         [](const GpuDevice& device) { return device.isReal(); }))
+            return nullptr;
+    }
+    return std::make_unique<Device>(options.gpu);
 }
 
 } // namespace relamp::gpu

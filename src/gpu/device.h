@@ -4,6 +4,7 @@
 #include "gpu/vulkan.h"
 #include "relamp/devices.h"
 
+#include <memory>
 #include <string>
 
 namespace relamp::gpu
@@ -41,5 +42,9 @@ private:
     VkCommandPool commandPool_ = VK_NULL_HANDLE;
     VkPipelineLayout pipelineLayout_ = VK_NULL_HANDLE;
 };
+
+/// The device that `options` ask for, null for the CPU: where they do, and where they leave it open
+/// and there is none but in software. Throws Error(device) where one is asked for and not there.
+std::unique_ptr<Device> deviceFor(const EngineOptions& options);
 
 } // namespace relamp::gpu

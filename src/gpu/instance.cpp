@@ -196,7 +196,7 @@ Instance::Candidate Instance::choose(const std::string& wish) const
         return lowerCase(c.description.name).find(lowerCase(wish)) == std::string::npos;
     });
     if (found.empty())
-        noDevice(fmt::format("there is none that \"{}\" names (relamp devices lists them)", wish));
+        noDevice(fmt::format("no device is called \"{}\" (relamp devices lists them)", wish));
     return *std::max_element(found.begin(), found.end(),
                              [](const Candidate& a, const Candidate& b) {
                                  const auto rank = [](const GpuDevice& d) {

@@ -35,7 +35,8 @@ std::vector<Blocker> blockersOf(const Surfels& surfels)
     return blockers;
 }
 
-/// Irradiance becomes shading.
+} // namespace
+
 void toShading(RgbBlock& block, size_t count, float power, glm::vec3 ambient)
 {
     for (size_t i = 0; i < count; ++i) {
@@ -45,8 +46,6 @@ void toShading(RgbBlock& block, size_t count, float power, glm::vec3 ambient)
         block.b[i] = shading.b;
     }
 }
-
-} // namespace
 
 void shade(const ThesisShading& shading, const TexelBlock& block, ShadingBlock& out)
 {
