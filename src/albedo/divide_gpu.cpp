@@ -6,7 +6,7 @@
 namespace relamp
 {
 
-DivideGpu::DivideGpu(const gpu::Device& device) : program_(device, divide_spirv) {}
+DivideGpu::DivideGpu(const gpu::Device& device) : program_(device, kDivideSpirv) {}
 
 void DivideGpu::divide(gpu::Commands& commands, const GpuTexels& page,
                        const gpu::Array<glm::uvec2>& direct, const gpu::Array<glm::uvec2>& indirect,

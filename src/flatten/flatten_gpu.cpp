@@ -10,8 +10,8 @@ namespace relamp
 {
 
 FlattenGpu::FlattenGpu(const gpu::Device& device, size_t surfels)
-    : gather_(device, flatten_gather_spirv), finish_(device, flatten_finish_spirv),
-      filter_(device, flatten_spirv), surfels_(surfels), cells_(device, kFlattenBins * surfels)
+    : gather_(device, kFlattenGatherSpirv), finish_(device, kFlattenFinishSpirv),
+      filter_(device, kFlattenSpirv), surfels_(surfels), cells_(device, kFlattenBins * surfels)
 {}
 
 void FlattenGpu::begin(gpu::Commands& commands) const

@@ -19,6 +19,7 @@ struct ArrayRef
 };
 } // namespace relamp
 
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a type
 #define SHARED_ARRAY(Name, Element) using Name = ArrayRef<Element>;
 
 #else

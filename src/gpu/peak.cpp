@@ -48,7 +48,7 @@ Peak measurePeak(const Device& device)
     const size_t threads = size_t{1} << (isReal ? 20 : 14);
     constexpr uint32_t kLoops = 1024;
     const Array<glm::vec4> sums(device, threads);
-    const Program program(device, peak_spirv);
+    const Program program(device, kPeakSpirv);
     const double compute = fastest(device, [&](Commands& commands) {
         commands.dispatch(program, threads, PeakArguments{sums.ref(), kLoops});
     });

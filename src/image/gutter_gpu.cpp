@@ -21,7 +21,7 @@ GpuPicture::GpuPicture(const gpu::Device& device, uint32_t width, uint32_t heigh
 }
 
 GutterGpu::GutterGpu(const gpu::Device& device)
-    : push_(device, gutter_push_spirv), pull_(device, gutter_pull_spirv)
+    : push_(device, kGutterPushSpirv), pull_(device, kGutterPullSpirv)
 {}
 
 void GutterGpu::fill(gpu::Commands& commands, const GpuPicture& picture) const

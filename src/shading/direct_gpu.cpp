@@ -17,7 +17,7 @@ std::vector<glm::vec4> lightEntries(std::span<const PointLight> lights)
 }
 
 DirectGpu::DirectGpu(const gpu::Device& device)
-    : device_(device), program_(device, direct_spirv), lights_(device, 0)
+    : device_(device), program_(device, kDirectSpirv), lights_(device, 0)
 {}
 
 void DirectGpu::setLights(std::span<const PointLight> lights)

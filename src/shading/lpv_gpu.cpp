@@ -31,9 +31,9 @@ LpvGpu::Volume::Volume(const gpu::Device& device, const LpvGrid& ofGrid)
 {}
 
 LpvGpu::LpvGpu(const gpu::Device& device)
-    : device_(device), block_(device, lpv_block_spirv), cover_(device, lpv_cover_spirv),
-      inject_(device, lpv_inject_spirv), start_(device, lpv_start_spirv),
-      propagate_(device, lpv_spirv), readOut_(device, lpv_read_out_spirv)
+    : device_(device), block_(device, kLpvBlockSpirv), cover_(device, kLpvCoverSpirv),
+      inject_(device, kLpvInjectSpirv), start_(device, kLpvStartSpirv),
+      propagate_(device, kLpvSpirv), readOut_(device, kLpvReadOutSpirv)
 {}
 
 void LpvGpu::setGrid(const LpvGrid& grid)

@@ -17,8 +17,8 @@ constexpr float kSphere = 12.5663706f; // sr
 } // namespace
 
 RsmGpu::RsmGpu(const gpu::Device& device)
-    : device_(device), trace_(device, rsm_spirv), color_(device, rsm_color_spirv),
-      views_(device, 0), pixels_(device, 0), leaving_(device, 0)
+    : device_(device), trace_(device, kRsmSpirv), color_(device, kRsmColorSpirv), views_(device, 0),
+      pixels_(device, 0), leaving_(device, 0)
 {}
 
 void RsmGpu::setLights(std::span<const PointLight> lights, int resolution)
