@@ -2,6 +2,7 @@
 
 #include "albedo/page_layers.h"
 #include "decomposition_state.h"
+#include "relamp/error.h"
 #include "shading/buried.h"
 #include "solve/by_gather.h"
 #include "solve/by_pathtrace.h"
@@ -41,10 +42,20 @@ auto solverOf(Solver solver)
     return solveByGather;
 }
 
+void checkEngine(const DelightOptions& options)
+{
+    if (options.solver == Solver::thesis) return;
+    if (options.engine.engine != Engine::gpu && options.engine.gpu.empty()) return;
+    throw Error(ErrorCode::unsupported,
+                "the GPU computes the thesis solver alone: leave --engine and --gpu out, or take "
+                "--solver thesis");
+}
+
 } // namespace
 
 Decomposition delight(const Scan& scan, const DelightOptions& options, Progress& progress)
 {
+    checkEngine(options);
     auto state = stateOf(scan, progress);
     state->texels = rasterizeAtlas(scan, progress, surfelsFor(options));
     checkOverlap(state->texels);

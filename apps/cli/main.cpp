@@ -56,7 +56,9 @@ int main(int argc, char** argv)
                "  relamp verify kitchen\n"
                "relamp COMMAND --help tells more.");
     Run run;
+    addBenchCommand(app, run);
     addDelightCommand(app, run);
+    addDevicesCommand(app, run);
     addInfoCommand(app, run);
     addRelightCommand(app, run);
     addVerifyCommand(app, run);

@@ -47,3 +47,21 @@ void addScanArguments(CLI::App& command, ScanArguments& arguments)
         ->check(between(0, 1024))
         ->type_name("N");
 }
+
+void addEngineArguments(CLI::App& command, relamp::EngineOptions& engine)
+{
+    using relamp::Engine;
+    const std::map<std::string, Engine> engines{
+        {"auto", Engine::automatic}, {"cpu", Engine::cpu}, {"gpu", Engine::gpu}};
+    command
+        .add_option(
+            "--engine", engine.engine,
+            "What computes the thesis solver: cpu, gpu, or auto: a real GPU if there is one "
+            "[auto]")
+        ->transform(CLI::CheckedTransformer(engines).description(""))
+        ->type_name("NAME");
+    command
+        .add_option("--gpu", engine.gpu,
+                    "The GPU to work on: its index or a part of its name, of relamp devices")
+        ->type_name("GPU");
+}

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "relamp/devices.h"
 #include "relamp/scan.h"
 
 #include <filesystem>
@@ -16,5 +17,8 @@ struct ScanArguments
 
 /// Takes numbers from `low` to `high`. CLI::Range would take NaN as well.
 CLI::Validator between(double low, double high);
+
+/// --engine and --gpu.
+void addEngineArguments(CLI::App& command, relamp::EngineOptions& engine);
 
 void addScanArguments(CLI::App& command, ScanArguments& arguments);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "relamp/api.h"
+#include "relamp/devices.h"
 #include "relamp/gather.h"
 #include "relamp/lights.h"
 #include "relamp/pathtrace.h"
@@ -39,6 +40,7 @@ struct DelightOptions
     ThesisOptions thesis;
     AlbedoOptions albedo;
     std::optional<Lights> lights; // instead of looking for them
+    EngineOptions engine;         // of the solver thesis; the others are the CPU's
 };
 
 /// Why an albedo cannot be believed.

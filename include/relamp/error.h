@@ -15,6 +15,7 @@ enum class ErrorCode {
     cannotWrite,  // the place for the result refuses it
     sizeMismatch, // two inputs that must have the same shape do not
     cancelled,    // Progress::cancel was called
+    device        // there is no GPU as asked for, or it gave up
 };
 
 /// The world is not as it must be: a file, an option, a disk.

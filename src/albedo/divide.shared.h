@@ -1,4 +1,5 @@
-#pragma once
+#ifndef RELAMP_DIVIDE_SHARED_H
+#define RELAMP_DIVIDE_SHARED_H
 
 #include "base/shared.h"
 
@@ -12,3 +13,5 @@ SHARED_FN vec3 dividedByShading(vec3 radiance, vec3 shading, float darkest)
 }
 
 SHARED_END
+
+#endif

@@ -1,6 +1,8 @@
-#pragma once
+#ifndef RELAMP_SHARED_H
+#define RELAMP_SHARED_H
 
-// The first line of every x.shared.h: what lets one formula be C++ and GLSL.
+// The first include of every x.shared.h: what lets one formula be C++ and GLSL. (glslang knows no
+// #pragma once.)
 //
 // Such a file uses GLSL's own words (vec3, dot, max …) and nothing else; in C++ these are GLM's.
 #ifdef __cplusplus
@@ -29,4 +31,6 @@ using namespace glm; // NOLINT: the point of this header
 #define SHARED_END
 #define SHARED_FN
 #define SHARED_CONST const float
+#endif
+
 #endif

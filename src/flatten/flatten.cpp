@@ -11,14 +11,7 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kBins = 8; // of brightness, in equal steps of its square root
-
-size_t binOf(glm::vec3 root)
-{
-    const float brightness = 0.25f * root.r + 0.5f * root.g + 0.25f * root.b;
-    return static_cast<size_t>(
-        std::clamp(brightness * static_cast<float>(kBins), 0.0f, kBins - 1.0f));
-}
+constexpr size_t kBins = kFlattenBins;
 
 /// Mean colour of the texels of one surfel that are about equally bright.
 struct Cell
@@ -143,7 +136,7 @@ Grid gatherCells(const Texels& texels)
                 takeSquareRoots(block);
                 for (size_t i = 0; i < count; ++i) {
                     const glm::vec3 color(block.r[i], block.g[i], block.b[i]);
-                    Cell& cell = ofSurfel[binOf(color)];
+                    Cell& cell = ofSurfel[brightnessBin(color)];
                     cell.color += block.area[i] * color;
                     cell.area += block.area[i];
                 }

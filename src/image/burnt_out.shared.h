@@ -1,4 +1,5 @@
-#pragma once
+#ifndef RELAMP_BURNT_OUT_SHARED_H
+#define RELAMP_BURNT_OUT_SHARED_H
 
 #include "base/shared.h"
 
@@ -20,3 +21,5 @@ SHARED_FN bool isBurntOut(vec3 rgb, bool clips)
 }
 
 SHARED_END
+
+#endif

@@ -1,4 +1,5 @@
-#pragma once
+#ifndef RELAMP_EXPAND_SHARED_H
+#define RELAMP_EXPAND_SHARED_H
 
 #include "base/shared.h"
 
@@ -19,3 +20,5 @@ SHARED_FN vec3 expanded(vec3 radiance, float peak)
 }
 
 SHARED_END
+
+#endif

@@ -1,6 +1,7 @@
 #include "scan/surface_point.h"
 
 #include "base/parallel.h"
+#include "scan/wrap.shared.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,10 +25,8 @@ MeshTriangle triangleOf(const Texels& texels, uint32_t facet)
 
 uint32_t wrapped(double pixel, int size, Wrap wrap)
 {
-    const auto last = static_cast<double>(size - 1);
-    if (pixel >= 0.0 && pixel <= last) return static_cast<uint32_t>(pixel); // nearly always
-    if (wrap == Wrap::repeat) pixel -= size * std::floor(pixel / size);
-    return static_cast<uint32_t>(std::clamp(pixel, 0.0, last));
+    return static_cast<uint32_t>(
+        wrappedPixel(static_cast<float>(pixel), static_cast<float>(size), wrap == Wrap::repeat));
 }
 
 /// Pixel coordinates of the point that has these shares of a triangle's corners.

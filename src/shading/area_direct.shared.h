@@ -1,4 +1,5 @@
-#pragma once
+#ifndef RELAMP_AREA_DIRECT_SHARED_H
+#define RELAMP_AREA_DIRECT_SHARED_H
 
 #include "base/shared.h"
 
@@ -15,3 +16,5 @@ SHARED_FN float patchFormFactor(vec3 toPatch, vec3 normal, vec3 patchNormal, flo
 }
 
 SHARED_END
+
+#endif

@@ -1,4 +1,5 @@
-#pragma once
+#ifndef RELAMP_DIRECT_SHARED_H
+#define RELAMP_DIRECT_SHARED_H
 
 #include "base/shared.h"
 
@@ -15,3 +16,5 @@ SHARED_FN float receivedFrom(vec3 toLight, vec3 normal, vec3 k)
 }
 
 SHARED_END
+
+#endif

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace relamp
 {
@@ -35,22 +36,10 @@ std::array<Source, 6> makeSources()
     for (int s = 0; s < 6; ++s) {
         Source& source = sources[static_cast<size_t>(s)];
         source.axis = s / 2;
-        glm::vec3 travel(0.0f); // from source to destination
-        travel[source.axis] = s % 2 == 0 ? 1.0f : -1.0f;
-        source.step = -glm::ivec3(travel);
-        // The face straight ahead is 1.5 cells off; the four at the sides are one ahead, half
-        // aside.
-        source.faces[0] = {travel, travel, kFrontSolidAngle};
-        size_t next = 1;
-        for (int axis = 0; axis < 3; ++axis) {
-            if (axis == source.axis) continue;
-            for (const float side : {1.0f, -1.0f}) {
-                glm::vec3 normal(0.0f);
-                normal[axis] = side;
-                source.faces[next++] = {normal, glm::normalize(travel + 0.5f * normal),
-                                        kSideSolidAngle};
-            }
-        }
+        source.step = -glm::ivec3(travelFrom(s));
+        for (int f = 0; f < 5; ++f)
+            source.faces[static_cast<size_t>(f)] = {faceNormal(s, f), faceDirection(s, f),
+                                                    faceSolidAngle(f)};
     }
     return sources;
 }
@@ -100,9 +89,8 @@ void gatherFace(const Face& face, const Rows& in, const Rows& coverage, size_t c
     float* along = channel[static_cast<size_t>(axis)].data() + row;
     RELAMP_INDEPENDENT_ITERATIONS
     for (size_t x = 0; x < count; ++x) {
-        const float leaving = max(dot(in[x], shBasis(direction)), 0.0f);
-        const float passed =
-            blocking ? leaving * (1.0f - blocked(coverage[x], direction)) : leaving;
+        const float passed = blocking ? passedThrough(in[x], coverage[x], direction)
+                                      : max(dot(in[x], shBasis(direction)), 0.0f);
         all[x] += passed * lobe.x;
         along[x] += passed * alongAxis;
     }
@@ -164,15 +152,13 @@ struct Lookups
 
 void lookUp(const LpvGrid& grid, const TexelBlock& block, Lookups& out)
 {
-    const float perCell = 1.0f / grid.cell;
-    const glm::vec3 shift = -grid.origin * perCell - 0.5f; // in cells, from the centre of the first
-    const glm::vec3 most = glm::vec3(grid.cells) - 1.001f;
     const glm::ivec3 cells = grid.cells;
+    const glm::vec3 origin = grid.origin;
+    const float cell = grid.cell;
     for (size_t i = 0; i < block.count; ++i) {
         const glm::vec3 position(block.x[i], block.y[i], block.z[i]);
         const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
-        const glm::vec3 at =
-            glm::clamp(position * perCell + 0.5f * normal + shift, glm::vec3(0.0f), most);
+        const glm::vec3 at = lookUpPlace(position, normal, origin, cell, cells);
         const int32_t x = static_cast<int32_t>(at.x); // at >= 0: this is floor
         const int32_t y = static_cast<int32_t>(at.y);
         const int32_t z = static_cast<int32_t>(at.z);
@@ -233,8 +219,7 @@ LpvGrid::LpvGrid(const Bounds& bounds, int size)
 
 glm::ivec3 LpvGrid::cellAt(glm::vec3 world) const
 {
-    const glm::vec3 at = glm::floor((world - origin) / cell);
-    return glm::ivec3(glm::clamp(at, glm::vec3(1.0f), glm::vec3(cells - 2)));
+    return cellHolding(world, origin, cell, cells);
 }
 
 Lpv::Lpv(const LpvGrid& grid) : grid_(grid)
@@ -244,6 +229,11 @@ Lpv::Lpv(const LpvGrid& grid) : grid_(grid)
     resize(accumulated_, grid_.count());
     for (auto& axis : faceCoverage_)
         for (auto& coefficient : axis) coefficient.assign(grid_.count(), 0.0f);
+}
+
+Lpv::Lpv(const LpvGrid& grid, Field accumulated) : grid_(grid), accumulated_(std::move(accumulated))
+{
+    finish();
 }
 
 void Lpv::block(std::span<const Blocker> blockers)

@@ -58,6 +58,8 @@ public:
     using Field = std::array<std::array<std::vector<float>, 4>, 3>;
 
     explicit Lpv(const LpvGrid& grid);
+    /// With light that has been spread elsewhere; to be read out only.
+    Lpv(const LpvGrid& grid, Field accumulated);
 
     [[nodiscard]] const LpvGrid& grid() const { return grid_; }
     /// Light of the last step alone, and of all steps.

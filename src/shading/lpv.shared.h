@@ -1,4 +1,5 @@
-#pragma once
+#ifndef RELAMP_LPV_SHARED_H
+#define RELAMP_LPV_SHARED_H
 
 #include "base/shared.h"
 
@@ -46,4 +47,59 @@ SHARED_FN float irradianceFromCell(vec4 sh, vec3 n, float perHalfCellSquared)
     return max(dot(sh, shLobe(-n)), 0.0f) * perHalfCellSquared;
 }
 
+// What of the light of a cell goes through a face in `direction` that is covered so far.
+SHARED_FN float passedThrough(vec4 sh, vec4 coverage, vec3 direction)
+{
+    return max(dot(sh, shBasis(direction)), 0.0f) * (1.0f - blocked(coverage, direction));
+}
+
+// Light comes into a cell from six sources, its neighbours, travelling along an axis; 0..5 travel
+// towards +x -x +y -y +z -z.
+SHARED_FN vec3 travelFrom(int source)
+{
+    vec3 travel = vec3(0.0f);
+    travel[source / 2] = source % 2 == 0 ? 1.0f : -1.0f;
+    return travel;
+}
+
+// It enters through five faces: 0 is straight ahead, 1..4 at the sides. A face's normal is where
+// light leaves the cell through it, and where it is sent on to.
+SHARED_FN vec3 faceNormal(int source, int face)
+{
+    if (face == 0) return travelFrom(source);
+    const int side = (face - 1) / 2;
+    vec3 normal = vec3(0.0f);
+    normal[side < source / 2 ? side : side + 1] = face % 2 == 1 ? 1.0f : -1.0f;
+    return normal;
+}
+
+// From the centre of the source to the centre of the face: the face straight ahead is 1.5 cells
+// off; the four at the sides are one ahead, half aside.
+SHARED_FN vec3 faceDirection(int source, int face)
+{
+    const vec3 travel = travelFrom(source);
+    return face == 0 ? travel : normalize(travel + 0.5f * faceNormal(source, face));
+}
+
+SHARED_FN float faceSolidAngle(int face)
+{
+    return face == 0 ? kFrontSolidAngle : kSideSolidAngle;
+}
+
+// The cell that holds a place, kept off the border.
+SHARED_FN ivec3 cellHolding(vec3 world, vec3 origin, float cell, ivec3 cells)
+{
+    return ivec3(clamp(floor((world - origin) / cell), vec3(1.0f), vec3(cells - 2)));
+}
+
+// Where a surface looks up its light, in cells from the centre of the first: half a cell off.
+SHARED_FN vec3 lookUpPlace(vec3 position, vec3 normal, vec3 origin, float cell, ivec3 cells)
+{
+    const float perCell = 1.0f / cell;
+    const vec3 shift = -origin * perCell - 0.5f;
+    return clamp(position * perCell + 0.5f * normal + shift, vec3(0.0f), vec3(cells) - 1.001f);
+}
+
 SHARED_END
+
+#endif

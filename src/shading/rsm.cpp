@@ -12,8 +12,7 @@ namespace relamp
 namespace
 {
 
-constexpr float kOffSurface =
-    0.02f; // m; a light found on a scan lies within the noise of its surface
+constexpr float kOffSurface = 0.02f; // m
 constexpr int kFaces = 6;
 constexpr int kTile = 4; // rays of 4 x 4 pixels go together: one packet
 
@@ -45,6 +44,11 @@ std::vector<MapPixel> pixelsOfCube(int resolution)
 
 } // namespace
 
+glm::vec3 viewpointOf(const PointLight& light)
+{
+    return light.position + kOffSurface * light.normal;
+}
+
 std::vector<BounceLight> reflectiveShadowMaps(const Texels& texels, const RayScene& scene,
                                               std::span<const PointLight> lights, int resolution)
 {
@@ -59,8 +63,7 @@ std::vector<BounceLight> reflectiveShadowMaps(const Texels& texels, const RaySce
         std::array<Ray, kChunk> rays;
         std::array<Hit, kChunk> hits;
         for (size_t i = 0; i < count; ++i)
-            rays[i] = {.origin = light.position + kOffSurface * light.normal,
-                       .direction = pixels[begin + i].direction};
+            rays[i] = {.origin = viewpointOf(light), .direction = pixels[begin + i].direction};
         scene.intersect(std::span(rays).first(count), std::span(hits).first(count));
         for (size_t i = 0; i < count; ++i) {
             if (hits[i].missed() || !hits[i].front) continue;

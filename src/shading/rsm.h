@@ -23,6 +23,9 @@ struct BounceLight
     uint32_t pixel = 0;
 };
 
+/// Where the view of a light begins: a light found on a scan lies within the noise of its surface.
+glm::vec3 viewpointOf(const PointLight& light);
+
 /// Reflective shadow maps (Dachsbacher & Stamminger 2005): what each light's own view of the room
 /// receives. A view is a cube of six faces of `resolution` squared pixels; a pixel's flux is the
 /// intensity times its solid angle, so the sum over a room does not depend on how many there are.

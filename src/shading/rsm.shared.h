@@ -1,4 +1,5 @@
-#pragma once
+#ifndef RELAMP_RSM_SHARED_H
+#define RELAMP_RSM_SHARED_H
 
 #include "base/shared.h"
 
@@ -22,3 +23,5 @@ SHARED_FN float cubePixelSolidAngle(float u, float v, float n)
 }
 
 SHARED_END
+
+#endif

@@ -1,4 +1,5 @@
-#pragma once
+#ifndef RELAMP_SAMPLING_SHARED_H
+#define RELAMP_SAMPLING_SHARED_H
 
 #include "base/shared.h"
 
@@ -45,3 +46,5 @@ SHARED_FN vec3 evenDirection(vec2 u)
 }
 
 SHARED_END
+
+#endif

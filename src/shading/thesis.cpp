@@ -1,8 +1,8 @@
 #include "shading/thesis.h"
 
 #include "lights/fixtures.h"
-#include "shading/lpv.shared.h"
 #include "shading/rsm.h"
+#include "shading/thesis.shared.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,27 +35,30 @@ std::vector<Blocker> blockersOf(const Surfels& surfels)
     return blockers;
 }
 
-void scaleAndAdd(float* values, size_t count, float scale, float add)
-{
-    for (size_t i = 0; i < count; ++i) values[i] = scale * values[i] + add;
-}
-
 } // namespace
+
+void toShading(RgbBlock& block, size_t count, float power, glm::vec3 ambient)
+{
+    for (size_t i = 0; i < count; ++i) {
+        const glm::vec3 shading = shadingFrom({block.r[i], block.g[i], block.b[i]}, power, ambient);
+        block.r[i] = shading.r;
+        block.g[i] = shading.g;
+        block.b[i] = shading.b;
+    }
+}
 
 void shade(const ThesisShading& shading, const TexelBlock& block, ShadingBlock& out)
 {
-    const float toShading = shading.dials.power.value_or(1.0f) / kPi;
+    const float power = shading.dials.power.value_or(1.0f);
     directIrradiance(block, shading.lights, *shading.dials.attenuation, out.direct);
-    if (shading.bounce) shading.bounce->irradiance(block, out.indirect);
-    float* direct[3] = {out.direct.r, out.direct.g, out.direct.b};
-    float* indirect[3] = {out.indirect.r, out.indirect.g, out.indirect.b};
-    for (int c = 0; c < 3; ++c) {
-        scaleAndAdd(direct[c], block.count, toShading, 0.0f);
-        if (shading.bounce)
-            scaleAndAdd(indirect[c], block.count, toShading, shading.ambient[c]);
-        else
-            std::fill_n(indirect[c], block.count, shading.ambient[c]);
+    toShading(out.direct, block.count, power, glm::vec3(0.0f));
+    if (shading.bounce) {
+        shading.bounce->irradiance(block, out.indirect);
+        toShading(out.indirect, block.count, power, shading.ambient);
+        return;
     }
+    float* indirect[3] = {out.indirect.r, out.indirect.g, out.indirect.b};
+    for (int c = 0; c < 3; ++c) std::fill_n(indirect[c], block.count, shading.ambient[c]);
 }
 
 std::vector<PointLight> lightsOfShadowMaps(const Lights& lights, const ThesisOptions& dials)

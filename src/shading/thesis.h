@@ -28,6 +28,9 @@ struct ThesisShading
     std::shared_ptr<const Lpv> bounce; // before `dials.power`; null without bounce light
 };
 
+/// Irradiance becomes shading, under the dials power and ambient.
+void toShading(RgbBlock& block, size_t count, float power, glm::vec3 ambient);
+
 /// Shading at the texels of a block. Entries behind its last texel are unspecified.
 void shade(const ThesisShading& shading, const TexelBlock& block, ShadingBlock& out);
 

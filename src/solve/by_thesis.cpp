@@ -8,6 +8,7 @@
 #include "lights/expand.shared.h"
 #include "lights/fixtures.h"
 #include "relamp/error.h"
+#include "solve/thesis_engine.h"
 
 #include <memory>
 #include <utility>
@@ -117,8 +118,9 @@ Solution solveByThesis(const Texels& texels, const RayScene& scene, const Deligh
             "has ambient light alone; give it lights with --lights");
 
     const ThesisOptions dials = options.lights ? dialsFor(lights, options.thesis) : options.thesis;
-    const auto shading =
-        std::make_shared<ThesisShading>(solveThesis(texels, scene, lights, dials, progress));
+    const auto engine = std::make_shared<ThesisEngine>(texels, scene, options.engine);
+    const auto shading = std::make_shared<ThesisShading>(engine->solve(lights, dials, progress));
+    if (!engine->note().empty()) solution.warnings.push_back(engine->note());
     setDials(*shading, texels, light, lights, progress);
     {
         const Progress::Stage stage(progress, "closure");
@@ -135,8 +137,10 @@ Solution solveByThesis(const Texels& texels, const RayScene& scene, const Deligh
     solution.shining = {std::vector<uint8_t>(texels.surfels.count(), 0),
                         options.thesis.emitterThreshold};
     for (const Emitter& emitter : light.emitters) solution.shining.surfels[emitter.surfel] = 1;
-    solution.shade = [shading](size_t, size_t, const TexelBlock& block, ShadingBlock& out) {
-        shade(*shading, block, out);
+    solution.options.engine = {engine->name() == "cpu" ? Engine::cpu : Engine::gpu, engine->name()};
+    solution.shade = [shading, engine, lights](size_t page, size_t begin, const TexelBlock& block,
+                                               ShadingBlock& out) {
+        engine->shadeTexels(*shading, lights, {page, begin}, block, out);
     };
     return solution;
 }

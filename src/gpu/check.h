@@ -1,0 +1,14 @@
+#pragma once
+
+#include "gpu/vulkan.h"
+
+#include <string_view>
+
+namespace relamp::gpu
+{
+
+/// Throws Error(device) with a sentence where `result` is a failure. `what` is what was tried, as
+/// in "reserving memory".
+void check(VkResult result, std::string_view what);
+
+} // namespace relamp::gpu

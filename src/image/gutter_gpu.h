@@ -1,0 +1,48 @@
+#pragma once
+
+#include "gpu/commands.h"
+
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace relamp
+{
+
+/// A page's picture on a GPU, four halves a pixel of which the last is 1 where the picture counts;
+/// its mip levels are kept for fillGutters().
+class GpuPicture
+{
+public:
+    GpuPicture(const gpu::Device& device, uint32_t width, uint32_t height);
+
+    /// The picture itself, `width` * `height`.
+    [[nodiscard]] const gpu::Array<glm::uvec2>& pixels() const { return levels_[0].pixels; }
+    /// Bytes that one takes on a device.
+    static size_t bytesOf(size_t pixels) { return pixels * sizeof(glm::uvec2) * 4 / 3; }
+
+private:
+    friend class GutterGpu;
+    struct Level
+    {
+        uint32_t width;
+        uint32_t height;
+        gpu::Array<glm::uvec2> pixels;
+    };
+    std::vector<Level> levels_;
+};
+
+/// fillGutters() on a GPU.
+class GutterGpu
+{
+public:
+    explicit GutterGpu(const gpu::Device& device);
+
+    void fill(gpu::Commands& commands, const GpuPicture& picture) const;
+
+private:
+    gpu::Program push_;
+    gpu::Program pull_;
+};
+
+} // namespace relamp

@@ -1,0 +1,89 @@
+// The GPU engine in the real program, on whatever device there is: Mesa's lavapipe will do.
+
+#include "golden/program.h"
+#include "golden/score.h"
+#include "scenes/temporary_folder.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace relamp::golden
+{
+namespace
+{
+
+using scenes::TemporaryFolder;
+using testing::HasSubstr;
+
+const std::string kScan = RELAMP_SAMPLES "/bedroom/scan.glb";
+
+/// Albedo of the sample by the thesis solver on an engine.
+Picture albedoBy(const std::string& engine, const TemporaryFolder& folder)
+{
+    const Outcome run = runRelamp(
+        {"delight", kScan, "-o", folder / engine, "--solver", "thesis", "--engine", engine, "-q"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    return readPicture((folder / engine) / "albedo.exr");
+}
+
+nlohmann::json reportOf(const std::filesystem::path& folder)
+{
+    return nlohmann::json::parse(std::ifstream(folder / "report.json"));
+}
+
+} // namespace
+
+TEST(GpuProgram, ListsWhatThereIsToComputeOn)
+{
+    const Outcome run = runRelamp({"devices"});
+    EXPECT_EQ(run.exitCode, 0);
+    EXPECT_THAT(run.out, testing::StartsWith("cpu  "));
+    EXPECT_THAT(run.out, HasSubstr("\n0    ")) << "no Vulkan device: install mesa-vulkan-drivers";
+}
+
+TEST(GpuProgram, GivesTheAlbedoThatTheCpuGives)
+{
+    const TemporaryFolder folder;
+    const Picture cpu = albedoBy("cpu", folder);
+    const Picture gpu = albedoBy("gpu", folder);
+    ASSERT_EQ(cpu.rgb.size(), gpu.rgb.size());
+    double apart = 0.0;
+    double all = 0.0;
+    for (size_t i = 0; i < cpu.rgb.size(); ++i)
+        for (int c = 0; c < 3; ++c) {
+            const auto expected = static_cast<double>(cpu.rgb[i][c]);
+            apart += std::pow(static_cast<double>(gpu.rgb[i][c]) - expected, 2.0);
+            all += expected * expected;
+        }
+    EXPECT_LT(std::sqrt(apart / all), 2e-3);
+    EXPECT_EQ(reportOf(folder / "cpu")["options"]["engine"], "cpu");
+    EXPECT_NE(reportOf(folder / "gpu")["options"]["engine"], "cpu");
+}
+
+TEST(GpuProgram, TimesAFrameStageByStage)
+{
+    const Outcome run = runRelamp({"bench", kScan, "--engine", "gpu", "--rounds", "1"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    for (const char* row : {"\nflatten ", "\ndirect ", "\nRSM ", "\nLPV ", "\ndivide ", "\ntotal "})
+        EXPECT_THAT(run.out, HasSubstr(row));
+}
+
+TEST(GpuProgram, SaysWhatIsMissingAndTheWayOut)
+{
+    const TemporaryFolder folder;
+    const Outcome unknown = runRelamp(
+        {"delight", kScan, "-o", folder / "out", "--solver", "thesis", "--gpu", "abacus"});
+    EXPECT_EQ(unknown.exitCode, 1);
+    EXPECT_THAT(unknown.err,
+                HasSubstr("no device is called \"abacus\" (relamp devices lists them)"));
+    const Outcome other = runRelamp({"delight", kScan, "-o", folder / "out", "--engine", "gpu"});
+    EXPECT_EQ(other.exitCode, 1);
+    EXPECT_THAT(other.err, HasSubstr("--solver thesis"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+} // namespace relamp::golden

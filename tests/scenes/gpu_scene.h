@@ -1,0 +1,30 @@
+#pragma once
+
+#include "gpu/device.h"
+
+#include <memory>
+
+#include <gmock/gmock.h>
+
+namespace relamp::scenes
+{
+
+/// Tests on a device, under the eyes of Vulkan's validation layer: one complaint fails a test. A
+/// machine without any device fails, too; Mesa's lavapipe is one.
+class GpuTest : public testing::Test
+{
+protected:
+    static void SetUpTestSuite();
+    static void TearDownTestSuite();
+    void TearDown() override;
+
+    static const gpu::Device& device() { return *device_; }
+    /// After a test that provokes them.
+    static void forgetComplaints();
+
+private:
+    static std::unique_ptr<gpu::Device> device_; // a suite's
+    static size_t heard_;
+};
+
+} // namespace relamp::scenes
