@@ -12,3 +12,4 @@ void addDelightCommand(CLI::App& app, Run& run);
 void addInfoCommand(CLI::App& app, Run& run);
 void addRelightCommand(CLI::App& app, Run& run);
 void addVerifyCommand(CLI::App& app, Run& run);
+void addViewCommand(CLI::App& app, Run& run);

@@ -48,42 +48,48 @@ RadiosityLight::RadiosityLight(const Texels& texels, const RayScene& scene,
       shadowRays_(shadowRays), isBuried_(buriedSurfels(texels))
 {}
 
-void RadiosityLight::findShadows(const ActiveLights& active, Progress& progress)
+std::shared_ptr<const ShadowedLight>
+RadiosityLight::shadowed(const ActiveLight& light, std::shared_ptr<const ShadowedLight> known,
+                         ShadowDetail detail, const Obstacles& obstacles) const
 {
-    Progress::Stage stage(progress, "shadows", 2 * std::max<size_t>(active.lights.size(), 1));
+    if (known && (known->shadows || detail == ShadowDetail::sides)) return known;
+    ShadowedLight result{light,
+                         known ? known->onSides
+                               : directOfSides(texels_, obstacles, *light.source, transport_.sides),
+                         std::nullopt};
+    if (detail == ShadowDetail::texels)
+        result.shadows.emplace(texels_, obstacles, *light.source,
+                               std::span(result.onSides).first(texels_.surfels.count()),
+                               shadowRays_);
+    return std::make_shared<const ShadowedLight>(std::move(result));
+}
+
+void RadiosityLight::findShadows(const ActiveLights& active, ShadowDetail detail,
+                                 Progress& progress)
+{
+    Progress::Stage stage(progress, "shadows", std::max<size_t>(active.lights.size(), 1));
     const bool arePanesNew = panes_ != active.panes;
-    panes_ = active.panes;
     const Obstacles walls(texels_, scene_, {}, isClipped_);
-    const Obstacles wallsWithoutPanes(texels_, scene_, panes_, isClipped_);
-    std::vector<std::shared_ptr<const ShadowedLight>> kept;
-    std::swap(kept, lights_);
+    const Obstacles wallsWithoutPanes(texels_, scene_, active.panes, isClipped_);
+    std::vector<std::shared_ptr<const ShadowedLight>> found;
     for (const ActiveLight& light : active.lights) {
         const bool isSun = light.source->isSun();
         const auto isSame = [&](const auto& other) {
             return castSameShadows(other->light, light) && !(isSun && arePanesNew);
         };
-        const auto found = std::find_if(kept.begin(), kept.end(), isSame);
-        if (found != kept.end()) {
-            lights_.push_back(*found);
-            stage.advance(2);
-            continue;
-        }
-        const Obstacles& obstacles = isSun ? wallsWithoutPanes : walls;
-        std::vector<AreaSample> onSides =
-            directOfSides(texels_, obstacles, *light.source, transport_.sides);
-        stage.advance();
-        Shadows shadows(texels_, obstacles, *light.source,
-                        std::span(onSides).first(texels_.surfels.count()), shadowRays_);
-        lights_.push_back(std::make_shared<const ShadowedLight>(
-            ShadowedLight{light, std::move(onSides), std::move(shadows)}));
+        const auto known = std::find_if(lights_.begin(), lights_.end(), isSame);
+        found.push_back(shadowed(light, known != lights_.end() ? *known : nullptr, detail,
+                                 isSun ? wallsWithoutPanes : walls));
         stage.advance();
     }
+    lights_ = std::move(found); // all or, where somebody cancelled, none of it
+    panes_ = active.panes;
 }
 
 void RadiosityLight::set(const ActiveLights& active, std::span<const glm::vec3> albedo,
-                         Progress& progress)
+                         ShadowDetail detail, Progress& progress)
 {
-    findShadows(active, progress);
+    findShadows(active, detail, progress);
     const Progress::Stage stage(progress, "bounces");
     std::vector<glm::vec3> direct(transport_.sides.size(), glm::vec3(0.0f));
     emissions_.clear();
@@ -95,6 +101,8 @@ void RadiosityLight::set(const ActiveLights& active, std::span<const glm::vec3> 
     indirect_ = std::make_shared<const std::vector<glm::vec3>>(
         withoutNoise(texels_.surfels, withoutBuried(texels_.surfels, bounced.irradiance, isBuried_),
                      bounced.noise));
+    onFronts_ = *indirect_;
+    for (size_t s = 0; s < onFronts_.size(); ++s) onFronts_[s] += direct[s];
 }
 
 TexelShading RadiosityLight::shading() const
@@ -106,7 +114,7 @@ TexelShading RadiosityLight::shading() const
             std::fill_n(channel, block.count, 0.0f);
         float share[TexelBlock::kPadded];
         for (size_t l = 0; l < lights.size(); ++l)
-            if (lights[l]->shadows.at(p, begin, block.count, share))
+            if (lights[l]->shadows->at(p, begin, block.count, share))
                 addDirectOf(*lights[l]->light.source, emissions[l], block, share, out.direct);
         darkenBuried(texels, p, begin, block.count, out);
     };

@@ -265,4 +265,11 @@ Relighting readRelighting(const std::filesystem::path& file, const Lights& captu
     return relightingFrom(document.top(), file.parent_path(), captured, warnings);
 }
 
+Relighting relightingOf(const std::string& text, const std::filesystem::path& file,
+                        const Lights& captured, std::vector<std::string>& warnings)
+{
+    const JsonDocument document(file.string(), text, kLightsFormat);
+    return relightingFrom(document.top(), file.parent_path(), captured, warnings);
+}
+
 } // namespace relamp
