@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -20,9 +22,15 @@ constexpr std::array<const char*, 6> kTypes{"point", "spot", "rectangle", "disc"
 constexpr std::array<const char*, 5> kUnits{"lumens", "candela", "watts", "nits", "lux"};
 constexpr std::array<const char*, 3> kRgbUnits{"intensity", "radiance", "irradiance"};
 
+/// The float in as few digits as tell it apart, as people write numbers.
+double plain(float value)
+{
+    return std::stod(fmt::format("{}", value));
+}
+
 ordered_json listOf(glm::vec3 v)
 {
-    return ordered_json::array({v.x, v.y, v.z});
+    return ordered_json::array({plain(v.x), plain(v.y), plain(v.z)});
 }
 
 glm::vec3 vec3From(const ordered_json& list)
@@ -58,26 +66,26 @@ ordered_json jsonOf(const LampItem& lamp)
     if (lamp.type != LightType::sun) item["position"] = listOf(lamp.position);
     if (lamp.aims() || !lamp.ies.empty()) item["direction"] = listOf(lamp.direction);
     if (lamp.type == LightType::rectangle) {
-        item["size"] = {lamp.size.x, lamp.size.y};
+        item["size"] = {plain(lamp.size.x), plain(lamp.size.y)};
         if (lamp.along != glm::vec3(0.0f)) item["along"] = listOf(lamp.along);
     } else if (lamp.type == LightType::sun) {
-        item["angle"] = lamp.angle;
+        item["angle"] = plain(lamp.angle);
     } else {
-        item["radius"] = lamp.radius;
+        item["radius"] = plain(lamp.radius);
     }
     if (lamp.type == LightType::spot) {
-        item["cone"] = lamp.cone;
-        item["blend"] = lamp.blend;
+        item["cone"] = plain(lamp.cone);
+        item["blend"] = plain(lamp.blend);
     }
     if (!lamp.ies.empty()) item["ies"] = lamp.ies;
     if (lamp.takesRgb()) {
         item[lamp.unit] = listOf(lamp.rgb);
     } else {
-        if (lamp.unit != "ies") item[lamp.unit] = lamp.amount;
-        lamp.byKelvin ? item["kelvin"] = lamp.kelvin : item["colour"] = listOf(lamp.colour);
+        if (lamp.unit != "ies") item[lamp.unit] = plain(lamp.amount);
+        lamp.byKelvin ? item["kelvin"] = plain(lamp.kelvin) : item["colour"] = listOf(lamp.colour);
     }
     if (!lamp.on) item["on"] = false;
-    if (lamp.dim != 1.0f) item["dim"] = lamp.dim;
+    if (lamp.dim != 1.0f) item["dim"] = plain(lamp.dim);
     return item;
 }
 
@@ -87,9 +95,9 @@ ordered_json jsonOf(const FixtureItem& fixture, size_t id)
     item["id"] = id;
     item["on"] = fixture.on;
     if (fixture.radiance) item["radiance"] = listOf(*fixture.radiance);
-    if (fixture.lumens) item["lumens"] = *fixture.lumens;
-    if (fixture.kelvin) item["kelvin"] = *fixture.kelvin;
-    if (fixture.dim != 1.0f) item["dim"] = fixture.dim;
+    if (fixture.lumens) item["lumens"] = plain(*fixture.lumens);
+    if (fixture.kelvin) item["kelvin"] = plain(*fixture.kelvin);
+    if (fixture.dim != 1.0f) item["dim"] = plain(fixture.dim);
     if (fixture.window) item["window"] = true;
     return item;
 }
@@ -100,11 +108,11 @@ ordered_json jsonOf(const SkyItem& sky)
     if (sky.radiance)
         item["radiance"] = listOf(*sky.radiance);
     else {
-        item["nits"] = sky.nits;
+        item["nits"] = plain(sky.nits);
         item["colour"] = listOf(sky.colour);
     }
     if (!sky.environment.empty()) item["environment"] = sky.environment;
-    if (sky.turn != 0.0f) item["turn"] = sky.turn;
+    if (sky.turn != 0.0f) item["turn"] = plain(sky.turn);
     return item;
 }
 
@@ -147,7 +155,8 @@ LampItem lampFrom(const ordered_json& item)
     take(item, "dim", lamp.dim);
     takeUnit(item, lamp);
     const float length = glm::length(lamp.direction);
-    if (length > 0.0f) lamp.direction /= length;
+    // What was saved has a length of 1 but for rounding, and stays as it is.
+    if (length > 0.0f && std::abs(length - 1.0f) > 1e-4f) lamp.direction /= length;
     return lamp;
 }
 
@@ -220,8 +229,8 @@ std::string textOf(const LightDocument& document)
 {
     ordered_json top;
     top["format"] = "relamp lights 1";
-    if (document.whiteNits) top["white"]["nits"] = *document.whiteNits;
-    if (document.whiteKelvin) top["white"]["kelvin"] = *document.whiteKelvin;
+    if (document.whiteNits) top["white"]["nits"] = plain(*document.whiteNits);
+    if (document.whiteKelvin) top["white"]["kelvin"] = plain(*document.whiteKelvin);
     top["lights"] = ordered_json::array();
     for (const LampItem& lamp : document.lamps) top["lights"].push_back(jsonOf(lamp));
     top["fixtures"] = ordered_json::array();

@@ -23,8 +23,8 @@ public:
         wake_();
     }
 
-    /// Runs all letters, in their order, on the calling thread.
-    void deliver()
+    /// Runs all letters, in their order, on the calling thread. False where there was none.
+    bool deliver()
     {
         std::vector<Letter> letters;
         {
@@ -32,6 +32,7 @@ public:
             letters.swap(letters_);
         }
         for (const Letter& letter : letters) letter();
+        return !letters.empty();
     }
 
 private:

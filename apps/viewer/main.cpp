@@ -40,9 +40,12 @@ int main(int argc, char** argv)
     Viewer::Options options;
     std::vector<int> size;
     app.add_option("--size", size, "Of the window, in pixels [as it was last]")
-        ->expected(2)
+        ->delimiter('x')
+        ->type_size(2)
+        ->expected(1)
+        ->take_all()
         ->check(between(64, 16384))
-        ->type_name("W H");
+        ->type_name("WxH");
     app.add_option("--script", options.script,
                    "Lines of commands that drive it instead of a person")
         ->type_name("FILE");

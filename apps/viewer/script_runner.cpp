@@ -84,6 +84,11 @@ bool ScriptRunner::step(Viewer& viewer, const Send& send)
     return at_ < commands_.size() || !events_.empty();
 }
 
+bool ScriptRunner::needsFrames() const
+{
+    return !events_.empty() || at_ >= commands_.size() || commands_[at_].name != "wait";
+}
+
 /// Begins, ends or goes on with a command; false where a frame has to pass.
 bool ScriptRunner::advance(Viewer& viewer)
 {

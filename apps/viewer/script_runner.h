@@ -23,6 +23,8 @@ public:
     /// Goes on as far as it can before the next frame. False at the end of the script. Throws
     /// relamp::Error naming the file and the line where a command fails, or waits too long.
     bool step(Viewer& viewer, const Send& send);
+    /// False while it waits for what the threads are at.
+    [[nodiscard]] bool needsFrames() const;
 
 private:
     using Clock = std::chrono::steady_clock;

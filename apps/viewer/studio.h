@@ -65,8 +65,9 @@ public:
     void open(const std::filesystem::path& path, const relamp::ScanOptions& options);
     /// Opens what it is: a scan, a folder, a lights file, a timeline.
     void openAny(const std::filesystem::path& path);
-    /// Takes over what the threads have found. To be called once a frame.
-    void deliver() { mailbox_.deliver(); }
+    /// Takes over what the threads have found; false where that is nothing. To be called once a
+    /// frame.
+    bool deliver() { return mailbox_.deliver(); }
 
     /// Makes `edit` count: to be called after it was changed, with a name for the step.
     void commit(const std::string& step);

@@ -28,7 +28,8 @@ constexpr float kDoubleClick = 0.35f; // s
 constexpr float kTurn = 0.005f;       // rad a pixel
 constexpr float kPace = 1.4f;         // m/s on foot
 constexpr int kFramesAfterEvent = 3;  // that ImGui needs to settle
-constexpr double kIdle = 0.5;         // s without a frame where nothing happens
+constexpr double kIdle = 0.05;        // s to sleep where nothing happens
+constexpr float kProgress = 0.25f;    // s between frames that show no more than progress
 
 glm::ivec2 sizeOf(const Viewer::Options& options, const Settings& settings)
 {
@@ -90,40 +91,32 @@ Viewer::~Viewer()
 
 bool Viewer::isMoving() const
 {
-    return framesToDraw_ > 0 || script_ != nullptr || studio.isPlaying() || drag_ != Drag::none ||
-           !heldKeys_.empty();
+    return framesToDraw_ > 0 || (script_ && script_->needsFrames()) || studio.isPlaying() ||
+           drag_ != Drag::none || !heldKeys_.empty();
 }
 
 void Viewer::run()
 {
-    auto last = Clock::now();
+    auto last = Clock::now(); // that a frame was drawn
     while (!isQuitting_ && !window_.isClosed()) {
-        const std::vector<InputEvent> events = window_.events(isMoving() ? 0.0 : kIdle);
-        // What sleeps is woken by an event or by a thread that has found something.
-        framesToDraw_ = std::max(framesToDraw_ - 1, 1);
-        for (const InputEvent& event : events)
+        // What sleeps is woken by an event, or by a thread that has found something.
+        for (const InputEvent& event : window_.events(isMoving() ? 0.0 : kIdle))
             if (!script_) take(event);
-        const auto now = Clock::now();
-        const float seconds = std::chrono::duration<float>(now - last).count();
-        last = now;
+        if (studio.deliver()) framesToDraw_ = kFramesAfterEvent;
         if (script_ && !script_->step(*this, [this](const InputEvent& event) { take(event); }))
             script_ = nullptr;
-        if (isQuitting_) break;
-        renew(seconds);
+        const auto now = Clock::now();
+        const float seconds = std::chrono::duration<float>(now - last).count();
+        if (isQuitting_ || (!isMoving() && seconds < kProgress)) continue;
+        last = now;
+        studio.passTime(seconds);
+        walk(std::min(seconds, 0.1f));
+        resizeIfNeeded();
+        describe(seconds);
         drawFrame();
-        framesASecond_ += 0.1 * (1.0 / std::max(seconds, 1e-4f) - framesASecond_);
-        if (events.empty() && !isMoving()) framesToDraw_ = 0;
+        framesToDraw_ = std::max(framesToDraw_ - 1, 0);
     }
     device_.wait();
-}
-
-void Viewer::renew(float seconds)
-{
-    studio.deliver();
-    studio.passTime(seconds);
-    walk(std::min(seconds, 0.1f));
-    resizeIfNeeded();
-    describe(seconds);
 }
 
 void Viewer::resizeIfNeeded()

@@ -80,7 +80,6 @@ public:
     [[nodiscard]] float scale() const { return scale_; }
     [[nodiscard]] const Device& device() const { return device_; }
     [[nodiscard]] Window& window() { return window_; }
-    [[nodiscard]] double framesASecond() const { return framesASecond_; }
     [[nodiscard]] bool isHeld(int key) const { return heldKeys_.contains(key); }
     [[nodiscard]] size_t framesDrawn() const { return framesDrawn_; }
     [[nodiscard]] bool has(Layer layer) const { return drawing_.has(layer); }
@@ -118,7 +117,6 @@ private:
     void pick(glm::vec2 at);
     void walk(float seconds);
     static bool isWalkingKey(int key);
-    void renew(float seconds);
     void drawFrame();
     void describe(float seconds);
     void resizeIfNeeded();
@@ -138,6 +136,5 @@ private:
     std::chrono::steady_clock::time_point lastPress_{};
     int framesToDraw_ = 3;
     size_t framesDrawn_ = 0;
-    double framesASecond_ = 0.0;
     bool isQuitting_ = false;
 };

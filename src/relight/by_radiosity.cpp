@@ -39,6 +39,39 @@ void darkenBuried(const Texels& texels, size_t page, size_t begin, size_t count,
                 if (buried[i] != 0) channel[i] = 0.0f;
 }
 
+/// Irradiance at emission 1 in the middle of surfels. A few rays tell how much of the light is
+/// seen, those of the neighbours with them; how much there is to be seen is known exactly.
+std::vector<float> smoothOnFronts(const Surfels& surfels, const LightSource& source,
+                                  std::span<const AreaSample> onSides)
+{
+    std::vector<float> irradiance(surfels.count());
+    forEachChunk(surfels.count(), TexelBlock::kCapacity, [&](size_t begin, size_t end) {
+        TexelBlock block;
+        block.count = end - begin;
+        for (size_t s = begin; s < end; ++s) {
+            const size_t i = s - begin;
+            block.x[i] = surfels.position[s].x;
+            block.y[i] = surfels.position[s].y;
+            block.z[i] = surfels.position[s].z;
+            block.nx[i] = surfels.normal[s].x;
+            block.ny[i] = surfels.normal[s].y;
+            block.nz[i] = surfels.normal[s].z;
+        }
+        float open[TexelBlock::kPadded];
+        source.open(block, open);
+        for (size_t s = begin; s < end; ++s) {
+            float all = 0.0f;
+            float seen = 0.0f;
+            for (const uint32_t n : surfels.neighborsOf(s)) {
+                all += onSides[n].open;
+                seen += onSides[n].visible;
+            }
+            irradiance[s] = all > 0.0f ? open[s - begin] * seen / all : 0.0f;
+        }
+    });
+    return irradiance;
+}
+
 } // namespace
 
 RadiosityLight::RadiosityLight(const Texels& texels, const RayScene& scene,
@@ -53,10 +86,14 @@ RadiosityLight::shadowed(const ActiveLight& light, std::shared_ptr<const Shadowe
                          ShadowDetail detail, const Obstacles& obstacles) const
 {
     if (known && (known->shadows || detail == ShadowDetail::sides)) return known;
-    ShadowedLight result{light,
-                         known ? known->onSides
-                               : directOfSides(texels_, obstacles, *light.source, transport_.sides),
-                         std::nullopt};
+    ShadowedLight result{light, {}, {}, std::nullopt};
+    if (known) {
+        result.onSides = known->onSides;
+        result.onFronts = known->onFronts;
+    } else {
+        result.onSides = directOfSides(texels_, obstacles, *light.source, transport_.sides);
+        result.onFronts = smoothOnFronts(texels_.surfels, *light.source, result.onSides);
+    }
     if (detail == ShadowDetail::texels)
         result.shadows.emplace(texels_, obstacles, *light.source,
                                std::span(result.onSides).first(texels_.surfels.count()),
@@ -102,7 +139,9 @@ void RadiosityLight::set(const ActiveLights& active, std::span<const glm::vec3> 
         withoutNoise(texels_.surfels, withoutBuried(texels_.surfels, bounced.irradiance, isBuried_),
                      bounced.noise));
     onFronts_ = *indirect_;
-    for (size_t s = 0; s < onFronts_.size(); ++s) onFronts_[s] += direct[s];
+    for (size_t l = 0; l < lights_.size(); ++l)
+        for (size_t s = 0; s < onFronts_.size(); ++s)
+            onFronts_[s] += lights_[l]->onFronts[s] * emissions_[l];
 }
 
 TexelShading RadiosityLight::shading() const

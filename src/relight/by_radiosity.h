@@ -24,6 +24,7 @@ struct ShadowedLight
 {
     ActiveLight light;
     std::vector<AreaSample> onSides; // one a side of the transport
+    std::vector<float> onFronts;     // irradiance on fronts of surfels, without the rays' noise
     std::optional<Shadows> shadows;  // on texels; none where only sides were asked for
 };
 
