@@ -113,7 +113,7 @@ void Device::choosePhysical()
         best = rankOf(properties.deviceType);
         physical_ = candidate;
         family_ = *family;
-        isSoftware_ = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+        isAnisotropic_ = properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU;
         name_ = properties.deviceName;
     }
     if (physical_ != nullptr) return;
@@ -127,10 +127,9 @@ void Device::createDevice()
 {
     VkPhysicalDeviceFeatures available;
     vkGetPhysicalDeviceFeatures(physical_, &available);
-    drawsLines_ = available.fillModeNonSolid == VK_TRUE;
     VkPhysicalDeviceFeatures wanted{};
-    wanted.fillModeNonSolid = available.fillModeNonSolid;
-    wanted.samplerAnisotropy = available.samplerAnisotropy;
+    isAnisotropic_ = isAnisotropic_ && available.samplerAnisotropy == VK_TRUE;
+    wanted.samplerAnisotropy = isAnisotropic_ ? VK_TRUE : VK_FALSE;
 
     const float priority = 1.0f;
     VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};

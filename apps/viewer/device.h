@@ -29,8 +29,8 @@ public:
     [[nodiscard]] VkSurfaceKHR surface() const { return surface_; }
     [[nodiscard]] VkQueue queue() const { return queue_; }
     [[nodiscard]] uint32_t family() const { return family_; }
-    [[nodiscard]] bool drawsLines() const { return drawsLines_; }
-    [[nodiscard]] bool isSoftware() const { return isSoftware_; }
+    /// Whether looking along a texture is worth its cost: in hardware.
+    [[nodiscard]] bool isAnisotropic() const { return isAnisotropic_; }
     [[nodiscard]] const std::string& name() const { return name_; }
 
     [[nodiscard]] OwnedMemory allocate(const VkMemoryRequirements& needs,
@@ -50,8 +50,7 @@ private:
     VkDevice device_ = nullptr;
     VkQueue queue_ = nullptr;
     uint32_t family_ = 0;
-    bool drawsLines_ = false;
-    bool isSoftware_ = false;
+    bool isAnisotropic_ = false;
     std::string name_;
     OwnedCommandPool pool_;
 };

@@ -57,6 +57,7 @@ void RoomDrawing::setMesh(const RoomMesh& mesh, size_t pages)
     surfaces_ = mesh.surfaces;
     vertices_ = Buffer(device_, std::span(mesh.vertices), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
     indices_ = Buffer(device_, std::span(mesh.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    edges_ = Buffer(device_, std::span(mesh.edges), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
     const std::vector<relamp::LightAtPlace> dark(mesh.vertices.size());
     light_ = Buffer(device_, std::span(dark), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
     hasLight_ = false;
@@ -155,7 +156,7 @@ VkSampler RoomDrawing::samplerOf(Wraps wraps)
     info.addressModeU = addressOf(wraps.first);
     info.addressModeV = addressOf(wraps.second);
     // Without hardware for it, eight looks into a texture cost eight times one.
-    info.anisotropyEnable = device_.isSoftware() ? VK_FALSE : VK_TRUE;
+    info.anisotropyEnable = device_.isAnisotropic() ? VK_TRUE : VK_FALSE;
     info.maxAnisotropy = 8.0f;
     info.maxLod = VK_LOD_CLAMP_NONE;
     VkSampler made = nullptr;
@@ -201,7 +202,7 @@ void RoomDrawing::draw(VkCommandBuffer commands, VkRenderPass pass, const Scene&
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &scene.area);
     drawSurfaces(commands, pass, scene, false);
-    if (scene.wireframe && device_.drawsLines()) drawSurfaces(commands, pass, scene, true);
+    if (scene.wireframe) drawSurfaces(commands, pass, scene, true);
     if (scene.lamps && !scene.atlas) drawLamps(commands, pass, scene);
 }
 
@@ -211,7 +212,7 @@ void RoomDrawing::drawSurfaces(VkCommandBuffer commands, VkRenderPass pass, cons
     const VkBuffer buffers[] = {vertices_.get(), light_.get()};
     const VkDeviceSize offsets[] = {0, 0};
     vkCmdBindVertexBuffers(commands, 0, 2, buffers, offsets);
-    vkCmdBindIndexBuffer(commands, indices_.get(), 0, VK_INDEX_TYPE_UINT32);
+    vkCmdBindIndexBuffer(commands, (lines ? edges_ : indices_).get(), 0, VK_INDEX_TYPE_UINT32);
     Drawing drawing{.layer = static_cast<int>(scene.layer),
                     .view = scene.linear ? 3 : static_cast<int>(scene.view.view),
                     .atlas = scene.atlas,
@@ -234,7 +235,8 @@ void RoomDrawing::drawSurfaces(VkCommandBuffer commands, VkRenderPass pass, cons
         vkCmdPushConstants(commands, pipelines_.layout(),
                            VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
                            sizeof(push), &push);
-        vkCmdDrawIndexed(commands, surface.indices, 1, surface.firstIndex, 0, 0);
+        vkCmdDrawIndexed(commands, lines ? surface.edges : surface.indices, 1,
+                         lines ? surface.firstEdge : surface.firstIndex, 0, 0);
     }
 }
 

@@ -79,7 +79,7 @@ private:
     OwnedDescriptorPool pool_;
     std::map<std::pair<int, Wraps>, VkDescriptorSet> sets_;
     std::vector<RoomSurface> surfaces_;
-    Buffer vertices_, light_, indices_, lamps_;
+    Buffer vertices_, light_, indices_, edges_, lamps_;
     uint32_t lampVertices_ = 0;
     bool hasLight_ = false;
 };

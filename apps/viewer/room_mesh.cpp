@@ -22,6 +22,7 @@ struct Piece
     std::vector<RoomVertex> vertices;
     std::vector<glm::vec3> normals; // sums
     std::vector<glm::uvec3> triangles;
+    std::vector<uint32_t> edges; // of the triangles before they were cut
 };
 
 double areaOf(const relamp::Scan& scan)
@@ -97,6 +98,10 @@ Piece pieceOf(const relamp::Scan& scan, const relamp::Mesh& mesh)
             triangle[k] =
                 sides.copyOf(mesh.triangles[t][k], mesh.normals[3 * t + static_cast<size_t>(k)]);
         piece.triangles.push_back(triangle);
+        for (const auto& [a, b] :
+             {std::pair(triangle.x, triangle.y), std::pair(triangle.y, triangle.z),
+              std::pair(triangle.z, triangle.x)})
+            piece.edges.insert(piece.edges.end(), {a, b});
     }
     return piece;
 }
@@ -191,10 +196,13 @@ void append(const Piece& piece, const relamp::Mesh& mesh, bool ofVertices, RoomM
 {
     const auto first = static_cast<uint32_t>(room.vertices.size());
     room.surfaces.push_back({static_cast<uint32_t>(room.indices.size()),
-                             static_cast<uint32_t>(3 * piece.triangles.size()), mesh.page,
-                             mesh.wrapU, mesh.wrapV, ofVertices});
+                             static_cast<uint32_t>(3 * piece.triangles.size()),
+                             static_cast<uint32_t>(room.edges.size()),
+                             static_cast<uint32_t>(piece.edges.size()), mesh.page, mesh.wrapU,
+                             mesh.wrapV, ofVertices});
     room.vertices.insert(room.vertices.end(), piece.vertices.begin(), piece.vertices.end());
     for (const glm::vec3& normal : piece.normals) room.normals.push_back(glm::normalize(normal));
+    for (const uint32_t vertex : piece.edges) room.edges.push_back(first + vertex);
     for (const glm::uvec3& t : piece.triangles)
         room.indices.insert(room.indices.end(), {first + t.x, first + t.y, first + t.z});
 }

@@ -21,6 +21,8 @@ struct RoomSurface
 {
     uint32_t firstIndex = 0;
     uint32_t indices = 0;
+    uint32_t firstEdge = 0; // in RoomMesh::edges
+    uint32_t edges = 0;     // two each
     int page = 0;
     relamp::Wrap wrapU = relamp::Wrap::repeat;
     relamp::Wrap wrapV = relamp::Wrap::repeat;
@@ -33,6 +35,7 @@ struct RoomMesh
     std::vector<RoomVertex> vertices;
     std::vector<glm::vec3> normals; // of vertices, unit
     std::vector<uint32_t> indices;
+    std::vector<uint32_t> edges; // of the scan's own triangles, two vertices each
     std::vector<RoomSurface> surfaces;
     relamp::Bounds bounds;
     float longestEdge = 0.0f; // m, that was aimed at

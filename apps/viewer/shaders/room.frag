@@ -52,7 +52,7 @@ vec3 layerHere()
 void main()
 {
     if (kLines) {
-        shown = vec4(0.10, 0.65, 0.95, 1.0);
+        shown = vec4(0.05, 0.45, 0.85, 0.4);
         return;
     }
     bool isLight = kLayer != kAlbedo && kLayer != kConfidence;
