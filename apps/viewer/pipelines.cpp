@@ -9,10 +9,10 @@
 namespace
 {
 
-#include "shaders/lamp_frag.h"
-#include "shaders/lamp_vert.h"
-#include "shaders/room_frag.h"
-#include "shaders/room_vert.h"
+#include "lamp_frag.h"
+#include "lamp_vert.h"
+#include "room_frag.h"
+#include "room_vert.h"
 
 OwnedShader shader(const Device& device, std::span<const uint32_t> words)
 {

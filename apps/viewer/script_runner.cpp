@@ -98,6 +98,7 @@ bool ScriptRunner::advance(Viewer& viewer)
         hasBegun_ = true;
         start_ = Clock::now();
         firstFrame_ = viewer.framesDrawn();
+        firstClock_ = std::clock();
         begin(command, viewer);
         return false; // what it did is seen in the next frame
     }
@@ -176,7 +177,12 @@ void ScriptRunner::end(const ScriptCommand& command, Viewer& viewer)
     if (command.name == "measure") {
         const double passed = std::chrono::duration<double>(Clock::now() - start_).count();
         const auto frames = static_cast<double>(viewer.framesDrawn() - firstFrame_);
-        fmt::print("{:.1f} frames/s\n", frames / passed);
+        const double busy = static_cast<double>(std::clock() - firstClock_) / CLOCKS_PER_SEC;
+        fmt::print("{:.1f} frames/s, {:.1f} ms of the processor's cores a frame\n", frames / passed,
+                   1000.0 * busy / std::max(frames, 1.0));
+        if (viewer.studio.isGlanced())
+            fmt::print("{:.0f} ms for the last glance at the light\n",
+                       viewer.studio.glanceMilliseconds());
         std::fflush(stdout);
     }
 }

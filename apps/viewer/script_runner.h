@@ -4,6 +4,7 @@
 #include "script.h"
 
 #include <chrono>
+#include <ctime>
 #include <deque>
 #include <filesystem>
 #include <functional>
@@ -45,6 +46,7 @@ private:
     bool hasBegun_ = false;
     Clock::time_point start_;
     size_t firstFrame_ = 0;
+    std::clock_t firstClock_ = 0; // of the processor, all threads
     std::deque<InputEvent> events_;
     std::mt19937 random_;
     double seconds_ = 0.0; // that the command takes
