@@ -184,6 +184,7 @@ void takePicture(Viewer& viewer)
 
 void saveLights(Viewer& viewer)
 {
+    if (viewer.studio.scan() == nullptr) return viewer.studio.say("Open a scan first.");
     viewer.studio.saveLights(
         std::filesystem::absolute(viewer.studio.path().stem().string() + "_lights.json"));
 }
@@ -194,7 +195,7 @@ void saveBaked(Viewer& viewer)
         std::filesystem::absolute(viewer.studio.path().stem().string() + "_relit.glb"));
 }
 
-constexpr std::array<Action, 44> kActions{{
+constexpr std::array<Action, 45> kActions{{
     {"layer-texture", "1", "the texture, as scanned", showLayer<0>},
     {"layer-flattened", "2", "its flattened colours", showLayer<1>},
     {"layer-direct", "3", "direct light", showLayer<2>},
@@ -209,6 +210,11 @@ constexpr std::array<Action, 44> kActions{{
     {"atlas", "u", "the atlas: textures laid out flat",
      [](Viewer& v) { v.shown.atlas = !v.shown.atlas; }},
     {"marks", "m", "marks of lights", [](Viewer& v) { v.shown.marks = !v.shown.marks; }},
+    {"enter-panels", "f6", "work in the panels by keyboard, or leave them",
+     [](Viewer& v) {
+         v.shown.inPanels = !v.shown.inPanels;
+         v.shown.panels = v.shown.panels || v.shown.inPanels;
+     }},
     {"panels", "tab", "panels", [](Viewer& v) { v.shown.panels = !v.shown.panels; }},
     {"help", "f1", "this help", [](Viewer& v) { v.shown.help = !v.shown.help; }},
     {"help-too", "h", "", [](Viewer& v) { v.shown.help = !v.shown.help; }},
@@ -234,9 +240,12 @@ constexpr std::array<Action, 44> kActions{{
     {"not-light", "n", "this is no lamp", judge<false>},
     {"deselect", "escape", "let go",
      [](Viewer& v) {
+         if (v.shown.inPanels || v.shown.help) {
+             v.shown.inPanels = v.shown.help = false;
+             return;
+         }
          v.select({});
          v.place.reset();
-         v.shown.help = false;
      }},
     {"undo", "ctrl+z", "undo", [](Viewer& v) { v.studio.undo(); }},
     {"redo", "ctrl+y", "redo", [](Viewer& v) { v.studio.redo(); }},

@@ -71,7 +71,6 @@ PanelDrawing::PanelDrawing(const Device& device, Window& window, VkRenderPass pa
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr; // the viewer keeps its settings itself
-    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     io.ClipboardUserData = &window;

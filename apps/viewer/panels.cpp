@@ -172,6 +172,11 @@ void drawMessages(Viewer& viewer)
 
 void drawPanels(Viewer& viewer)
 {
+    ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
+    const bool wereEntered = (flags & ImGuiConfigFlags_NavEnableKeyboard) != 0;
+    flags = viewer.shown.inPanels ? flags | ImGuiConfigFlags_NavEnableKeyboard
+                                  : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
+    if (viewer.shown.inPanels && !wereEntered) ImGui::SetWindowFocus("Side");
     if (viewer.shown.panels) {
         drawSide(viewer);
         drawStatus(viewer);

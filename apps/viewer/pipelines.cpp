@@ -63,6 +63,34 @@ struct VertexLayout
     VertexLayout& operator=(const VertexLayout&) = delete;
 };
 
+/// Lines let the surface shine through.
+VkPipelineColorBlendAttachmentState blendOf(const Drawing& drawing)
+{
+    VkPipelineColorBlendAttachmentState blend{};
+    blend.blendEnable = drawing.lines ? VK_TRUE : VK_FALSE;
+    blend.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+    blend.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    blend.colorBlendOp = VK_BLEND_OP_ADD;
+    blend.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
+    blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+    blend.alphaBlendOp = VK_BLEND_OP_ADD;
+    blend.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
+                           VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+    return blend;
+}
+
+/// From outside, the room is looked into past the backs of its near walls.
+VkPipelineRasterizationStateCreateInfo rasterOf(const Drawing& drawing)
+{
+    VkPipelineRasterizationStateCreateInfo raster{
+        VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+    raster.polygonMode = VK_POLYGON_MODE_FILL;
+    raster.cullMode = drawing.lamp || drawing.atlas ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT;
+    raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
+    raster.lineWidth = 1.0f;
+    return raster;
+}
+
 } // namespace
 
 Pipelines::Pipelines(const Device& device, VkDescriptorSetLayout layers)
@@ -120,13 +148,7 @@ OwnedPipeline Pipelines::make(const Drawing& drawing, VkRenderPass pass) const
         VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
     viewport.viewportCount = 1;
     viewport.scissorCount = 1;
-    VkPipelineRasterizationStateCreateInfo raster{
-        VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
-    raster.polygonMode = VK_POLYGON_MODE_FILL;
-    // From outside, the room is looked into past the backs of its near walls.
-    raster.cullMode = drawing.lamp || drawing.atlas ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT;
-    raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
-    raster.lineWidth = 1.0f;
+    const VkPipelineRasterizationStateCreateInfo raster = rasterOf(drawing);
     VkPipelineMultisampleStateCreateInfo samples{
         VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
     samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
@@ -135,16 +157,7 @@ OwnedPipeline Pipelines::make(const Drawing& drawing, VkRenderPass pass) const
     depth.depthTestEnable = VK_TRUE;
     depth.depthWriteEnable = drawing.lines ? VK_FALSE : VK_TRUE;
     depth.depthCompareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
-    VkPipelineColorBlendAttachmentState blend{};
-    blend.blendEnable = drawing.lines ? VK_TRUE : VK_FALSE;
-    blend.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
-    blend.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
-    blend.colorBlendOp = VK_BLEND_OP_ADD;
-    blend.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
-    blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
-    blend.alphaBlendOp = VK_BLEND_OP_ADD;
-    blend.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
-                           VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+    const VkPipelineColorBlendAttachmentState blend = blendOf(drawing);
     VkPipelineColorBlendStateCreateInfo blending{
         VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
     blending.attachmentCount = 1;

@@ -9,8 +9,6 @@
 #include <cmath>
 #include <tuple>
 
-#include <fmt/format.h>
-
 #include <glm/geometric.hpp>
 
 namespace

@@ -47,18 +47,17 @@ private:
     std::array<uint8_t, 4096> table_{};
 };
 
-/// A row of linear colours, one after the other.
-using Row = std::vector<glm::vec3>;
-
-/// Rows of one level, made of the level above it.
-class Level
+/// An image, or its half, quarter …, that is not stored anywhere.
+class Shrunk
 {
 public:
-    Level(const relamp::Image& image, uint32_t shrink)
+    Shrunk(const relamp::Image& image, uint32_t shrink)
         : radiance_(image), imageWidth_(static_cast<uint32_t>(image.width)),
-          imageHeight_(static_cast<uint32_t>(image.height)), shrink_(shrink),
-          width(std::max(imageWidth_ / shrink, 1u)), height(std::max(imageHeight_ / shrink, 1u))
+          imageHeight_(static_cast<uint32_t>(image.height)), shrink_(shrink)
     {}
+
+    [[nodiscard]] uint32_t width() const { return std::max(imageWidth_ / shrink_, 1u); }
+    [[nodiscard]] uint32_t height() const { return std::max(imageHeight_ / shrink_, 1u); }
 
     /// Mean light of the pixels that a pixel of this level stands for.
     [[nodiscard]] glm::vec3 at(uint32_t x, uint32_t y) const
@@ -77,10 +76,6 @@ private:
     uint32_t imageWidth_;
     uint32_t imageHeight_;
     uint32_t shrink_;
-
-public:
-    uint32_t width;
-    uint32_t height;
 };
 
 void put(std::byte* at, TexelFormat format, glm::vec3 light)
@@ -176,22 +171,22 @@ TexturePixels texturePixels(const relamp::Image& image, TexelFormat format, uint
     while (hasLevels &&
            static_cast<uint32_t>(std::max(image.width, image.height)) / shrink > largest)
         shrink *= 2;
-    const Level first(image, shrink);
+    const Shrunk first(image, shrink);
     const size_t texel = bytesOf(format);
     TexturePixels pixels;
     pixels.format = format;
-    pixels.levels.push_back({first.width, first.height, 0});
-    pixels.bytes.resize(texel * first.width * first.height);
+    pixels.levels.push_back({first.width(), first.height(), 0});
+    pixels.bytes.resize(texel * first.width() * first.height());
     const bool isSame = shrink == 1 && format == TexelFormat::srgb8 &&
                         image.transfer == relamp::Transfer::srgb && !image.encoded.empty();
-    forEachRow(first.height, [&](size_t y) {
-        for (size_t x = 0; x < first.width; ++x) {
-            std::byte* to = pixels.bytes.data() + texel * (y * first.width + x);
+    forEachRow(first.height(), [&](size_t y) {
+        for (size_t x = 0; x < first.width(); ++x) {
+            std::byte* to = pixels.bytes.data() + texel * (y * first.width() + x);
             if (!isSame) {
                 put(to, format, first.at(static_cast<uint32_t>(x), static_cast<uint32_t>(y)));
                 continue;
             }
-            std::memcpy(to, image.encoded.data() + 3 * (y * first.width + x), 3);
+            std::memcpy(to, image.encoded.data() + 3 * (y * first.width() + x), 3);
             to[3] = std::byte{255};
         }
     });

@@ -203,7 +203,9 @@ void Viewer::setSelectedLight(const Aimed& light, const std::string& step)
 void Viewer::take(const InputEvent& event)
 {
     framesToDraw_ = kFramesAfterEvent;
-    PanelDrawing::take(event);
+    // ImGui would begin to type into the first field.
+    const bool isTab = event.kind == InputEvent::Kind::key && event.code == GLFW_KEY_TAB;
+    if (!isTab || shown.inPanels || !event.down) PanelDrawing::take(event);
     switch (event.kind) {
     case InputEvent::Kind::key:
         return takeKey(event);
@@ -310,8 +312,15 @@ void Viewer::takeKey(const InputEvent& event)
     const int mods = event.mods & kMods;
     if (mods == 0 && isWalkingKey(event.code) && studio.camera.mode == CameraRig::Mode::walk)
         return;
-    if (event.code == GLFW_KEY_TAB && ImGui::GetIO().NavVisible) return; // goes through panels
-    runActionOf({event.code, mods}, *this);
+    if (shown.inPanels && mods == 0 && movesInPanels(event.code)) return;
+    // Plus is an equals sign with shift on many keyboards.
+    const bool isPlus = event.code == GLFW_KEY_EQUAL;
+    runActionOf({event.code, isPlus ? mods & ~GLFW_MOD_SHIFT : mods}, *this);
+}
+
+bool Viewer::movesInPanels(int key)
+{
+    return key == GLFW_KEY_TAB || key == GLFW_KEY_SPACE || key == GLFW_KEY_DELETE;
 }
 
 bool Viewer::isWalkingKey(int key)
@@ -324,7 +333,7 @@ bool Viewer::isWalkingKey(int key)
 void Viewer::walk(float seconds)
 {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput || io.NavVisible || io.KeyCtrl) return;
+    if (io.WantTextInput || shown.inPanels || io.KeyCtrl) return;
     const auto axis = [&](int positive, int negative) {
         return (isHeld(positive) ? 1.0f : 0.0f) - (isHeld(negative) ? 1.0f : 0.0f);
     };

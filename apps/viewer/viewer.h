@@ -46,6 +46,7 @@ struct Shown
     bool help = false;
     bool marks = true;      // lights and gizmo
     bool isEditing = false; // something of a panel is held
+    bool inPanels = false;  // keys go to the panels
 };
 
 class ScriptRunner;
@@ -117,6 +118,7 @@ private:
     void pick(glm::vec2 at);
     void walk(float seconds);
     static bool isWalkingKey(int key);
+    static bool movesInPanels(int key);
     void drawFrame();
     void describe(float seconds);
     void resizeIfNeeded();
