@@ -4,6 +4,7 @@
 #include "relamp/error.h"
 #include "relamp/version.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -25,6 +26,20 @@ int sayWhatIsWrong(const std::string& sentence)
     return kWorldIsWrong;
 }
 
+/// Reads "1280x720"; returns what is wrong with it.
+std::string takeSize(const std::string& text, Viewer::Options& options)
+{
+    constexpr int kSmallest = 64; // pixels
+    constexpr int kLargest = 16384;
+    glm::ivec2 size(0);
+    char rest = 0;
+    const int read = std::sscanf(text.c_str(), "%5dx%5d%c", &size.x, &size.y, &rest);
+    if (read != 2 || std::min(size.x, size.y) < kSmallest || std::max(size.x, size.y) > kLargest)
+        return text + " is no size like 1280x720, from 64 to 16384 pixels each way";
+    options.size = size;
+    return "";
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -38,13 +53,9 @@ int main(int argc, char** argv)
     app.get_option("scan")->required(false)->description(
         "A scan, or the folder that relamp delight wrote; or drop one in later");
     Viewer::Options options;
-    std::vector<int> size;
-    app.add_option("--size", size, "Of the window, in pixels [as it was last]")
-        ->delimiter('x')
-        ->type_size(2)
-        ->expected(1)
-        ->take_all()
-        ->check(between(64, 16384))
+    app.add_option("--size", "Of the window, in pixels [as it was last]")
+        ->check(
+            CLI::Validator([&options](std::string& text) { return takeSize(text, options); }, ""))
         ->type_name("WxH");
     app.add_option("--script", options.script,
                    "Lines of commands that drive it instead of a person")
@@ -60,7 +71,6 @@ int main(int argc, char** argv)
     }
     options.path = scan.file;
     options.scan = scan.options;
-    if (size.size() == 2) options.size = glm::ivec2(size[0], size[1]);
     try {
         const relamp::ThreadLimit threads(scan.threads);
         Viewer viewer(options);

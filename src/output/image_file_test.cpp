@@ -24,8 +24,9 @@ TEST(WriteImage, IsReadAsItWasWritten)
     Progress progress;
     for (const char* name : {"a.png", "a.exr"}) {
         writeImage(twoPixels(), folder / name, progress);
+        const Image written = twoPixels();
         const Image read = readImage(folder / name);
-        const Radiance before(twoPixels());
+        const Radiance before(written);
         const Radiance after(read);
         for (size_t i = 0; i < 2; ++i)
             for (int c = 0; c < 3; ++c) EXPECT_NEAR(after[i][c], before[i][c], 1e-3f) << name;
