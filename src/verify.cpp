@@ -23,7 +23,6 @@ Verification verify(const std::filesystem::path& folder, const VerifyOptions& op
     Texels texels = rasterizeAtlas(scan, progress, surfelsOf(run.gather.quality));
     texels.buried = findBuried(texels, scene, progress);
     const FoundRoom found = findRoom(texels, scene, asThen, progress);
-    if (found.sun) result.warnings.emplace_back(kSunIsNotTraced);
     const TracedRoom room = tracedRoomOf(texels, found, meanAlbedo(texels, found.radiance, albedo));
     const auto places =
         renderAgain(texels, PathTracer(texels, scene, room), albedo, options, progress);

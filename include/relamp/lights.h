@@ -54,7 +54,7 @@ struct Lights
     // Radiance of what lies outside the scan, seen through its holes; to the thesis solver,
     // irradiance / pi, the same everywhere.
     glm::vec3 ambient{0.0f};
-    std::optional<Sun> sun; // gather alone shades by it
+    std::optional<Sun> sun; // the thesis solver has none
 };
 
 /// lights.json, described in docs/guide/lights.md. `warnings` receives a sentence a key that is not

@@ -23,6 +23,7 @@ constexpr float kSameFacing = 0.9f; // cosine
 constexpr float kLeastStep = 0.1f;  // RMS, in log irradiance; less is no edge
 constexpr float kAgree = 0.4f;      // of the shading's steps: what it leaves unexplained
 constexpr float kDisagree = 1.2f;   // more is left than there was
+constexpr float kLeastTrust = 0.1f; // a wrong edge changes brightness; the pattern stays known
 constexpr float kDark = 1e-4f;
 constexpr float kMostlyClipped = 0.1f;
 
@@ -105,7 +106,8 @@ void doubtEdges(const Surfels& surfels, const SurfelRadiance& radiance, const Su
     forEachChunk(trust.size(), 1024, [&](size_t begin, size_t end) {
         for (size_t s = begin; s < end; ++s)
             if (light.inPenumbra[s] != 0 && steps.isPlain(s))
-                trust[s].edges = ramp(kDisagree, kAgree, steps.unexplained(s));
+                trust[s].edges =
+                    std::max(ramp(kDisagree, kAgree, steps.unexplained(s)), kLeastTrust);
     });
 }
 

@@ -20,7 +20,7 @@ struct SurfelTrust
 {
     float seen = 1.0f;  // falls where most of its rays leave the scan
     float front = 1.0f; // falls where most of its rays meet backs of surfaces
-    float edges = 1.0f; // falls where shadow edges are not those of the texture
+    float edges = 1.0f; // falls where shadow edges are not those of the texture, to 0.1
 };
 
 /// What the fronts of surfels look at, one entry a surfel.

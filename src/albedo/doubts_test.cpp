@@ -79,6 +79,14 @@ TEST(Doubts, ShadowEdgeWhereTheTextureHasNoneIsNot)
     EXPECT_GT(doubted(trustUnder(halfLit, elsewhere)), 10u);
 }
 
+TEST(Doubts, SomeTrustIsLeftAtAnyEdge)
+{
+    const auto opposite = [](glm::vec3 place, glm::vec3 normal) {
+        return 0.06f / halfLit(place, normal);
+    };
+    for (const SurfelTrust trust : trustUnder(halfLit, opposite)) EXPECT_GE(trust.edges, 0.1f);
+}
+
 // Tiles have edges, too; what tells of no shadow cannot be at odds with one.
 TEST(Doubts, PatternUnderEvenLightIsTrusted)
 {

@@ -463,8 +463,8 @@ std::vector<float> LampSearch::rises() const
     return missed(data, pairs, options, gone);
 }
 
-/// How much a lamp must be missed to stay. Where a wall would be burnt out, much; where it would be
-/// grey, not at all: something else has to make it bright.
+/// How much a lamp must be missed to stay that ends sharply. Where a wall would be burnt out, much;
+/// where it would be grey, not at all: something else has to make it bright.
 float missedAtLeast(float brightnessOfWall, float ifWall)
 {
     if (brightnessOfWall > kExplained) return ifWall;
@@ -477,9 +477,10 @@ void LampSearch::dropNeedless(float missedIfWall)
     while (suspects_.size() > 1) {
         std::vector<float> need = rises();
         for (size_t f = 0; f < need.size(); ++f) {
-            const float least = suspects_[f].isUnseen
-                                    ? missedIfWall
-                                    : missedAtLeast(brightnessOfWallAt(f), missedIfWall);
+            const bool likeWall =
+                suspects_[f].isUnseen || fades(texels_, radiance_, suspects_[f].candidate);
+            const float least =
+                likeWall ? missedIfWall : missedAtLeast(brightnessOfWallAt(f), missedIfWall);
             const bool stays = suspects_[f].isGiven || least <= 0.0f;
             need[f] = stays ? std::numeric_limits<float>::max() : need[f] / least;
         }

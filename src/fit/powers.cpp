@@ -34,14 +34,18 @@ double medianOf(std::vector<double> values)
 class Channel : public ceres::EvaluationCallback
 {
 public:
-    Channel(const FitData& data, int c)
-        : data_(data), c_(c), unknowns_(data.lamps + 1), log_(unknowns_, 0.0)
+    /// `white`: log radiance of each lamp without evidence of its colour.
+    Channel(const FitData& data, int c, std::span<const double> white)
+        : data_(data), c_(c), unknowns_(data.lamps + 1), wanted_(white.begin(), white.end())
     {
+        wanted_.resize(data.lamps, 0.0);
         for (size_t i = 0; i < data.radiance.size(); ++i) {
             logRadiance_.push_back(std::log(std::max(pick(data.radiance[i]), 1e-4)));
             gathered_.push_back(pick(data.gathered[i]));
         }
-        log_ = wanted();
+        const auto end = logRadiance_.begin() + static_cast<ptrdiff_t>(data_.places());
+        wanted_.push_back(medianOf({logRadiance_.begin(), end}));
+        log_ = wanted_;
         logIrradiance_.resize(data.radiance.size());
         share_.resize(data.radiance.size() * unknowns_);
     }
@@ -61,15 +65,8 @@ public:
     }
     [[nodiscard]] double* unknowns() { return log_.data(); }
     [[nodiscard]] size_t count() const { return unknowns_; }
-    /// Where the unknowns are without evidence: lamps at the texture's white, what lies behind
-    /// holes as bright as the room.
-    [[nodiscard]] std::vector<double> wanted() const
-    {
-        std::vector<double> logs(unknowns_, 0.0);
-        const auto end = logRadiance_.begin() + static_cast<ptrdiff_t>(data_.places());
-        logs.back() = medianOf({logRadiance_.begin(), end});
-        return logs;
-    }
+    /// Where the unknowns are without evidence; what lies behind holes is as bright as the room.
+    [[nodiscard]] const std::vector<double>& wanted() const { return wanted_; }
     [[nodiscard]] double residual(MaterialPair pair) const
     {
         return logRadiance_[pair.p] - logRadiance_[pair.q] - logIrradiance_[pair.p] +
@@ -104,7 +101,8 @@ private:
     const FitData& data_;
     int c_; // < 0: luminance
     size_t unknowns_;
-    std::vector<double> log_; // of lamps, then of ambient
+    std::vector<double> wanted_; // of lamps, then of ambient
+    std::vector<double> log_;    // likewise
     std::vector<double> logRadiance_;
     std::vector<double> gathered_;
     std::vector<double> logIrradiance_;
@@ -291,11 +289,19 @@ std::vector<double> errorsOf(const Channel& channel, std::span<const MaterialPai
     return errors;
 }
 
-/// One channel, or luminance where `c` < 0. `bounded`: by what is burnt out, too.
-ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, int c,
-                      const PowersOptions& options, bool bounded)
+/// What a fit is of: a channel, or luminance where it is < 0; by what is burnt out, too, where that
+/// bounds it.
+struct Fitted
 {
-    Channel channel(data, c);
+    int channel = -1;
+    bool isBounded = false;
+    std::span<const double> white{}; // see Channel; empty: the texture's
+};
+
+ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs,
+                      const PowersOptions& options, const Fitted& what)
+{
+    Channel channel(data, what.channel, what.white);
     for (size_t f = 0; f < options.start.size(); ++f)
         channel.unknowns()[f] = std::log(std::max(channel.pick(options.start[f]), 1e-2));
     const double pairsAPlace =
@@ -313,7 +319,7 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, 
         if (!pairs.empty())
             problem.AddResidualBlock(new PairsCost(channel, pairs, scale), nullptr,
                                      channel.unknowns());
-        if (bounded && data.burntOut > 0 && !pairs.empty())
+        if (what.isBounded && data.burntOut > 0 && !pairs.empty())
             problem.AddResidualBlock(
                 new BurntOutCost(channel, data.burntOut, scale, std::sqrt(pairsAPlace)), nullptr,
                 channel.unknowns());
@@ -352,16 +358,30 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs, 
     return fit;
 }
 
+/// The three channels. Without evidence a lamp is as bright as it is in luminance, and white: a
+/// channel that the pairs hardly tell of would else come out at the texture's white, beside others
+/// a hundred times as bright.
+///
 /// Burnt-out walls tell how bright the lamps must be, and pairs alone of what colour: a wall of
 /// warm light burns out in red first, and would make lamps redder than they are.
-void lift(std::array<ChannelFit, 3>& fits, const FitData& data, std::span<const MaterialPair> pairs,
-          const PowersOptions& options)
+std::array<ChannelFit, 3> fitColors(const FitData& data, std::span<const MaterialPair> pairs,
+                                    const PowersOptions& options)
 {
+    const bool isBounded = data.burntOut > 0;
     std::array<ChannelFit, 2> luminance;
-    forEach(2, [&](size_t i) { luminance[i] = fitChannel(data, pairs, -1, options, i == 1); });
-    for (ChannelFit& fit : fits)
-        for (size_t f = 0; f < fit.log.size(); ++f)
-            fit.log[f] += luminance[1].log[f] - luminance[0].log[f];
+    forEach(isBounded ? 2 : 1, [&](size_t i) {
+        luminance[i] = fitChannel(data, pairs, options, {.isBounded = i == 1});
+    });
+    const std::span<const double> white(luminance[0].log.data(), data.lamps);
+    std::array<ChannelFit, 3> fits;
+    forEach(3, [&](size_t c) {
+        fits[c] =
+            fitChannel(data, pairs, options, {.channel = static_cast<int>(c), .white = white});
+        if (!isBounded) return;
+        for (size_t f = 0; f < fits[c].log.size(); ++f)
+            fits[c].log[f] += luminance[1].log[f] - luminance[0].log[f];
+    });
+    return fits;
 }
 
 } // namespace
@@ -370,15 +390,10 @@ Powers fitPowers(const FitData& data, std::span<const MaterialPair> pairs,
                  const PowersOptions& options)
 {
     std::array<ChannelFit, 3> fits;
-    if (options.oneChannel) {
-        fits[0] = fitChannel(data, pairs, -1, options, true);
-        fits[1] = fits[2] = fits[0];
-    } else {
-        forEach(3, [&](size_t c) {
-            fits[c] = fitChannel(data, pairs, static_cast<int>(c), options, false);
-        });
-        if (data.burntOut > 0) lift(fits, data, pairs, options);
-    }
+    if (options.oneChannel)
+        fits.fill(fitChannel(data, pairs, options, {.isBounded = true}));
+    else
+        fits = fitColors(data, pairs, options);
     Powers powers;
     powers.radiance.resize(data.lamps);
     powers.logError.resize(data.lamps);

@@ -12,8 +12,8 @@ namespace relamp
 
 struct PowersOptions
 {
-    double priorWeight =
-        0.05; // of the pull of every lamp towards the texture's white, in pairs a place, >= 0
+    double priorWeight = 0.05; // of the pull of every lamp's luminance towards the texture's white,
+                               // and of its channels towards its luminance, in pairs a place, >= 0
     double firstScale = 0.5; // of the Cauchy loss, in log radiance; halves until lastScale
     double lastScale = 0.08;
     bool oneChannel = false; // fit luminance alone: faster, for a first look

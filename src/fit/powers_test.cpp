@@ -125,6 +125,25 @@ TEST(Powers, WhatTheDataLeaveOpenIsWhiteAndSaysSo)
     EXPECT_GT(powers.told[0], 0.95f);
 }
 
+TEST(Powers, AChannelThatTheDataLeaveOpenIsAsBrightAsTheLamp)
+{
+    Floor floor({{400, 300, 200}}, 0.0f, 0.0f);
+    Numbers random;
+    for (size_t i = 0; i < kPlaces; ++i) { // few places see the lamp, and blue is all noise
+        const glm::vec3 light = floor.truth[0] * floor.data.direct[i];
+        if (i % 80 > 1) {
+            const glm::vec3 rest = floor.data.gathered[i] + floor.ambient * floor.data.missed[i];
+            floor.data.radiance[i] *= rest / (rest + light);
+            floor.data.direct[i] = 0.0f;
+        }
+        floor.data.radiance[i].b *= std::exp(3.0f * random.normal());
+    }
+    const glm::vec3 lamp = fitPowers(floor.data, floor.pairs).radiance[0];
+    expectNear(glm::vec3(lamp.r, lamp.g, 1.0f), glm::vec3(400, 300, 1), 0.05f);
+    EXPECT_GT(lamp.b, 100.0f);
+    EXPECT_LT(lamp.b, 600.0f);
+}
+
 /// Adds places that are burnt out to white, where lamp 1 of two gives `direct` at radiance 1.
 void burnOut(FitData& data, size_t places, float direct)
 {

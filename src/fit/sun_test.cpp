@@ -101,6 +101,17 @@ TEST(Sun, PatchIsDividedOutWhereItIsNotBurntOut)
     EXPECT_NEAR(floor.inPatch, floor.beside, 0.1f * floor.beside);
 }
 
+TEST(Sun, PathsDivideThePatchOutToo)
+{
+    const SunRoom room(kFaint);
+    const Decomposition result =
+        solve(room.scan, {.solver = Solver::pathtrace, .pathtrace = {.samples = 16}});
+    ASSERT_TRUE(result.lights().sun);
+    EXPECT_THAT(result.warnings(), testing::Not(testing::Contains(testing::HasSubstr("sun"))));
+    const FloorAlbedo floor(room, result);
+    EXPECT_NEAR(floor.inPatch, floor.beside, 0.1f * floor.beside);
+}
+
 TEST(Sun, IsFoundAnywhereInTheSky)
 {
     for (const glm::vec3 towards :

@@ -3,6 +3,7 @@
 #include "base/fail.h"
 #include "base/file.h"
 #include "base/half.h"
+#include "image/chroma.h"
 #include "image/damage.h"
 #include "image/transfer.h"
 
@@ -187,10 +188,12 @@ Image readImage(std::span<const std::byte> bytes, const std::string& name, Trans
     image.clipsAtWhite = !type.is_floating_point();
     if (transfer == Transfer::automatic)
         transfer = image.clipsAtWhite ? Transfer::srgb : Transfer::linear;
+    const std::string subsampling = input->spec().get_string_attribute("jpeg:subsampling", "4:4:4");
     if (type.basesize() == 1)
         readBytes(*input, transfer, name, image);
     else
         readFloats(*input, transfer, name, image);
+    if (subsampling != "4:4:4") sharpenChroma(image.encoded, image.width, image.height);
     return image;
 }
 

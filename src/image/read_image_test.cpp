@@ -89,6 +89,20 @@ TEST(ReadImage, LossyFormatsAreNear)
     }
 }
 
+TEST(ReadImage, OnlyAJpegThatHalvesColourIsSharpened)
+{
+    Pixels<uint8_t> picture{16, 16, 3, {}};
+    for (int i = 0; i < 16 * 16; ++i) // an edge within a stored sample of colour
+        if (i % 16 < 7)
+            picture.samples.insert(picture.samples.end(), {160, 60, 50});
+        else
+            picture.samples.insert(picture.samples.end(), {190, 200, 170});
+    const auto redAtEdge = [](const Bytes& file) { return read(file).encoded[3 * (8 * 16 + 6)]; };
+    EXPECT_NEAR(redAtEdge(pictureFile("jpeg", picture)), 160, 3);
+    EXPECT_NEAR(redAtEdge(pictureFile("jpeg", picture, "4:2:0")), 160, 12);
+    EXPECT_NEAR(redAtEdge(pictureFile("jpeg", picture, "4:2:2")), 160, 12);
+}
+
 TEST(ReadImage, PalettesAreLookedUp)
 {
     EXPECT_EQ(read(scenes::palettePng()).encoded, fourColors().samples);

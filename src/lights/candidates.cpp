@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 namespace relamp
 {
@@ -20,6 +21,7 @@ constexpr float kSmallPlane = 0.1f;      // m^2; from here on, where the wall go
 constexpr float kWallAround = 0.4f;      // of a square's rim that is wall
 constexpr float kBrightRim = 0.55f;      // luminance around a speck that only just burnt out
 constexpr float kSpeck = 0.02f;          // m^2
+constexpr float kFading = 0.75f;         // of white, in the channel that burns out first
 constexpr size_t kMostPlanes = 4;        // of one blob
 
 using Members = std::vector<uint32_t>; // indices into SurfelRadiance::clipped
@@ -87,22 +89,49 @@ Plane largestPlane(const SurfelRadiance& radiance, const Members& members)
     return best;
 }
 
+/// Surfels beside a piece that are not burnt out and that `goesOn(beside, inside)`, each once.
+template<class GoesOn>
+std::vector<uint32_t> rimOf(const Texels& texels, const SurfelRadiance& radiance,
+                            std::span<const ClippedPatch> piece, const GoesOn& goesOn)
+{
+    std::vector<uint32_t> rim;
+    for (const ClippedPatch& patch : piece) {
+        if (patch.surfel == Surfels::kNone) continue;
+        for (const uint32_t other : texels.surfels.neighborsOf(patch.surfel))
+            if (radiance.plainArea[other] > radiance.clippedArea[other] &&
+                goesOn(other, patch.surfel))
+                rim.push_back(other);
+    }
+    std::sort(rim.begin(), rim.end());
+    rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
+    return rim;
+}
+
+/// Surfels along the rim of a square of that area.
+float rimOfSquare(float area, const Surfels& surfels)
+{
+    return 4.0f * std::sqrt(area) / surfels.size;
+}
+
+std::vector<ClippedPatch> patchesOf(const SurfelRadiance& radiance, const Members& members)
+{
+    std::vector<ClippedPatch> patches;
+    for (const uint32_t i : members) patches.push_back(radiance.clipped[i]);
+    return patches;
+}
+
 /// Whether the plane is a wall that goes on around a piece of it, not burnt out: that piece is the
 /// wall beside a lamp, or a lamp let into it.
 bool goesOn(const Texels& texels, const SurfelRadiance& radiance, const Members& piece,
             const Plane& plane)
 {
     const Surfels& surfels = texels.surfels;
-    std::vector<uint32_t> rim;
-    for (const uint32_t i : piece)
-        for (const uint32_t other : surfels.neighborsOf(radiance.clipped[i].surfel))
-            if (radiance.plainArea[other] > radiance.clippedArea[other] &&
-                plane.holds(surfels.position[other], surfels.normal[other]))
-                rim.push_back(other);
-    std::sort(rim.begin(), rim.end());
-    rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
-    const float square = 4.0f * std::sqrt(areaOf(radiance, piece)) / surfels.size;
-    return static_cast<float>(rim.size()) > kWallAround * square;
+    const auto rim =
+        rimOf(texels, radiance, patchesOf(radiance, piece), [&](uint32_t beside, uint32_t) {
+            return plane.holds(surfels.position[beside], surfels.normal[beside]);
+        });
+    return static_cast<float>(rim.size()) >
+           kWallAround * rimOfSquare(areaOf(radiance, piece), surfels);
 }
 
 /// Cuts the large planes out of a blob; what is left comes last.
@@ -166,13 +195,6 @@ bool isSpeck(const Texels& texels, const SurfelRadiance& radiance, const Candida
     return area > 0.0f && sum > kBrightRim * area;
 }
 
-std::vector<ClippedPatch> patchesOf(const SurfelRadiance& radiance, const Members& members)
-{
-    std::vector<ClippedPatch> patches;
-    for (const uint32_t i : members) patches.push_back(radiance.clipped[i]);
-    return patches;
-}
-
 } // namespace
 
 Candidate candidateOf(std::vector<ClippedPatch> patches)
@@ -188,6 +210,23 @@ Candidate candidateOf(std::vector<ClippedPatch> patches)
         candidate.normal /= candidate.area;
     }
     return candidate;
+}
+
+bool fades(const Texels& texels, const SurfelRadiance& radiance, const Candidate& candidate)
+{
+    const Surfels& surfels = texels.surfels;
+    const auto rim =
+        rimOf(texels, radiance, candidate.patches, [&](uint32_t beside, uint32_t inside) {
+            const Plane plane{surfels.normal[inside],
+                              glm::dot(surfels.position[inside], surfels.normal[inside])};
+            return plane.holds(surfels.position[beside], surfels.normal[beside]);
+        });
+    if (static_cast<float>(rim.size()) < rimOfSquare(candidate.area, surfels)) return false;
+    const auto nearlyBurntOut = std::count_if(rim.begin(), rim.end(), [&](uint32_t s) {
+        const glm::vec3 color = radiance.plain[s];
+        return std::max({color.r, color.g, color.b}) > kFading;
+    });
+    return 2 * static_cast<size_t>(nearlyBurntOut) > rim.size();
 }
 
 std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance& radiance)

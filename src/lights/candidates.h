@@ -30,4 +30,8 @@ Candidate candidateOf(std::vector<ClippedPatch> patches);
 /// around them are no lamps and are left out.
 std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance& radiance);
 
+/// Whether the surface goes on around it, nearly burnt out itself: overexposure fades, where a lamp
+/// ends sharply.
+bool fades(const Texels& texels, const SurfelRadiance& radiance, const Candidate& candidate);
+
 } // namespace relamp

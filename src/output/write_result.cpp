@@ -170,7 +170,10 @@ void ResultWriter::writeWhole()
     const auto png = encodePng(picture.rgb, picture.size, 3);
     writeFile(folder_ / "preview.png", std::as_bytes(std::span(png)));
     stage.advance();
-    writeFile(folder_ / (scan_.name + ".glb"), writeGlb(scan_, relit_, result_.mergedLights()));
+    Lights lights; // that a GLB can hold
+    lights.points = result_.mergedLights();
+    lights.sun = result_.lights().sun;
+    writeFile(folder_ / (scan_.name + ".glb"), writeGlb(scan_, relit_, lights));
     writeFile(folder_ / "lights.json", lightsAsJson(result_.lights()));
     stage.advance();
 }

@@ -42,7 +42,7 @@ Relighter::State::State(const DelitRoom& of, const RelightOptions& with, Progres
     : room(of), options(with), scene(of.scan), texels(checkedTexels(of, progress)),
       radiance(collectRadiance(texels, progress)),
       transport(transportOfRoom(of, {texels, scene, radiance}, with, warningsOfRoom, progress)),
-      albedo(texels, of.albedo, of.confidence),
+      albedo(texels, of.albedo, of.confidence, radiance.isClipped),
       radiosity(texels, scene, transport, radiance.isClipped, static_cast<size_t>(with.shadowRays))
 {}
 

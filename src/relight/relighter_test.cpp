@@ -161,6 +161,26 @@ TEST(Relighter, WhatStandsBeforeALightCastsAShadow)
     });
 }
 
+// The same under a wide panel: the few rays of a texel leave no grain in the penumbra, and what
+// many rays say is what they say.
+TEST(Relighter, PenumbraOfAPanelIsSmoothAndWhereItBelongs)
+{
+    const std::vector<scenes::Panel> panels{{{0, 0, 0}, {0, 0, 4}, {4, 0, 0}},
+                                            {{1.5f, 0.5f, 1.5f}, {1, 0, 0}, {0, 0, 1}}};
+    const DelitRoom room = painted(scenes::panels(
+        panels, 128, [](glm::vec3, glm::vec3 n) { return glm::vec3(n.y > 0.5f ? 0.5f : 0.0f); }));
+    NewLight panel;
+    panel.type = LightType::rectangle;
+    panel.position = {2, 2, 2};
+    panel.size = {3, 3};
+    panel.emission = glm::vec3(1.0f);
+    Relighting lighting;
+    lighting.lights.push_back(panel);
+    const Image few = lit(room, lighting, {.shadowRays = 4});
+    const Image many = lit(room, lighting, {.shadowRays = 1024});
+    EXPECT_LT(rmsBetween(few, many), 0.0105); // 0.0128 as the rays say it
+}
+
 TEST(Relighter, SunComesThroughAWindowAndNoWall)
 {
     DelitRoom room = litRoom();

@@ -4,7 +4,6 @@
 #include "lights/sun_item.h"
 #include "relamp/relight.h"
 #include "relight/fixture_settings.h"
-#include "relight/ies.h"
 #include "relight/light_emission.h"
 
 #include <array>
@@ -26,9 +25,9 @@ constexpr float kPerDegree = kPi / 180.0f;
 class RelightingReader
 {
 public:
-    RelightingReader(std::filesystem::path folder, const Lights& captured,
+    RelightingReader(std::filesystem::path folder, const Lights& captured, NamedFiles& files,
                      std::vector<std::string>& warnings)
-        : folder_(std::move(folder)), captured_(captured), warnings_(warnings)
+        : folder_(std::move(folder)), captured_(captured), files_(files), warnings_(warnings)
     {}
 
     Relighting read(const JsonItem& top);
@@ -40,10 +39,12 @@ private:
     void readFixture(const JsonItem& item);
     void readLight(const JsonItem& item);
     void readShape(const JsonItem& item, NewLight& light) const;
+    const IesPhotometry& photometryAt(const std::filesystem::path& file);
     [[nodiscard]] std::filesystem::path besideFile(const JsonItem& item, const char* key) const;
 
     std::filesystem::path folder_; // in which the files lie that are named
     const Lights& captured_;
+    NamedFiles& files_;
     std::vector<std::string>& warnings_;
     PhotometricWhite white_;
     Relighting lighting_;
@@ -140,7 +141,7 @@ void RelightingReader::readLight(const JsonItem& item)
     if (item.has("ies")) {
         if (light.type != LightType::point && light.type != LightType::spot)
             item.refuse("\"ies\" is for a point or spot", "ies");
-        const IesPhotometry lamp = readIes(besideFile(item, "ies"));
+        const IesPhotometry& lamp = photometryAt(besideFile(item, "ies"));
         light.profile = lamp.profile;
         const EmissionWish wish = emissionWishOf(item);
         light.emission = radiometric(wish.lumens ? *wish.lumens / lamp.lumens : 1.0f,
@@ -150,6 +151,13 @@ void RelightingReader::readLight(const JsonItem& item)
     }
     light.emission *= item.flag("on", true) ? item.size("dim", 1.0f) : 0.0f;
     lighting_.lights.push_back(std::move(light));
+}
+
+const IesPhotometry& RelightingReader::photometryAt(const std::filesystem::path& file)
+{
+    const auto known = files_.ies.find(file);
+    return known != files_.ies.end() ? known->second
+                                     : files_.ies.emplace(file, readIes(file)).first->second;
 }
 
 void RelightingReader::readFixture(const JsonItem& item)
@@ -223,8 +231,11 @@ void RelightingReader::readSky(const JsonItem& top)
     else
         sky.radiance = item.has("radiance") ? item.lightAt("radiance") : glm::vec3(1.0f);
     sky.turn = degrees(item, "turn", 0.0f, 360.0f);
-    if (item.has("environment"))
-        sky.environment = std::make_shared<const Image>(readImage(besideFile(item, "environment")));
+    if (!item.has("environment")) return;
+    const std::filesystem::path file = besideFile(item, "environment");
+    std::shared_ptr<const Image>& image = files_.environments[file];
+    if (!image) image = std::make_shared<const Image>(readImage(file));
+    sky.environment = image;
 }
 
 void RelightingReader::readWhite(const JsonItem& top)
@@ -253,16 +264,18 @@ Relighting RelightingReader::read(const JsonItem& top)
 } // namespace
 
 Relighting relightingFrom(const JsonItem& top, const std::filesystem::path& folder,
-                          const Lights& captured, std::vector<std::string>& warnings)
+                          const Lights& captured, NamedFiles& files,
+                          std::vector<std::string>& warnings)
 {
-    return RelightingReader(folder, captured, warnings).read(top);
+    return RelightingReader(folder, captured, files, warnings).read(top);
 }
 
 Relighting readRelighting(const std::filesystem::path& file, const Lights& captured,
                           std::vector<std::string>& warnings)
 {
     const JsonDocument document(file, kLightsFormat);
-    return relightingFrom(document.top(), file.parent_path(), captured, warnings);
+    NamedFiles files;
+    return relightingFrom(document.top(), file.parent_path(), captured, files, warnings);
 }
 
 Relighting relightingOf(const std::string& text, const std::filesystem::path& file,

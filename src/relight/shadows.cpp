@@ -101,6 +101,33 @@ private:
     size_t count_ = 0;
 };
 
+bool seesAll(const AreaSample& sum)
+{
+    return sum.visible >= kAllOfIt * sum.open;
+}
+
+/// Whether rays met different things. In a penumbra all of a surfel's are asked together: a texel's
+/// own few often agree by chance, and it would be too bright or too dark.
+bool disagree(std::span<const AreaSample> sums)
+{
+    bool anySeesAll = false;
+    bool anySeesNone = false;
+    for (const AreaSample& sum : sums) {
+        if (sum.open <= 0.0f) continue;
+        anySeesAll |= sum.visible > 0.0f;
+        anySeesNone |= !seesAll(sum);
+    }
+    return anySeesAll && anySeesNone;
+}
+
+/// Of a share that `rays` rays told; 0 and 1 are not sure either.
+float varianceOf(float share, size_t rays)
+{
+    const auto n = static_cast<float>(rays);
+    const float likely = (n * share + 0.5f) / (n + 1.0f);
+    return likely * (1.0f - likely) / n;
+}
+
 } // namespace
 
 std::vector<AreaSample> directOfSides(const Texels& texels, const Obstacles& obstacles,
@@ -146,6 +173,25 @@ Shadows::Shadows(const Texels& texels, const Obstacles& obstacles, const LightSo
     const std::vector<State> states = statesOf(coarse);
     for (size_t p = 0; p < texels.pages.size(); ++p)
         pages_.push_back(look(p, states, obstacles, light, rays));
+    // The shadow of a point has no penumbra: what varies in it is where its edge lies.
+    if (!light.isPoint()) smooth(states);
+    for (OfPage& page : pages_) page.moments = {};
+}
+
+void Shadows::Moments::add(float share, float varianceOfIt)
+{
+    sum += share;
+    squares += share * share;
+    variance += varianceOfIt;
+    count += 1.0f;
+}
+
+void Shadows::Moments::add(const Moments& other)
+{
+    sum += other.sum;
+    squares += other.squares;
+    variance += other.variance;
+    count += other.count;
 }
 
 /// All or nothing only where the ring of neighbours says the same.
@@ -181,10 +227,12 @@ Shadows::OfPage Shadows::look(size_t p, std::span<const State> states, const Obs
         if (state == some) count += page.runs[run + 1].begin - page.runs[run].begin;
     }
     found.shares.resize(count);
+    found.moments.resize(found.firstShare.size());
     const Footprints prints(texels_, p);
     forEachChunk(found.firstShare.size(), 32, [&](size_t begin, size_t end) {
         Batch batch(obstacles, light);
         std::vector<AreaSample> sums;
+        std::vector<size_t> raysOf;
         for (size_t run = begin; run < end; ++run) {
             const uint32_t first = found.firstShare[run];
             if (first == kNone || first == kAll) continue;
@@ -193,17 +241,66 @@ Shadows::OfPage Shadows::look(size_t p, std::span<const State> states, const Obs
             const size_t few = std::min(kFirstRays, rays);
             for (size_t i = 0; i < sums.size(); ++i) batch.add(prints, texel + i, 0, few, sums[i]);
             batch.trace();
+            raysOf.assign(sums.size(), few);
             for (size_t i = 0; i < sums.size(); ++i)
-                if (sums[i].visible > 0.0f && sums[i].visible < kAllOfIt * sums[i].open)
-                    batch.add(prints, texel + i, few, rays, sums[i]);
+                if (disagree(light.isPoint() ? std::span(&sums[i], 1) : std::span(sums)))
+                    raysOf[i] = rays;
+            for (size_t i = 0; i < sums.size(); ++i)
+                batch.add(prints, texel + i, few, raysOf[i], sums[i]);
             batch.trace();
-            for (size_t i = 0; i < sums.size(); ++i)
-                if (sums[i].open > 0.0f)
-                    found.shares[first + i] = static_cast<uint8_t>(
-                        std::lround(255.0f * std::min(sums[i].visible / sums[i].open, 1.0f)));
+            for (size_t i = 0; i < sums.size(); ++i) {
+                if (sums[i].open <= 0.0f) continue;
+                const float share = std::min(sums[i].visible / sums[i].open, 1.0f);
+                found.shares[first + i] = static_cast<uint8_t>(std::lround(255.0f * share));
+                found.moments[run].add(share, varianceOf(share, raysOf[i]));
+            }
         }
     });
     return found;
+}
+
+/// Shares are drawn towards their mean, over the ring of surfels around theirs, as far as chance
+/// alone would spread them: a wide penumbra becomes smooth, an edge stays (Lee's filter).
+void Shadows::smooth(std::span<const State> states)
+{
+    std::vector<Moments> ofSurfels(states.size());
+    for (size_t s = 0; s < states.size(); ++s)
+        if (states[s] != some) ofSurfels[s].add(states[s] == all ? 1.0f : 0.0f, 0.0f);
+    for (size_t p = 0; p < pages_.size(); ++p)
+        for (size_t run = 0; run < pages_[p].moments.size(); ++run)
+            ofSurfels[texels_.pages[p].runs[run].surfel].add(pages_[p].moments[run]);
+    for (size_t p = 0; p < pages_.size(); ++p) smoothPage(p, ofSurfels);
+}
+
+void Shadows::smoothPage(size_t p, std::span<const Moments> ofSurfels)
+{
+    const PageTexels& page = texels_.pages[p];
+    const Surfels& surfels = texels_.surfels;
+    OfPage& found = pages_[p];
+    const float ring = kRing * surfels.size;
+    forEachChunk(found.firstShare.size(), 256, [&](size_t begin, size_t end) {
+        for (size_t run = begin; run < end; ++run) {
+            const uint32_t first = found.firstShare[run];
+            if (first == kNone || first == kAll) continue;
+            const uint32_t surfel = page.runs[run].surfel;
+            Moments around;
+            for (const uint32_t n : surfels.neighborsOf(surfel)) { // with itself
+                const glm::vec3 way = surfels.position[n] - surfels.position[surfel];
+                if (glm::dot(way, way) < ring * ring) around.add(ofSurfels[n]);
+            }
+            if (around.count <= 0.0f) continue;
+            const float mean = around.sum / around.count;
+            const float spread = around.squares / around.count - mean * mean;
+            const float byChance = around.variance / around.count;
+            const float kept = std::max(1.0f - byChance / std::max(spread, 1e-9f), 0.0f);
+            const uint32_t count = page.runs[run + 1].begin - page.runs[run].begin;
+            for (uint32_t i = first; i < first + count; ++i) {
+                const float share = static_cast<float>(found.shares[i]) / 255.0f;
+                found.shares[i] =
+                    static_cast<uint8_t>(std::lround(255.0f * (mean + kept * (share - mean))));
+            }
+        }
+    });
 }
 
 bool Shadows::at(size_t p, size_t begin, size_t count, float* share) const

@@ -22,7 +22,9 @@ std::vector<AreaSample> directOfSides(const Texels& texels, const Obstacles& obs
 ///
 /// Rays go where the answer changes: a surfel that sees all or nothing, as its neighbours do, needs
 /// none. Elsewhere every texel looks for itself, from all over its own area, so that an edge lies
-/// between texels as it does in a picture; a few rays first, all of them where these do not agree.
+/// between texels as it does in a picture; a few rays first, all of them where those of a surfel do
+/// not agree (of a texel, where the light is a point). What then varies from texel to texel no more
+/// than so few rays do is smoothed.
 class Shadows
 {
 public:
@@ -36,10 +38,22 @@ public:
 private:
     enum State : uint8_t { none, all, some };
 
+    /// Shares of some texels, and how far their few rays leave them open.
+    struct Moments
+    {
+        float sum = 0.0f;
+        float squares = 0.0f;
+        float variance = 0.0f; // sum of the texels' own
+        float count = 0.0f;
+
+        void add(float share, float varianceOfIt);
+        void add(const Moments& other);
+    };
     struct OfPage
     {
         std::vector<uint32_t> firstShare; // of runs; kNone or kAll without shares
         std::vector<uint8_t> shares;      // of 255
+        std::vector<Moments> moments;     // of runs, until they are smoothed
     };
     static constexpr uint32_t kNone = ~0u;
     static constexpr uint32_t kAll = ~0u - 1;
@@ -48,6 +62,8 @@ private:
     [[nodiscard]] OfPage look(size_t page, std::span<const State> states,
                               const Obstacles& obstacles, const LightSource& light,
                               size_t rays) const;
+    void smooth(std::span<const State> states);
+    void smoothPage(size_t page, std::span<const Moments> ofSurfels);
 
     const Texels& texels_;
     std::vector<OfPage> pages_;

@@ -141,15 +141,16 @@ struct Timeline::State
     Lights captured;
     double seconds = 10.0;
     std::vector<Key> keys; // two or more, ascending in time
+    NamedFiles files;      // of all keys, once they are checked
 
-    [[nodiscard]] Relighting between(size_t key, double share) const
+    [[nodiscard]] Relighting between(size_t key, double share)
     {
         std::vector<std::string> said; // when the keys were read
         const json light = Blend(keys[key], keys[key + 1], share).light();
-        return relightingFrom(keys[key].itemOf(light), keys[key].folder, captured, said);
+        return relightingFrom(keys[key].itemOf(light), keys[key].folder, captured, files, said);
     }
     void read(const std::filesystem::path& file, std::vector<std::string>& warnings);
-    void check(std::vector<std::string>& warnings) const;
+    void check(std::vector<std::string>& warnings);
 };
 
 void Timeline::State::read(const std::filesystem::path& file, std::vector<std::string>& warnings)
@@ -174,10 +175,10 @@ void Timeline::State::read(const std::filesystem::path& file, std::vector<std::s
     if (keys.size() < 2) top.refuse("\"keys\" must be a list of two or more", "keys");
 }
 
-void Timeline::State::check(std::vector<std::string>& warnings) const
+void Timeline::State::check(std::vector<std::string>& warnings)
 {
     for (const Key& key : keys)
-        relightingFrom(key.itemOf(key.light), key.folder, captured, warnings);
+        relightingFrom(key.itemOf(key.light), key.folder, captured, files, warnings);
     for (size_t i = 0; i + 1 < keys.size(); ++i) (void)between(i, 0.5);
 }
 

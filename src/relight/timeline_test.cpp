@@ -3,6 +3,8 @@
 #include "relamp/error.h"
 #include "scenes/temporary_folder.h"
 
+#include <filesystem>
+
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
 
@@ -90,6 +92,21 @@ TEST_F(TimelineFile, ColourTemperatureChangesInMired)
     const std::string same = oneLight(R"("lumens": 800, "kelvin": 2857.142857142857)");
     const glm::vec3 expected = between(same, same).at(0.0).lights.at(0).emission;
     EXPECT_LT(glm::length(timeline.at(0.5).lights.at(0).emission - expected), 1e-5f);
+}
+
+// The same profile in all frames: shadows are found anew where it is another.
+TEST_F(TimelineFile, NamedFilesAreReadOnce)
+{
+    folder.write("lamp.ies", std::string("IESNA91\nTILT=NONE\n1 1000 1 2 1 1 2 0 0 0 1 1 60\n"
+                                         "0 180\n0\n50 50\n"));
+    const Timeline timeline = between(oneLight(R"("ies": "lamp.ies", "dim": 0.2)"),
+                                      oneLight(R"("ies": "lamp.ies", "dim": 1)"));
+    std::filesystem::remove(folder / "lamp.ies");
+    const NewLight early = timeline.at(0.1).lights.at(0);
+    const NewLight late = timeline.at(0.9).lights.at(0);
+    ASSERT_TRUE(early.profile);
+    EXPECT_EQ(early.profile, late.profile);
+    EXPECT_LT(early.emission.g, late.emission.g);
 }
 
 TEST_F(TimelineFile, FixturesAreDimmedEvenlyAndSwitchedAtTheKey)

@@ -49,7 +49,7 @@ public:
                                                   view["byteLength"].get<size_t>()));
     }
 
-    std::string write(const std::vector<PointLight>& lights);
+    std::string write(const Lights& lights);
     std::string writeUnlit();
 
 private:
@@ -398,7 +398,7 @@ void GlbWriter::makeUnlit()
         used.push_back("KHR_materials_unlit");
 }
 
-std::string GlbWriter::write(const std::vector<PointLight>& lights)
+std::string GlbWriter::write(const Lights& lights)
 {
     replaceContent();
     addLights(document_, lights, scan_.gltf ? scan_.worldFromFile : glm::mat4(1.0f));
@@ -430,8 +430,7 @@ std::string withGlbWriter(const Scan& scan, const std::vector<RelitPage>& pages,
 
 } // namespace
 
-std::string writeGlb(const Scan& scan, const std::vector<RelitPage>& pages,
-                     const std::vector<PointLight>& lights)
+std::string writeGlb(const Scan& scan, const std::vector<RelitPage>& pages, const Lights& lights)
 {
     return withGlbWriter(scan, pages, [&](GlbWriter& writer) { return writer.write(lights); });
 }

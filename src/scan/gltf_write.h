@@ -26,12 +26,12 @@ struct RelitPage
 };
 
 /// The scan as a GLB that can be relit: as it came, but with albedo for base colour, emissive
-/// textures for what shines, lit materials, and `lights` as KHR_lights_punctual.
+/// textures for what shines, lit materials, and the points and the sun of `lights` as
+/// KHR_lights_punctual.
 ///
 /// `pages` belong to scan.pages; the result is the file's bytes. Scans of other formats than glTF
 /// get a plain node a mesh. Throws Error(unsupported) beyond the 4 GiB of a GLB.
-std::string writeGlb(const Scan& scan, const std::vector<RelitPage>& pages,
-                     const std::vector<PointLight>& lights);
+std::string writeGlb(const Scan& scan, const std::vector<RelitPage>& pages, const Lights& lights);
 
 /// The scan as a GLB that shows its textures as they are, whatever the light: as it came, but with
 /// `pages` for base colour and unlit materials (KHR_materials_unlit).

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -60,8 +61,7 @@ struct Written
     std::string binary;
 };
 
-Written writeAgain(const Scan& scan, const std::vector<RelitPage>& pages,
-                   const std::vector<PointLight>& lights = {})
+Written writeAgain(const Scan& scan, const std::vector<RelitPage>& pages, const Lights& lights = {})
 {
     Written written{writeGlb(scan, pages, lights), {}, {}, {}};
     const GltfChunks chunks = splitGltf(scenes::asBytes(written.glb), "written");
@@ -72,8 +72,7 @@ Written writeAgain(const Scan& scan, const std::vector<RelitPage>& pages,
     return written;
 }
 
-Written rewrite(const GltfFile& file, const std::vector<PointLight>& lights = {},
-                const ScanOptions& options = {})
+Written rewrite(const GltfFile& file, const Lights& lights = {}, const ScanOptions& options = {})
 {
     const Scan scan = scenes::read(file.glb(), options);
     return writeAgain(scan, greyPages(scan), lights);
@@ -229,8 +228,8 @@ TEST(GltfWrite, LightsStandWhereTheyShineInTheUnitsOfTheFile)
     lamp.position = {1, 2, 3};
     lamp.intensity = {4, 2, 1};
     PointLight dark;
-    const Written written =
-        rewrite(scenes::texturedSquare(), {dark, lamp}, {.up = UpAxis::z, .scale = 0.5});
+    const Written written = rewrite(scenes::texturedSquare(), {.points = {dark, lamp}},
+                                    {.up = UpAxis::z, .scale = 0.5});
     const json& lights = written.document["extensions"]["KHR_lights_punctual"]["lights"];
     ASSERT_THAT(lights, SizeIs(1));
     EXPECT_EQ(lights[0]["type"], "point");
@@ -244,6 +243,23 @@ TEST(GltfWrite, LightsStandWhereTheyShineInTheUnitsOfTheFile)
     EXPECT_THAT(written.document["extensionsUsed"], ElementsAre("KHR_lights_punctual"));
 }
 
+TEST(GltfWrite, SunShinesAlongItsNodesBackInTheAxesOfTheFile)
+{
+    Lights lights;
+    lights.sun = Sun{.direction = {0.0f, 0.6f, 0.8f}, .irradiance = {8, 6, 2}};
+    const Written written =
+        rewrite(scenes::texturedSquare(), lights, {.up = UpAxis::z, .scale = 0.5});
+    const json& sun = written.document["extensions"]["KHR_lights_punctual"]["lights"][0];
+    EXPECT_EQ(sun["type"], "directional");
+    EXPECT_EQ(sun["intensity"], 8.0); // irradiance, whatever the unit of length
+    EXPECT_EQ(sun["color"], json({1.0, 0.75, 0.25}));
+    const json& turn = written.document["nodes"][1]["rotation"];
+    const glm::quat rotation(turn[3].get<float>(), turn[0].get<float>(), turn[1].get<float>(),
+                             turn[2].get<float>());
+    const glm::vec3 towards = rotation * glm::vec3(0, 0, 1);
+    EXPECT_LT(glm::distance(towards, glm::vec3(0.0f, -0.8f, 0.6f)), 1e-5f);
+}
+
 TEST(GltfWrite, AFileWithoutScenesShowsItsRoomBesideTheLights)
 {
     GltfFile file = scenes::texturedSquare();
@@ -251,7 +267,7 @@ TEST(GltfWrite, AFileWithoutScenesShowsItsRoomBesideTheLights)
     file.document.erase("scene");
     PointLight lamp;
     lamp.intensity = glm::vec3(1.0f);
-    const Written written = rewrite(file, {lamp});
+    const Written written = rewrite(file, {.points = {lamp}});
     EXPECT_THAT(written.document["scenes"][0]["nodes"], ElementsAre(0, 1));
     EXPECT_THAT(written.scan.meshes, SizeIs(1));
 }

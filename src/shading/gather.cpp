@@ -27,10 +27,12 @@ glm::vec3 radianceAt(const RadianceField& field, HitTarget target)
 RadianceField fieldOf(const SurfelRadiance& radiance)
 {
     const size_t surfels = radiance.plain.size();
-    return {.plain = radiance.plain,
-            .clipped = std::vector<glm::vec3>(surfels, glm::vec3(1.0f)),
-            .back = std::vector<glm::vec3>(surfels, glm::vec3(0.0f)),
-            .shines = std::vector<uint8_t>(surfels, 0)};
+    RadianceField field{.plain = radiance.plain,
+                        .clipped = std::vector<glm::vec3>(surfels, glm::vec3(1.0f)),
+                        .back = std::vector<glm::vec3>(surfels, glm::vec3(0.0f)),
+                        .shines = std::vector<uint8_t>(surfels, 0)};
+    for (const ClippedPatch& patch : radiance.clipped) field.clipped[patch.surfel] = patch.radiance;
+    return field;
 }
 
 Gathered gather(const HitLists& hits, const RadianceField& field, std::span<const uint32_t> lists)

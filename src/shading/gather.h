@@ -15,12 +15,13 @@ namespace relamp
 struct RadianceField
 {
     std::vector<glm::vec3> plain;   // front, texels that are not burnt out: as the texture has it
-    std::vector<glm::vec3> clipped; // front, burnt-out texels that are no lamp: white or more
+    std::vector<glm::vec3> clipped; // front, burnt-out texels that are no lamp: as shown, or more
     std::vector<glm::vec3> back;    // seen from behind: lit by what is there
     std::vector<uint8_t> shines;    // not 0 where the burnt-out texels of a surfel belong to a lamp
 };
 
-/// The field before anything is known: burnt-out texels at white, backs dark, no lamps.
+/// The field before anything is known: burnt-out texels as the texture shows them, backs dark, no
+/// lamps.
 RadianceField fieldOf(const SurfelRadiance& radiance);
 
 /// Light that arrives at the sides of surfels, one entry a list.

@@ -4,6 +4,8 @@
 #include "scenes/radiosity.h"
 #include "scenes/surfaces.h"
 
+#include <utility>
+
 #include <gmock/gmock.h>
 
 namespace relamp
@@ -34,6 +36,19 @@ TEST(Gather, FurnaceGivesPiTimesItsRadiance)
         EXPECT_LT(glm::distance(irradiance, kPi * radiance), 2e-3f); // half floats
     EXPECT_THAT(gathered.missed, testing::Each(0.0f));
     EXPECT_THAT(gathered.noise, testing::Each(testing::Lt(2e-3f)));
+}
+
+// A wall that a warm lamp burnt out sends no white: what is whole of its colour is known.
+TEST(Gather, BurntOutWallSendsWhatTheTextureShowsOfIt)
+{
+    const glm::vec3 warm(1.0f, 0.6f, 0.2f);
+    Scan scan = scenes::room(kRoom, 32, scenes::plain(warm));
+    scan.pages[0].image.clipsAtWhite = true;
+    const scenes::Surfaces box(std::move(scan));
+    ASSERT_THAT(box.radiance.plainArea, testing::Each(0.0f));
+    const Gathered gathered = gather(scenes::hitListsOf(box, 32), fieldOf(box.radiance));
+    for (const glm::vec3 irradiance : gathered.irradiance)
+        EXPECT_LT(glm::distance(irradiance, kPi * warm), 2e-3f);
 }
 
 // What leaves through a hole is missing in the irradiance and stands in `missed`.

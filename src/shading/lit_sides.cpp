@@ -118,6 +118,7 @@ LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadi
     LitSides sides;
     sides.field = fieldOf(radiance);
     sides.field.shines.assign(shines.begin(), shines.end());
+    const std::vector<glm::vec3> least = sides.field.clipped;
     sides.direct = std::move(direct);
     for (int round = 0; round < kRounds; ++round) {
         sides.gathered = gather(hits, sides.field);
@@ -128,7 +129,8 @@ LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadi
         sides.albedo = albedoOf(texels, radiance, irradiance);
         for (size_t s = 0; s < sides.albedo.size(); ++s) {
             const glm::vec3 front = irradiance[static_cast<size_t>(hits.listOfSide[2 * s])];
-            sides.field.clipped[s] = glm::clamp(sides.albedo[s] * front / kPi, 1.0f, kMostRadiance);
+            sides.field.clipped[s] =
+                glm::clamp(sides.albedo[s] * front / kPi, least[s], glm::vec3(kMostRadiance));
             if (const int32_t back = hits.listOfSide[2 * s + 1]; back != HitLists::kNoList)
                 sides.field.back[s] = sides.albedo[s] * irradiance[static_cast<size_t>(back)] / kPi;
         }

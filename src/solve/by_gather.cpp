@@ -2,7 +2,9 @@
 
 #include "albedo/gather_closure.h"
 #include "fit/lamp_groups.h"
+#include "fit/shade.h"
 #include "fit/stray.h"
+#include "lights/expand.shared.h"
 #include "shading/buried.h"
 #include "shading/gathered_light.h"
 #include "solve/found_room.h"
@@ -34,7 +36,7 @@ std::shared_ptr<GatheredLight> lightOf(const Texels& texels, const RayScene& sce
     }
     if (const auto& sun = room.sun) {
         lamps.push_back({LampPatches(sun->disc, kPatchesOfLamp), sunRadiance(sun->sun)});
-        visibility.add(sun->outside, sun->disc, sun->onSides, rays);
+        visibility.add(*sun->outside, sun->disc, sun->onSides, rays);
     }
     return std::make_shared<GatheredLight>(
         GatheredLight{std::move(lamps), std::move(visibility), std::move(indirect)});
@@ -60,10 +62,14 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
                       buriedSurfels(texels));
     const auto light = lightOf(texels, scene, room, indirect);
     const TexelShading shade = shadingOf(texels, light);
-    solution.shade = withoutStray(shade, fitStray(texels, room.radiance, shade));
+    const StrayLight stray = fitStray(texels, room.radiance, shade);
+    const SurfelLighting lighting = lightOnSurfels(texels.surfels, *light);
+    std::vector<glm::vec3> irr = lighting.irradiance;
+    for (glm::vec3& e : irr) e *= stray.kept(luminance(e) / 3.14159265f);
+    solution.shade = withShade(texels, withoutStray(shade, stray),
+                               findShade(texels.surfels, room.radiance, irr));
     solution.trust = trustByView(room.hits, texels.surfels.count());
-    doubtEdges(texels.surfels, room.radiance, lightOnSurfels(texels.surfels, *light),
-               solution.trust);
+    doubtEdges(texels.surfels, room.radiance, lighting, solution.trust);
     if (options.albedo.fill) solution.fill = fillOf(texels.surfels, room.radiance, sides.albedo);
     solution.lights = lightsOf(room);
     solution.merged = solution.lights.points;

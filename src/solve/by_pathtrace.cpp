@@ -111,14 +111,23 @@ TracedRoom tracedRoomOf(const Texels& texels, const FoundRoom& room, std::vector
         for (const ClippedPatch& patch : lamp.patches)
             if (patch.surfel != Surfels::kNone) emission[patch.surfel] = lamp.radiance;
     }
-    return {.albedo = std::move(albedo),
-            .shines = room.shines,
-            .emission = std::move(emission),
-            .isClipped = room.radiance.isClipped,
-            .lamps = LampSurface(lampTexels(texels, room.radiance, shiners)),
-            .ambient = room.found.ambient,
-            .outside = {},
-            .unseenLights = {}};
+    TracedRoom traced{.albedo = std::move(albedo),
+                      .shines = room.shines,
+                      .emission = std::move(emission),
+                      .isClipped = room.radiance.isClipped,
+                      .lamps = LampSurface(lampTexels(texels, room.radiance, shiners)),
+                      .ambient = room.found.ambient,
+                      .outside = {},
+                      .unseenLights = {}};
+    if (const auto& sun = room.sun)
+        traced.unseenLights = [outside = sun->outside, disc = sun->disc,
+                               radiance = sunRadiance(sun->sun)](const TexelSite& place,
+                                                                 Random& random) {
+            const AreaSample one =
+                sampleAreaLight(*outside, disc, place.position, place.normal, 1, random.next());
+            return one.visible / kPi * radiance;
+        };
+    return traced;
 }
 
 Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
@@ -127,7 +136,6 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
     Solution solution{.options = options};
     FoundRoom found = findRoom(texels, scene, options, progress);
     solution.warnings = found.warnings;
-    if (found.sun) solution.warnings.emplace_back(kSunIsNotTraced);
     solution.options.gather = found.options;
     solution.shining = shiningOf(found);
     solution.lights = lightsOf(found);

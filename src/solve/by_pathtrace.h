@@ -21,11 +21,7 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
 TexelShading shadingOf(const Texels& texels, const RayScene& scene,
                        std::shared_ptr<const TracedRoom> room, const PathtraceOptions& options);
 
-/// What is said where the sun shines in: no path looks for it.
-constexpr const char* kSunIsNotTraced = "the sun shines in, and paths do not look for it: its "
-                                        "patch is rendered too dark, its bounce light is there";
-
-/// A found room as paths see it.
+/// A found room as paths see it, with its sun; stays valid without it.
 TracedRoom tracedRoomOf(const Texels& texels, const FoundRoom& room, std::vector<glm::vec3> albedo);
 
 } // namespace relamp

@@ -7,6 +7,7 @@
 #include "lights/surfel_radiance.h"
 
 #include <algorithm>
+#include <memory>
 
 #include <glm/geometric.hpp>
 
@@ -92,14 +93,15 @@ SunOnRoom letIn(const Sun& sun, const Texels& texels, const HitLists& hits, RayS
 {
     AreaLight disc(sunDisc(sun, *texels.scan));
     std::vector<AreaSample> onSides = directOfLists(texels, outside, hits, disc);
-    return {sun, std::move(disc), std::move(outside), std::move(onSides)};
+    return {sun, std::move(disc), std::make_shared<const RayScene>(std::move(outside)),
+            std::move(onSides)};
 }
 
 /// Burnt-out patches of sun that were taken for lamps light the room like these, and are none.
 void keepSunlit(const FoundLamps& all, FoundRoom& room)
 {
     for (const FoundLamp& lamp : all.lamps) {
-        if (!isSunlit(room.sun->outside, room.sun->sun, lamp)) continue;
+        if (!isSunlit(*room.sun->outside, room.sun->sun, lamp)) continue;
         const auto isIt = [&](const FoundLamp& other) {
             return other.patches[0].position == lamp.patches[0].position;
         };

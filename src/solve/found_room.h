@@ -10,6 +10,7 @@
 #include "shading/lit_sides.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,8 +27,8 @@ struct SunOnRoom
 {
     Sun sun;
     AreaLight disc;
-    RayScene outside;                // what stands before it
-    std::vector<AreaSample> onSides; // at radiance 1, one a hit list
+    std::shared_ptr<const RayScene> outside; // what stands before it
+    std::vector<AreaSample> onSides;         // at radiance 1, one a hit list
 };
 
 /// A scan whose lamps are known: where the solvers start that shade by area and shadow.

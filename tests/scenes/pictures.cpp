@@ -71,13 +71,14 @@ Bytes pngWithPalette(uint32_t width, uint32_t height)
 } // namespace
 
 template<class Sample>
-std::vector<uint8_t> pictureFile(const std::string& format, const Pixels<Sample>& pixels)
+std::vector<uint8_t> pictureFile(const std::string& format, const Pixels<Sample>& pixels,
+                                 const std::string& subsampling)
 {
     const OIIO::TypeDesc type = OIIO::BaseTypeFromC<Sample>::value;
     OIIO::ImageSpec spec(pixels.width, pixels.height, pixels.channels, type);
     spec["oiio:UnassociatedAlpha"] = 1;
     spec["compression"] = format == "jpeg" ? "jpeg:100" : "zip";
-    spec["jpeg:subsampling"] = "4:4:4";
+    spec["jpeg:subsampling"] = subsampling;
     std::vector<unsigned char> file;
     OIIO::Filesystem::IOVecOutput target(file);
     const auto output = OIIO::ImageOutput::create(format);
@@ -87,9 +88,12 @@ std::vector<uint8_t> pictureFile(const std::string& format, const Pixels<Sample>
     return file;
 }
 
-template std::vector<uint8_t> pictureFile(const std::string&, const Pixels<uint8_t>&);
-template std::vector<uint8_t> pictureFile(const std::string&, const Pixels<uint16_t>&);
-template std::vector<uint8_t> pictureFile(const std::string&, const Pixels<float>&);
+template std::vector<uint8_t> pictureFile(const std::string&, const Pixels<uint8_t>&,
+                                          const std::string&);
+template std::vector<uint8_t> pictureFile(const std::string&, const Pixels<uint16_t>&,
+                                          const std::string&);
+template std::vector<uint8_t> pictureFile(const std::string&, const Pixels<float>&,
+                                          const std::string&);
 
 Pixels<uint8_t> fourColors()
 {

@@ -17,9 +17,11 @@ struct Pixels
     std::vector<Sample> samples;
 };
 
-/// A picture file: "png", "jpeg", "webp", "tiff", "openexr", "hdr", "bmp" or "targa".
+/// A picture file: "png", "jpeg", "webp", "tiff", "openexr", "hdr", "bmp" or "targa". A JPEG keeps
+/// colour at the resolution that `subsampling` says.
 template<class Sample>
-std::vector<uint8_t> pictureFile(const std::string& format, const Pixels<Sample>& pixels);
+std::vector<uint8_t> pictureFile(const std::string& format, const Pixels<Sample>& pixels,
+                                 const std::string& subsampling = "4:4:4");
 
 /// Two by two: red, green, then blue, white.
 Pixels<uint8_t> fourColors();
