@@ -282,7 +282,8 @@ Relighting relightingOf(const std::string& text, const std::filesystem::path& fi
                         const Lights& captured, std::vector<std::string>& warnings)
 {
     const JsonDocument document(file.string(), text, kLightsFormat);
-    return relightingFrom(document.top(), file.parent_path(), captured, warnings);
+    NamedFiles files;
+    return relightingFrom(document.top(), file.parent_path(), captured, files, warnings);
 }
 
 } // namespace relamp
