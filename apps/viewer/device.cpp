@@ -12,6 +12,10 @@
 namespace
 {
 
+constexpr const char* kNoDriver =
+    "no Vulkan driver was found; install the one of your graphics card, or mesa-vulkan-drivers, "
+    "which draws without one";
+
 [[noreturn]] void fail(const std::string& sentence)
 {
     throw relamp::Error(relamp::ErrorCode::unsupported, sentence);
@@ -81,9 +85,7 @@ Device::~Device()
 
 void Device::createInstance()
 {
-    if (glfwVulkanSupported() == GLFW_FALSE)
-        fail("no Vulkan driver was found; install the one of your graphics card, or "
-             "mesa-vulkan-drivers, which draws without one");
+    if (glfwVulkanSupported() == GLFW_FALSE) fail(kNoDriver);
     uint32_t count = 0;
     const char** extensions = glfwGetRequiredInstanceExtensions(&count);
     VkApplicationInfo app{VK_STRUCTURE_TYPE_APPLICATION_INFO};
@@ -93,7 +95,10 @@ void Device::createInstance()
     info.pApplicationInfo = &app;
     info.enabledExtensionCount = count;
     info.ppEnabledExtensionNames = extensions;
-    check(vkCreateInstance(&info, nullptr, &instance_), "starting it");
+    const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
+    if (result == VK_ERROR_INCOMPATIBLE_DRIVER || result == VK_ERROR_EXTENSION_NOT_PRESENT)
+        fail(kNoDriver);
+    check(result, "starting it");
 }
 
 void Device::choosePhysical()
