@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/relamp)
 install(TARGETS relamp EXPORT relamp_targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS relamp_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS relamp_cli relamp_view RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY include/relamp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 install(EXPORT relamp_targets NAMESPACE relamp:: FILE relampTargets.cmake DESTINATION ${package_dir})
 install(FILES docs/relamp.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

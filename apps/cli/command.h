@@ -14,3 +14,4 @@ void addDevicesCommand(CLI::App& app, Run& run);
 void addInfoCommand(CLI::App& app, Run& run);
 void addRelightCommand(CLI::App& app, Run& run);
 void addVerifyCommand(CLI::App& app, Run& run);
+void addViewCommand(CLI::App& app, Run& run);

@@ -54,6 +54,7 @@ int main(int argc, char** argv)
                "  relamp relight kitchen --fixture all=on --bake -o baked.glb\n"
                "  relamp relight kitchen --lights lamp.json -o lamp.png\n"
                "  relamp verify kitchen\n"
+               "  relamp view kitchen.glb\n"
                "relamp COMMAND --help tells more.");
     Run run;
     addBenchCommand(app, run);
@@ -62,6 +63,7 @@ int main(int argc, char** argv)
     addInfoCommand(app, run);
     addRelightCommand(app, run);
     addVerifyCommand(app, run);
+    addViewCommand(app, run);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "relamp/api.h"
+#include "relamp/progress.h"
 
 #include <array>
 #include <cstddef>
@@ -81,5 +82,10 @@ RELAMP_API Image readImage(std::span<const std::byte> bytes, const std::string& 
                            Transfer transfer = Transfer::automatic);
 RELAMP_API Image readImage(const std::filesystem::path& file,
                            Transfer transfer = Transfer::automatic);
+
+/// Writes `image` without its opacity as .png, 8 bits of sRGB, or as .exr, linear half floats,
+/// whole or not at all. Throws Error(cannotWrite | cancelled), the former of any other ending, too.
+RELAMP_API void writeImage(const Image& image, const std::filesystem::path& file,
+                           Progress& progress);
 
 } // namespace relamp

@@ -96,6 +96,10 @@ RELAMP_API Relighting darkened(const Lights& captured);
 /// line and the key.
 RELAMP_API Relighting readRelighting(const std::filesystem::path& file, const Lights& captured,
                                      std::vector<std::string>& warnings);
+/// The same of a file's text; `file` is what it is called in errors, and IES profiles and pictures
+/// that it names lie beside it. Throws Error(malformed), and Error(cannotRead) of these.
+RELAMP_API Relighting relightingOf(const std::string& text, const std::filesystem::path& file,
+                                   const Lights& captured, std::vector<std::string>& warnings);
 
 /// Does what a person says of fixtures: "2=off", "0=on", "all=on", "1=50%", "3=window". Throws
 /// Error(malformed) naming the setting.
@@ -153,6 +157,11 @@ public:
 
     /// Sets the light. Shadows are found for lights whose place or shape is new; all else is sums.
     void light(const Relighting& lighting, Progress& progress);
+
+    /// The same for a first look while a person moves a lamp: shadows are as fine as a surfel, 3 to
+    /// 12 cm, and LightProbes alone can be asked until `light` is called again. Only with
+    /// Solver::gather; others do what `light` does.
+    void glance(const Relighting& lighting, Progress& progress);
 
     /// Radiance of every texel of a page under the light that was set, linear half RGB of the
     /// page's size; pixels that no surface covers continue what lies next to them.

@@ -20,11 +20,12 @@ public:
     /// malformed).
     JsonDocument(const std::filesystem::path& file, const char* format);
 
+    /// The same of a text; `name` is what it is called in errors. Throws Error(malformed).
+    JsonDocument(std::string name, const std::string& text, const char* format);
+
     [[nodiscard]] JsonItem top() const { return {document_, name_, lines_, ""}; }
 
 private:
-    JsonDocument(std::string name, const std::string& text, const char* format);
-
     std::string name_;
     nlohmann::json document_;
     JsonLines lines_;

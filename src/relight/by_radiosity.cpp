@@ -39,6 +39,39 @@ void darkenBuried(const Texels& texels, size_t page, size_t begin, size_t count,
                 if (buried[i] != 0) channel[i] = 0.0f;
 }
 
+/// Irradiance at emission 1 in the middle of surfels. A few rays tell how much of the light is
+/// seen, those of the neighbours with them; how much there is to be seen is known exactly.
+std::vector<float> smoothOnFronts(const Surfels& surfels, const LightSource& source,
+                                  std::span<const AreaSample> onSides)
+{
+    std::vector<float> irradiance(surfels.count());
+    forEachChunk(surfels.count(), TexelBlock::kCapacity, [&](size_t begin, size_t end) {
+        TexelBlock block;
+        block.count = end - begin;
+        for (size_t s = begin; s < end; ++s) {
+            const size_t i = s - begin;
+            block.x[i] = surfels.position[s].x;
+            block.y[i] = surfels.position[s].y;
+            block.z[i] = surfels.position[s].z;
+            block.nx[i] = surfels.normal[s].x;
+            block.ny[i] = surfels.normal[s].y;
+            block.nz[i] = surfels.normal[s].z;
+        }
+        float open[TexelBlock::kPadded];
+        source.open(block, open);
+        for (size_t s = begin; s < end; ++s) {
+            float all = 0.0f;
+            float seen = 0.0f;
+            for (const uint32_t n : surfels.neighborsOf(s)) {
+                all += onSides[n].open;
+                seen += onSides[n].visible;
+            }
+            irradiance[s] = all > 0.0f ? open[s - begin] * seen / all : 0.0f;
+        }
+    });
+    return irradiance;
+}
+
 } // namespace
 
 RadiosityLight::RadiosityLight(const Texels& texels, const RayScene& scene,
@@ -48,42 +81,52 @@ RadiosityLight::RadiosityLight(const Texels& texels, const RayScene& scene,
       shadowRays_(shadowRays), isBuried_(buriedSurfels(texels))
 {}
 
-void RadiosityLight::findShadows(const ActiveLights& active, Progress& progress)
+std::shared_ptr<const ShadowedLight>
+RadiosityLight::shadowed(const ActiveLight& light, std::shared_ptr<const ShadowedLight> known,
+                         ShadowDetail detail, const Obstacles& obstacles) const
 {
-    Progress::Stage stage(progress, "shadows", 2 * std::max<size_t>(active.lights.size(), 1));
+    if (known && (known->shadows || detail == ShadowDetail::sides)) return known;
+    ShadowedLight result{light, {}, {}, std::nullopt};
+    if (known) {
+        result.onSides = known->onSides;
+        result.onFronts = known->onFronts;
+    } else {
+        result.onSides = directOfSides(texels_, obstacles, *light.source, transport_.sides);
+        result.onFronts = smoothOnFronts(texels_.surfels, *light.source, result.onSides);
+    }
+    if (detail == ShadowDetail::texels)
+        result.shadows.emplace(texels_, obstacles, *light.source,
+                               std::span(result.onSides).first(texels_.surfels.count()),
+                               shadowRays_);
+    return std::make_shared<const ShadowedLight>(std::move(result));
+}
+
+void RadiosityLight::findShadows(const ActiveLights& active, ShadowDetail detail,
+                                 Progress& progress)
+{
+    Progress::Stage stage(progress, "shadows", std::max<size_t>(active.lights.size(), 1));
     const bool arePanesNew = panes_ != active.panes;
-    panes_ = active.panes;
     const Obstacles walls(texels_, scene_, {}, isClipped_);
-    const Obstacles wallsWithoutPanes(texels_, scene_, panes_, isClipped_);
-    std::vector<std::shared_ptr<const ShadowedLight>> kept;
-    std::swap(kept, lights_);
+    const Obstacles wallsWithoutPanes(texels_, scene_, active.panes, isClipped_);
+    std::vector<std::shared_ptr<const ShadowedLight>> found;
     for (const ActiveLight& light : active.lights) {
         const bool isSun = light.source->isSun();
         const auto isSame = [&](const auto& other) {
             return castSameShadows(other->light, light) && !(isSun && arePanesNew);
         };
-        const auto found = std::find_if(kept.begin(), kept.end(), isSame);
-        if (found != kept.end()) {
-            lights_.push_back(*found);
-            stage.advance(2);
-            continue;
-        }
-        const Obstacles& obstacles = isSun ? wallsWithoutPanes : walls;
-        std::vector<AreaSample> onSides =
-            directOfSides(texels_, obstacles, *light.source, transport_.sides);
-        stage.advance();
-        Shadows shadows(texels_, obstacles, *light.source,
-                        std::span(onSides).first(texels_.surfels.count()), shadowRays_);
-        lights_.push_back(std::make_shared<const ShadowedLight>(
-            ShadowedLight{light, std::move(onSides), std::move(shadows)}));
+        const auto known = std::find_if(lights_.begin(), lights_.end(), isSame);
+        found.push_back(shadowed(light, known != lights_.end() ? *known : nullptr, detail,
+                                 isSun ? wallsWithoutPanes : walls));
         stage.advance();
     }
+    lights_ = std::move(found); // all or, where somebody cancelled, none of it
+    panes_ = active.panes;
 }
 
 void RadiosityLight::set(const ActiveLights& active, std::span<const glm::vec3> albedo,
-                         Progress& progress)
+                         ShadowDetail detail, Progress& progress)
 {
-    findShadows(active, progress);
+    findShadows(active, detail, progress);
     const Progress::Stage stage(progress, "bounces");
     std::vector<glm::vec3> direct(transport_.sides.size(), glm::vec3(0.0f));
     emissions_.clear();
@@ -95,6 +138,10 @@ void RadiosityLight::set(const ActiveLights& active, std::span<const glm::vec3> 
     indirect_ = std::make_shared<const std::vector<glm::vec3>>(
         withoutNoise(texels_.surfels, withoutBuried(texels_.surfels, bounced.irradiance, isBuried_),
                      bounced.noise));
+    onFronts_ = *indirect_;
+    for (size_t l = 0; l < lights_.size(); ++l)
+        for (size_t s = 0; s < onFronts_.size(); ++s)
+            onFronts_[s] += lights_[l]->onFronts[s] * emissions_[l];
 }
 
 TexelShading RadiosityLight::shading() const
@@ -106,7 +153,7 @@ TexelShading RadiosityLight::shading() const
             std::fill_n(channel, block.count, 0.0f);
         float share[TexelBlock::kPadded];
         for (size_t l = 0; l < lights.size(); ++l)
-            if (lights[l]->shadows.at(p, begin, block.count, share))
+            if (lights[l]->shadows->at(p, begin, block.count, share))
                 addDirectOf(*lights[l]->light.source, emissions[l], block, share, out.direct);
         darkenBuried(texels, p, begin, block.count, out);
     };

@@ -10,6 +10,7 @@
 #include "shading/texel_shading.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,8 +24,12 @@ struct ShadowedLight
 {
     ActiveLight light;
     std::vector<AreaSample> onSides; // one a side of the transport
-    Shadows shadows;
+    std::vector<float> onFronts;     // irradiance on fronts of surfels, without the rays' noise
+    std::optional<Shadows> shadows;  // on texels; none where only sides were asked for
 };
+
+/// How finely shadows are found.
+enum class ShadowDetail { sides, texels };
 
 /// Light in a room by shadow rays and radiosity. What rays found of a light is kept as long as the
 /// next relighting has the same light, however bright.
@@ -36,13 +41,21 @@ public:
                    std::span<const std::vector<uint8_t>> isClipped, size_t shadowRays);
 
     /// Takes over the light; `albedo` is that of surfels.
-    void set(const ActiveLights& active, std::span<const glm::vec3> albedo, Progress& progress);
+    void set(const ActiveLights& active, std::span<const glm::vec3> albedo, ShadowDetail detail,
+             Progress& progress);
 
-    /// The shading under the light that was set. It stays valid when another is set.
+    /// The shading under the light that was set with ShadowDetail::texels. It stays valid when
+    /// another is set.
     [[nodiscard]] TexelShading shading() const;
 
+    /// Irradiance on surfels' fronts under the light that was set; empty before.
+    [[nodiscard]] std::span<const glm::vec3> onFronts() const { return onFronts_; }
+
 private:
-    void findShadows(const ActiveLights& active, Progress& progress);
+    void findShadows(const ActiveLights& active, ShadowDetail detail, Progress& progress);
+    [[nodiscard]] std::shared_ptr<const ShadowedLight>
+    shadowed(const ActiveLight& light, std::shared_ptr<const ShadowedLight> known,
+             ShadowDetail detail, const Obstacles& obstacles) const;
 
     const Texels& texels_;
     const RayScene& scene_;
@@ -55,6 +68,7 @@ private:
     std::vector<std::shared_ptr<const ShadowedLight>> lights_;
     std::vector<glm::vec3> emissions_;
     std::shared_ptr<const std::vector<glm::vec3>> indirect_; // irradiance on fronts
+    std::vector<glm::vec3> onFronts_;                        // and direct light with it
 };
 
 } // namespace relamp

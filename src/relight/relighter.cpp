@@ -54,6 +54,16 @@ Relighter::~Relighter() = default;
 Relighter::Relighter(Relighter&&) noexcept = default;
 Relighter& Relighter::operator=(Relighter&&) noexcept = default;
 
+void Relighter::glance(const Relighting& lighting, Progress& progress)
+{
+    State& state = *state_;
+    if (state.options.solver != Solver::gather) return light(lighting, progress);
+    state.warnings = state.warningsOfRoom;
+    state.active = activate(state.texels, state.transport, state.room.captured, lighting);
+    state.radiosity.set(state.active, reflecting(state), ShadowDetail::sides, progress);
+    state.shade = {};
+}
+
 void Relighter::light(const Relighting& lighting, Progress& progress)
 {
     State& state = *state_;
@@ -61,7 +71,7 @@ void Relighter::light(const Relighting& lighting, Progress& progress)
     state.active = activate(state.texels, state.transport, state.room.captured, lighting);
     switch (state.options.solver) {
     case Solver::gather:
-        state.radiosity.set(state.active, reflecting(state), progress);
+        state.radiosity.set(state.active, reflecting(state), ShadowDetail::texels, progress);
         state.shade = state.radiosity.shading();
         break;
     case Solver::thesis:

@@ -278,4 +278,12 @@ Relighting readRelighting(const std::filesystem::path& file, const Lights& captu
     return relightingFrom(document.top(), file.parent_path(), captured, files, warnings);
 }
 
+Relighting relightingOf(const std::string& text, const std::filesystem::path& file,
+                        const Lights& captured, std::vector<std::string>& warnings)
+{
+    const JsonDocument document(file.string(), text, kLightsFormat);
+    NamedFiles files;
+    return relightingFrom(document.top(), file.parent_path(), captured, files, warnings);
+}
+
 } // namespace relamp

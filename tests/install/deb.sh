@@ -20,7 +20,7 @@ for library in libassimp5 libdraco7 libembree3-3 libfmt9 libopenimageio2.4 libtb
     expect "$library " "$depends "
 done
 contents=$(dpkg-deb --contents "$deb")
-for file in bin/relamp librelamp.so. include/relamp/scan.h relampConfig.cmake man/man1/relamp.1; do
+for file in bin/relamp bin/relamp-view librelamp.so. include/relamp/scan.h relampConfig.cmake man/man1/relamp.1; do
     expect "$file" "$contents"
 done
 exit $missing

@@ -1,0 +1,199 @@
+#include "device.h"
+
+#include "relamp/error.h"
+
+#include <optional>
+#include <vector>
+
+#define GLFW_INCLUDE_VULKAN
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+namespace
+{
+
+constexpr const char* kNoDriver =
+    "no Vulkan driver was found; install the one of your graphics card, or mesa-vulkan-drivers, "
+    "which draws without one";
+
+[[noreturn]] void fail(const std::string& sentence)
+{
+    throw relamp::Error(relamp::ErrorCode::unsupported, sentence);
+}
+
+/// The family of queues that draw and present in the window.
+std::optional<uint32_t> familyOf(VkPhysicalDevice physical, VkSurfaceKHR surface)
+{
+    uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
+    for (uint32_t f = 0; f < count; ++f) {
+        VkBool32 presents = VK_FALSE;
+        vkGetPhysicalDeviceSurfaceSupportKHR(physical, f, surface, &presents);
+        if (presents == VK_TRUE && (families[f].queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0) return f;
+    }
+    return std::nullopt;
+}
+
+int rankOf(VkPhysicalDeviceType type)
+{
+    switch (type) {
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+        return 4;
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+        return 3;
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+        return 2;
+    default:
+        return 1;
+    }
+}
+
+} // namespace
+
+void check(VkResult result, const char* step)
+{
+    if (result == VK_SUCCESS || result == VK_SUBOPTIMAL_KHR) return;
+    const char* reason =
+        result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY
+            ? "; its memory is full, scale the scan's textures down"
+        : result == VK_ERROR_DEVICE_LOST ? "; the device was lost, start the viewer again"
+                                         : "";
+    fail(fmt::format("Vulkan: {} failed ({}){}", step, static_cast<int>(result), reason));
+}
+
+Device::Device(GLFWwindow* window)
+{
+    createInstance();
+    if (glfwCreateWindowSurface(instance_, window, nullptr, &surface_) != VK_SUCCESS) {
+        vkDestroyInstance(instance_, nullptr);
+        fail("Vulkan cannot draw in windows of this display; a driver of its kind is missing");
+    }
+    choosePhysical();
+    createDevice();
+}
+
+Device::~Device()
+{
+    vkDeviceWaitIdle(device_);
+    pool_ = {};
+    vkDestroyDevice(device_, nullptr);
+    vkDestroySurfaceKHR(instance_, surface_, nullptr);
+    vkDestroyInstance(instance_, nullptr);
+}
+
+void Device::createInstance()
+{
+    if (glfwVulkanSupported() == GLFW_FALSE) fail(kNoDriver);
+    uint32_t count = 0;
+    const char** extensions = glfwGetRequiredInstanceExtensions(&count);
+    VkApplicationInfo app{VK_STRUCTURE_TYPE_APPLICATION_INFO};
+    app.pApplicationName = "relamp";
+    app.apiVersion = VK_API_VERSION_1_2;
+    VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+    info.pApplicationInfo = &app;
+    info.enabledExtensionCount = count;
+    info.ppEnabledExtensionNames = extensions;
+    const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
+    if (result == VK_ERROR_INCOMPATIBLE_DRIVER || result == VK_ERROR_EXTENSION_NOT_PRESENT)
+        fail(kNoDriver);
+    check(result, "starting it");
+}
+
+void Device::choosePhysical()
+{
+    uint32_t count = 0;
+    vkEnumeratePhysicalDevices(instance_, &count, nullptr);
+    std::vector<VkPhysicalDevice> devices(count);
+    vkEnumeratePhysicalDevices(instance_, &count, devices.data());
+    int best = 0;
+    for (VkPhysicalDevice candidate : devices) {
+        VkPhysicalDeviceProperties properties;
+        vkGetPhysicalDeviceProperties(candidate, &properties);
+        const std::optional<uint32_t> family = familyOf(candidate, surface_);
+        if (!family || properties.apiVersion < VK_API_VERSION_1_2 ||
+            rankOf(properties.deviceType) <= best)
+            continue;
+        best = rankOf(properties.deviceType);
+        physical_ = candidate;
+        family_ = *family;
+        isAnisotropic_ = properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU;
+        name_ = properties.deviceName;
+    }
+    if (physical_ != nullptr) return;
+    vkDestroySurfaceKHR(instance_, surface_, nullptr);
+    vkDestroyInstance(instance_, nullptr);
+    fail("no Vulkan 1.2 device can draw in this window; install the driver of your graphics card, "
+         "or mesa-vulkan-drivers, which draws without one");
+}
+
+void Device::createDevice()
+{
+    VkPhysicalDeviceFeatures available;
+    vkGetPhysicalDeviceFeatures(physical_, &available);
+    VkPhysicalDeviceFeatures wanted{};
+    isAnisotropic_ = isAnisotropic_ && available.samplerAnisotropy == VK_TRUE;
+    wanted.samplerAnisotropy = isAnisotropic_ ? VK_TRUE : VK_FALSE;
+
+    const float priority = 1.0f;
+    VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+    queue.queueFamilyIndex = family_;
+    queue.queueCount = 1;
+    queue.pQueuePriorities = &priority;
+    const char* extension = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+    VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
+    info.queueCreateInfoCount = 1;
+    info.pQueueCreateInfos = &queue;
+    info.enabledExtensionCount = 1;
+    info.ppEnabledExtensionNames = &extension;
+    info.pEnabledFeatures = &wanted;
+    check(vkCreateDevice(physical_, &info, nullptr, &device_), "opening the device");
+    vkGetDeviceQueue(device_, family_, 0, &queue_);
+
+    VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    pool.queueFamilyIndex = family_;
+    VkCommandPool created = nullptr;
+    check(vkCreateCommandPool(device_, &pool, nullptr, &created), "making a command pool");
+    pool_ = {device_, created};
+}
+
+OwnedMemory Device::allocate(const VkMemoryRequirements& needs,
+                             VkMemoryPropertyFlags properties) const
+{
+    VkPhysicalDeviceMemoryProperties memory;
+    vkGetPhysicalDeviceMemoryProperties(physical_, &memory);
+    for (uint32_t type = 0; type < memory.memoryTypeCount; ++type) {
+        const bool fits = (needs.memoryTypeBits >> type & 1u) != 0 &&
+                          (memory.memoryTypes[type].propertyFlags & properties) == properties;
+        if (!fits) continue;
+        VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
+        info.allocationSize = needs.size;
+        info.memoryTypeIndex = type;
+        VkDeviceMemory made = nullptr;
+        check(vkAllocateMemory(device_, &info, nullptr, &made), "taking memory");
+        return {device_, made};
+    }
+    fail("Vulkan: the device has no memory of the kind that the viewer needs");
+}
+
+void Device::run(const std::function<void(VkCommandBuffer)>& record) const
+{
+    VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+    allocate.commandPool = pool_.get();
+    allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+    allocate.commandBufferCount = 1;
+    VkCommandBuffer commands = nullptr;
+    check(vkAllocateCommandBuffers(device_, &allocate, &commands), "making commands");
+    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    check(vkBeginCommandBuffer(commands, &begin), "recording commands");
+    record(commands);
+    check(vkEndCommandBuffer(commands), "recording commands");
+    VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
+    submit.commandBufferCount = 1;
+    submit.pCommandBuffers = &commands;
+    check(vkQueueSubmit(queue_, 1, &submit, nullptr), "running commands");
+    check(vkQueueWaitIdle(queue_), "running commands");
+    vkFreeCommandBuffers(device_, pool_.get(), 1, &commands);
+}

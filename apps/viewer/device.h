@@ -1,0 +1,56 @@
+#pragma once
+
+#include "owned.h"
+
+#include <functional>
+#include <string>
+
+struct GLFWwindow;
+
+/// Throws relamp::Error naming `step` where Vulkan says that it failed.
+void check(VkResult result, const char* step);
+
+/// The Vulkan device that draws the window, and its one queue.
+///
+/// Of several the fastest kind is taken: a graphics card, then one on the processor's chip, then
+/// Mesa's software device.
+class Device
+{
+public:
+    /// Throws relamp::Error with a sentence where no device can draw in `window`.
+    explicit Device(GLFWwindow* window);
+    ~Device();
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    [[nodiscard]] VkDevice get() const { return device_; }
+    [[nodiscard]] VkInstance instance() const { return instance_; }
+    [[nodiscard]] VkPhysicalDevice physical() const { return physical_; }
+    [[nodiscard]] VkSurfaceKHR surface() const { return surface_; }
+    [[nodiscard]] VkQueue queue() const { return queue_; }
+    [[nodiscard]] uint32_t family() const { return family_; }
+    /// Whether looking along a texture is worth its cost: in hardware.
+    [[nodiscard]] bool isAnisotropic() const { return isAnisotropic_; }
+    [[nodiscard]] const std::string& name() const { return name_; }
+
+    [[nodiscard]] OwnedMemory allocate(const VkMemoryRequirements& needs,
+                                       VkMemoryPropertyFlags properties) const;
+    /// Records commands, runs them and waits for their end.
+    void run(const std::function<void(VkCommandBuffer)>& record) const;
+    void wait() const { vkDeviceWaitIdle(device_); }
+
+private:
+    void createInstance();
+    void choosePhysical();
+    void createDevice();
+
+    VkInstance instance_ = nullptr;
+    VkSurfaceKHR surface_ = nullptr;
+    VkPhysicalDevice physical_ = nullptr;
+    VkDevice device_ = nullptr;
+    VkQueue queue_ = nullptr;
+    uint32_t family_ = 0;
+    bool isAnisotropic_ = false;
+    std::string name_;
+    OwnedCommandPool pool_;
+};

@@ -1,0 +1,96 @@
+#pragma once
+
+#include "relamp/lights.h"
+#include "relamp/relight.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+/// A light that somebody puts up, in the words of a lights file (docs/guide/lights.md).
+struct LampItem
+{
+    std::string name;
+    relamp::LightType type = relamp::LightType::point;
+    glm::vec3 position{0.0f};               // m
+    glm::vec3 direction{0.0f, -1.0f, 0.0f}; // unit
+    glm::vec3 along{0.0f};                  // of a rectangle's width; zero: anyhow
+    glm::vec2 size{0.6f, 0.6f};             // m; of a rectangle
+    float radius = 0.05f;                   // m; bulb, disc, sphere
+    float cone = 60.0f;                     // degrees, edge to edge
+    float blend = 0.15f;
+    float angle = 0.53f;         // degrees; the sun's
+    std::string unit = "lumens"; // a key of the file that takes one number, or three
+    float amount = 800.0f;       // in that unit
+    glm::vec3 rgb{0.0f};         // instead, where the unit is intensity, radiance or irradiance
+    bool byKelvin = true;        // else by colour
+    float kelvin = 2700.0f;
+    glm::vec3 colour{1.0f};
+    bool on = true;
+    float dim = 1.0f;
+    std::string ies; // file beside the lights file
+
+    bool operator==(const LampItem&) const = default;
+    [[nodiscard]] bool takesRgb() const;
+    /// Whether its direction matters.
+    [[nodiscard]] bool aims() const;
+};
+
+/// A fixture of the room, and what is said of it beyond what delight found.
+struct FixtureItem
+{
+    bool on = false;
+    float dim = 1.0f;
+    std::optional<float> kelvin;
+    std::optional<float> lumens;
+    std::optional<glm::vec3> radiance;
+    bool window = false;
+
+    bool operator==(const FixtureItem&) const = default;
+};
+
+struct SkyItem
+{
+    float nits = 0.0f;
+    glm::vec3 colour{1.0f};
+    std::optional<glm::vec3> radiance; // instead
+    std::string environment;           // picture beside the file
+    float turn = 0.0f;                 // degrees
+
+    bool operator==(const SkyItem&) const = default;
+};
+
+/// All light as a person sees and changes it.
+struct LightDocument
+{
+    std::vector<LampItem> lamps;
+    std::vector<FixtureItem> fixtures; // of the room, by their number
+    SkyItem sky;
+    std::optional<float> whiteNits; // what the texture's white stands for
+    std::optional<float> whiteKelvin;
+
+    bool operator==(const LightDocument&) const = default;
+};
+
+/// The fixtures of a room as delight found them, switched on.
+LightDocument documentOf(const relamp::Lights& captured);
+
+/// The text of a lights file.
+std::string textOf(const LightDocument& document);
+
+/// What a lights file says. `captured` is the room's light. Throws relamp::Error as
+/// relamp::readRelighting does; `notes` receives what is passed over.
+LightDocument documentFrom(const std::string& text, const std::filesystem::path& file,
+                           const relamp::Lights& captured, std::vector<std::string>& notes);
+
+/// The light itself. Files that it names lie in `folder`.
+relamp::Relighting lightingOf(const LightDocument& document, const std::filesystem::path& folder,
+                              const relamp::Lights& captured, std::vector<std::string>& notes);
+
+const char* nameOf(relamp::LightType type);
+/// Throws relamp::Error with the names that there are.
+relamp::LightType lightTypeNamed(const std::string& name);

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "device.h"
+#include "input.h"
+
+#include <string>
+
+class Window;
+
+/// Dear ImGui in the viewer's window: its input, its look, its drawing.
+class PanelDrawing
+{
+public:
+    PanelDrawing(const Device& device, Window& window, VkRenderPass pass);
+    ~PanelDrawing();
+    PanelDrawing(const PanelDrawing&) = delete;
+    PanelDrawing& operator=(const PanelDrawing&) = delete;
+
+    static void take(const InputEvent& event);
+    /// Begins a frame of this size; panels may be described until `draw`.
+    static void begin(glm::ivec2 pixels, float seconds);
+    /// Ends the frame's description and keeps it to be drawn.
+    static void end();
+    static void draw(VkCommandBuffer commands);
+
+private:
+    void dress(float scale);
+
+    const Device& device_;
+    OwnedDescriptorPool pool_;
+    std::string clipboard_;
+};

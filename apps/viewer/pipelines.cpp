@@ -1,0 +1,188 @@
+#include "pipelines.h"
+
+#include "room_mesh.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace
+{
+
+#include "lamp_frag.h"
+#include "lamp_vert.h"
+#include "room_frag.h"
+#include "room_vert.h"
+
+OwnedShader shader(const Device& device, std::span<const uint32_t> words)
+{
+    VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+    info.codeSize = words.size_bytes();
+    info.pCode = words.data();
+    VkShaderModule made = nullptr;
+    check(vkCreateShaderModule(device.get(), &info, nullptr, &made), "reading a shader");
+    return {device.get(), made};
+}
+
+/// The shaders' constants 0 to 4.
+struct Constants
+{
+    VkBool32 ofVertices;
+    VkBool32 atlas;
+    int32_t layer;
+    int32_t view;
+    VkBool32 lines;
+};
+
+/// Where vertices lie in their buffers: room ones in two, for the light changes alone.
+struct VertexLayout
+{
+    std::array<VkVertexInputBindingDescription, 2> bindings{};
+    std::array<VkVertexInputAttributeDescription, 5> attributes{};
+    VkPipelineVertexInputStateCreateInfo info{
+        VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+
+    explicit VertexLayout(bool lamp)
+    {
+        constexpr VkFormat kVec3 = VK_FORMAT_R32G32B32_SFLOAT;
+        bindings[0] = {0, lamp ? 24u : uint32_t{sizeof(RoomVertex)}, VK_VERTEX_INPUT_RATE_VERTEX};
+        bindings[1] = {1, 24, VK_VERTEX_INPUT_RATE_VERTEX};
+        attributes[0] = {0, 0, kVec3, 0};
+        attributes[1] = lamp ? VkVertexInputAttributeDescription{1, 0, kVec3, 12}
+                             : VkVertexInputAttributeDescription{1, 0, VK_FORMAT_R32G32_SFLOAT,
+                                                                 offsetof(RoomVertex, uv)};
+        attributes[2] = {2, 0, kVec3, offsetof(RoomVertex, colour)};
+        attributes[3] = {3, 1, kVec3, 0};
+        attributes[4] = {4, 1, kVec3, 12};
+        info.vertexBindingDescriptionCount = lamp ? 1 : 2;
+        info.pVertexBindingDescriptions = bindings.data();
+        info.vertexAttributeDescriptionCount = lamp ? 2 : 5;
+        info.pVertexAttributeDescriptions = attributes.data();
+    }
+    VertexLayout(const VertexLayout&) = delete;
+    VertexLayout& operator=(const VertexLayout&) = delete;
+};
+
+/// Lines let the surface shine through.
+VkPipelineColorBlendAttachmentState blendOf(const Drawing& drawing)
+{
+    VkPipelineColorBlendAttachmentState blend{};
+    blend.blendEnable = drawing.lines ? VK_TRUE : VK_FALSE;
+    blend.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+    blend.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    blend.colorBlendOp = VK_BLEND_OP_ADD;
+    blend.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
+    blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+    blend.alphaBlendOp = VK_BLEND_OP_ADD;
+    blend.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
+                           VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+    return blend;
+}
+
+/// From outside, the room is looked into past the backs of its near walls.
+VkPipelineRasterizationStateCreateInfo rasterOf(const Drawing& drawing)
+{
+    VkPipelineRasterizationStateCreateInfo raster{
+        VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+    raster.polygonMode = VK_POLYGON_MODE_FILL;
+    raster.cullMode = drawing.lamp || drawing.atlas ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT;
+    raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
+    raster.lineWidth = 1.0f;
+    return raster;
+}
+
+} // namespace
+
+Pipelines::Pipelines(const Device& device, VkDescriptorSetLayout layers)
+    : device_(device), roomVertex_(shader(device, kRoomVert)),
+      roomFragment_(shader(device, kRoomFrag)), lampVertex_(shader(device, kLampVert)),
+      lampFragment_(shader(device, kLampFrag))
+{
+    const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
+                                   sizeof(Push)};
+    VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+    info.setLayoutCount = 1;
+    info.pSetLayouts = &layers;
+    info.pushConstantRangeCount = 1;
+    info.pPushConstantRanges = &push;
+    VkPipelineLayout made = nullptr;
+    check(vkCreatePipelineLayout(device.get(), &info, nullptr, &made), "making a pipeline layout");
+    layout_ = {device.get(), made};
+}
+
+VkPipeline Pipelines::of(const Drawing& drawing, VkRenderPass pass)
+{
+    OwnedPipeline& pipeline = made_[{pass, drawing}];
+    if (!pipeline) pipeline = make(drawing, pass);
+    return pipeline.get();
+}
+
+OwnedPipeline Pipelines::make(const Drawing& drawing, VkRenderPass pass) const
+{
+    const Constants constants{drawing.ofVertices, drawing.atlas, drawing.layer, drawing.view,
+                              drawing.lines};
+    const std::array<VkSpecializationMapEntry, 5> entries{{{0, offsetof(Constants, ofVertices), 4},
+                                                           {1, offsetof(Constants, atlas), 4},
+                                                           {2, offsetof(Constants, layer), 4},
+                                                           {3, offsetof(Constants, view), 4},
+                                                           {4, offsetof(Constants, lines), 4}}};
+    const VkSpecializationInfo specialised{static_cast<uint32_t>(entries.size()), entries.data(),
+                                           sizeof(constants), &constants};
+    std::array<VkPipelineShaderStageCreateInfo, 2> stages{};
+    for (VkPipelineShaderStageCreateInfo& stage : stages) {
+        stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+        stage.pName = "main";
+        stage.pSpecializationInfo = &specialised;
+    }
+    stages[0].stage = VK_SHADER_STAGE_VERTEX_BIT;
+    stages[0].module = (drawing.lamp ? lampVertex_ : roomVertex_).get();
+    stages[1].stage = VK_SHADER_STAGE_FRAGMENT_BIT;
+    stages[1].module = (drawing.lamp ? lampFragment_ : roomFragment_).get();
+
+    const VertexLayout vertices(drawing.lamp);
+    VkPipelineInputAssemblyStateCreateInfo assembly{
+        VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+    assembly.topology =
+        drawing.lines ? VK_PRIMITIVE_TOPOLOGY_LINE_LIST : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    VkPipelineViewportStateCreateInfo viewport{
+        VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
+    viewport.viewportCount = 1;
+    viewport.scissorCount = 1;
+    const VkPipelineRasterizationStateCreateInfo raster = rasterOf(drawing);
+    VkPipelineMultisampleStateCreateInfo samples{
+        VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
+    samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+    VkPipelineDepthStencilStateCreateInfo depth{
+        VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
+    depth.depthTestEnable = VK_TRUE;
+    depth.depthWriteEnable = drawing.lines ? VK_FALSE : VK_TRUE;
+    depth.depthCompareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
+    const VkPipelineColorBlendAttachmentState blend = blendOf(drawing);
+    VkPipelineColorBlendStateCreateInfo blending{
+        VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+    blending.attachmentCount = 1;
+    blending.pAttachments = &blend;
+    const std::array<VkDynamicState, 2> changing{VK_DYNAMIC_STATE_VIEWPORT,
+                                                 VK_DYNAMIC_STATE_SCISSOR};
+    VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
+    dynamic.dynamicStateCount = static_cast<uint32_t>(changing.size());
+    dynamic.pDynamicStates = changing.data();
+
+    VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};
+    info.stageCount = static_cast<uint32_t>(stages.size());
+    info.pStages = stages.data();
+    info.pVertexInputState = &vertices.info;
+    info.pInputAssemblyState = &assembly;
+    info.pViewportState = &viewport;
+    info.pRasterizationState = &raster;
+    info.pMultisampleState = &samples;
+    info.pDepthStencilState = &depth;
+    info.pColorBlendState = &blending;
+    info.pDynamicState = &dynamic;
+    info.layout = layout_.get();
+    info.renderPass = pass;
+    VkPipeline made = nullptr;
+    check(vkCreateGraphicsPipelines(device_.get(), nullptr, 1, &info, nullptr, &made),
+          "making a pipeline");
+    return {device_.get(), made};
+}

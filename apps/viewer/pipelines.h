@@ -1,0 +1,47 @@
+#pragma once
+
+#include "device.h"
+
+#include <map>
+#include <tuple>
+
+#include <glm/mat4x4.hpp>
+
+/// What shaders are told for each drawing.
+struct Push
+{
+    glm::mat4 clipFromWorld{1.0f};
+    float exposure = 1.0f; // factor on light
+};
+
+/// How a piece of the picture is drawn; each way has a pipeline, made when it is first asked for.
+struct Drawing
+{
+    int layer = 0; // shaders/layers.glsl
+    int view = 0;  // standard, AgX, ACES; 3: light itself
+    bool ofVertices = false;
+    bool atlas = false;
+    bool lines = false;
+    bool lamp = false; // the surface of a light, and no layer
+
+    auto operator<=>(const Drawing&) const = default;
+};
+
+/// The pipelines of one render pass.
+class Pipelines
+{
+public:
+    Pipelines(const Device& device, VkDescriptorSetLayout layers);
+
+    /// `pass` is what it will be drawn in.
+    VkPipeline of(const Drawing& drawing, VkRenderPass pass);
+    [[nodiscard]] VkPipelineLayout layout() const { return layout_.get(); }
+
+private:
+    [[nodiscard]] OwnedPipeline make(const Drawing& drawing, VkRenderPass pass) const;
+
+    const Device& device_;
+    OwnedShader roomVertex_, roomFragment_, lampVertex_, lampFragment_;
+    OwnedPipelineLayout layout_;
+    std::map<std::pair<VkRenderPass, Drawing>, OwnedPipeline> made_;
+};

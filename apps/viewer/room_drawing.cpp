@@ -1,0 +1,257 @@
+#include "room_drawing.h"
+
+#include <cmath>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace
+{
+
+constexpr int kGlance = 8; // shaders/layers.glsl
+
+OwnedSetLayout layoutOfLayers(const Device& device)
+{
+    VkDescriptorSetLayoutBinding binding{};
+    binding.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    binding.descriptorCount = kPageTextures;
+    binding.stageFlags = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+    VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+    info.bindingCount = 1;
+    info.pBindings = &binding;
+    VkDescriptorSetLayout made = nullptr;
+    check(vkCreateDescriptorSetLayout(device.get(), &info, nullptr, &made), "making a layout");
+    return {device.get(), made};
+}
+
+VkSamplerAddressMode addressOf(relamp::Wrap wrap)
+{
+    switch (wrap) {
+    case relamp::Wrap::repeat:
+        return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    case relamp::Wrap::mirror:
+        return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+    case relamp::Wrap::clamp:
+        break;
+    }
+    return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+}
+
+TexturePixels blackPixel()
+{
+    TexturePixels pixels;
+    pixels.levels.push_back({1, 1, 0});
+    pixels.bytes.assign(4, std::byte{0});
+    return pixels;
+}
+
+} // namespace
+
+RoomDrawing::RoomDrawing(const Device& device)
+    : device_(device), setLayout_(layoutOfLayers(device)), pipelines_(device, setLayout_.get()),
+      nothing_(uploaded(device, blackPixel()))
+{}
+
+void RoomDrawing::setMesh(const RoomMesh& mesh, size_t pages)
+{
+    device_.wait();
+    surfaces_ = mesh.surfaces;
+    vertices_ = Buffer(device_, std::span(mesh.vertices), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    indices_ = Buffer(device_, std::span(mesh.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    edges_ = Buffer(device_, std::span(mesh.edges), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    const std::vector<relamp::LightAtPlace> dark(mesh.vertices.size());
+    light_ = Buffer(device_, std::span(dark), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    hasLight_ = false;
+    pages_.clear();
+    pages_.resize(pages);
+    makePool();
+}
+
+void RoomDrawing::makePool()
+{
+    constexpr uint32_t kWrapPairs = 9;
+    sets_.clear();
+    pool_ = {};
+    const auto sets = static_cast<uint32_t>(pages_.size()) * kWrapPairs + 1;
+    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                                    sets * static_cast<uint32_t>(kPageTextures)};
+    VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    info.maxSets = sets;
+    info.poolSizeCount = 1;
+    info.pPoolSizes = &size;
+    VkDescriptorPool made = nullptr;
+    check(vkCreateDescriptorPool(device_.get(), &info, nullptr, &made), "making descriptors");
+    pool_ = {device_.get(), made};
+}
+
+void RoomDrawing::setTexture(size_t page, PageTexture which, const TexturePixels& pixels)
+{
+    device_.wait();
+    pages_[page].images[static_cast<size_t>(which)] = uploaded(device_, pixels);
+    if (which == PageTexture::scan)
+        pages_[page].aspect = static_cast<float>(pixels.levels[0].width) /
+                              static_cast<float>(pixels.levels[0].height);
+    makePool();
+}
+
+void RoomDrawing::removeTextures(PageTexture which)
+{
+    device_.wait();
+    for (PageImages& page : pages_) page.images[static_cast<size_t>(which)] = {};
+    makePool();
+}
+
+void RoomDrawing::setLight(std::span<const relamp::LightAtPlace> atVertices)
+{
+    if (std::as_bytes(atVertices).size() != light_.bytes()) return; // of another room
+    light_.write(std::as_bytes(atVertices));
+    hasLight_ = true;
+}
+
+void RoomDrawing::setLamps(std::span<const LampVertex> triangles)
+{
+    device_.wait();
+    lampVertices_ = static_cast<uint32_t>(triangles.size());
+    if (lampVertices_ > 0) lamps_ = Buffer(device_, triangles, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+}
+
+bool RoomDrawing::hasTexture(PageTexture which) const
+{
+    if (pages_.empty()) return false;
+    for (const PageImages& page : pages_)
+        if (!page.images[static_cast<size_t>(which)]) return false;
+    return true;
+}
+
+bool RoomDrawing::has(Layer layer) const
+{
+    switch (layer) {
+    case Layer::scan:
+        return hasTexture(PageTexture::scan);
+    case Layer::flattened:
+        return hasTexture(PageTexture::flattened);
+    case Layer::direct:
+        return hasTexture(PageTexture::direct);
+    case Layer::indirect:
+        return hasTexture(PageTexture::indirect);
+    case Layer::shading:
+        return hasTexture(PageTexture::direct) && hasTexture(PageTexture::indirect);
+    case Layer::albedo:
+        return hasTexture(PageTexture::albedo);
+    case Layer::confidence:
+        return hasTexture(PageTexture::confidence);
+    case Layer::relit:
+        return hasTexture(PageTexture::relit) || (hasLight_ && hasTexture(PageTexture::albedo));
+    }
+    return false;
+}
+
+VkSampler RoomDrawing::samplerOf(Wraps wraps)
+{
+    OwnedSampler& sampler = samplers_[wraps];
+    if (sampler) return sampler.get();
+    VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+    info.magFilter = VK_FILTER_LINEAR;
+    info.minFilter = VK_FILTER_LINEAR;
+    info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR;
+    info.addressModeU = addressOf(wraps.first);
+    info.addressModeV = addressOf(wraps.second);
+    // Without hardware for it, eight looks into a texture cost eight times one.
+    info.anisotropyEnable = device_.isAnisotropic() ? VK_TRUE : VK_FALSE;
+    info.maxAnisotropy = 8.0f;
+    info.maxLod = VK_LOD_CLAMP_NONE;
+    VkSampler made = nullptr;
+    check(vkCreateSampler(device_.get(), &info, nullptr, &made), "making a sampler");
+    sampler = {device_.get(), made};
+    return made;
+}
+
+VkDescriptorSet RoomDrawing::setOf(int page, Wraps wraps)
+{
+    VkDescriptorSet& set = sets_[{page, wraps}];
+    if (set != nullptr) return set;
+    VkDescriptorSetLayout layout = setLayout_.get();
+    VkDescriptorSetAllocateInfo allocate{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+    allocate.descriptorPool = pool_.get();
+    allocate.descriptorSetCount = 1;
+    allocate.pSetLayouts = &layout;
+    check(vkAllocateDescriptorSets(device_.get(), &allocate, &set), "making descriptors");
+    std::array<VkDescriptorImageInfo, kPageTextures> images{};
+    for (size_t t = 0; t < kPageTextures; ++t) {
+        const DeviceImage& image = pages_[static_cast<size_t>(page)].images[t];
+        images[t] = {samplerOf(wraps), image ? image.view() : nothing_.view(),
+                     VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    }
+    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstSet = set;
+    write.descriptorCount = kPageTextures;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    write.pImageInfo = images.data();
+    vkUpdateDescriptorSets(device_.get(), 1, &write, 0, nullptr);
+    return set;
+}
+
+void RoomDrawing::draw(VkCommandBuffer commands, VkRenderPass pass, const Scene& scene)
+{
+    if (surfaces_.empty() || scene.area.extent.width == 0 || scene.area.extent.height == 0) return;
+    const VkViewport viewport{static_cast<float>(scene.frame.offset.x),
+                              static_cast<float>(scene.frame.offset.y),
+                              static_cast<float>(scene.frame.extent.width),
+                              static_cast<float>(scene.frame.extent.height),
+                              0.0f,
+                              1.0f};
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &scene.area);
+    drawSurfaces(commands, pass, scene, false);
+    if (scene.wireframe) drawSurfaces(commands, pass, scene, true);
+    if (scene.lamps && !scene.atlas) drawLamps(commands, pass, scene);
+}
+
+void RoomDrawing::drawSurfaces(VkCommandBuffer commands, VkRenderPass pass, const Scene& scene,
+                               bool lines)
+{
+    const VkBuffer buffers[] = {vertices_.get(), light_.get()};
+    const VkDeviceSize offsets[] = {0, 0};
+    vkCmdBindVertexBuffers(commands, 0, 2, buffers, offsets);
+    vkCmdBindIndexBuffer(commands, (lines ? edges_ : indices_).get(), 0, VK_INDEX_TYPE_UINT32);
+    Drawing drawing{.layer = static_cast<int>(scene.layer),
+                    .view = scene.linear ? 3 : static_cast<int>(scene.view.view),
+                    .atlas = scene.atlas,
+                    .lines = lines};
+    if (scene.layer == Layer::relit && !hasTexture(PageTexture::relit)) drawing.layer = kGlance;
+    for (const RoomSurface& surface : surfaces_) {
+        drawing.ofVertices = surface.ofVertices;
+        Push push{scene.clip, std::exp2(scene.view.exposure)};
+        if (scene.atlas)
+            push.clipFromWorld = glm::scale(
+                glm::translate(scene.clip, {1.05f * static_cast<float>(surface.page), 0.0f, 0.0f}),
+                {1.0f, 1.0f / pages_[static_cast<size_t>(surface.page)].aspect, 1.0f});
+        if (lines) // a little nearer than the surface that they lie on
+            push.clipFromWorld =
+                glm::translate(glm::mat4(1.0f), {0.0f, 0.0f, -2e-5f}) * push.clipFromWorld;
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.of(drawing, pass));
+        const VkDescriptorSet set = setOf(surface.page, {surface.wrapU, surface.wrapV});
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.layout(), 0,
+                                1, &set, 0, nullptr);
+        vkCmdPushConstants(commands, pipelines_.layout(),
+                           VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
+                           sizeof(push), &push);
+        vkCmdDrawIndexed(commands, lines ? surface.edges : surface.indices, 1,
+                         lines ? surface.firstEdge : surface.firstIndex, 0, 0);
+    }
+}
+
+void RoomDrawing::drawLamps(VkCommandBuffer commands, VkRenderPass pass, const Scene& scene)
+{
+    if (lampVertices_ == 0) return;
+    const Push push{scene.clip, std::exp2(scene.view.exposure)};
+    const Drawing drawing{.view = scene.linear ? 3 : static_cast<int>(scene.view.view),
+                          .lamp = true};
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.of(drawing, pass));
+    vkCmdPushConstants(commands, pipelines_.layout(),
+                       VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(push),
+                       &push);
+    const VkBuffer buffer = lamps_.get();
+    const VkDeviceSize offset = 0;
+    vkCmdBindVertexBuffers(commands, 0, 1, &buffer, &offset);
+    vkCmdDraw(commands, lampVertices_, 1, 0, 0);
+}

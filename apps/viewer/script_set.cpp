@@ -1,0 +1,219 @@
+#include "script_set.h"
+
+#include "script.h"
+#include "viewer.h"
+
+#include "relamp/error.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
+
+#include <fmt/format.h>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace
+{
+
+using Words = std::vector<std::string>; // the name and its values
+
+[[noreturn]] void fail(const std::string& sentence)
+{
+    throw relamp::Error(relamp::ErrorCode::malformed, sentence);
+}
+
+float number(const Words& words, size_t at = 1)
+{
+    if (at >= words.size()) fail(fmt::format("{} needs more numbers", words[0]));
+    return numberOf(words[at]);
+}
+
+glm::vec3 vector(const Words& words, size_t at = 1)
+{
+    return {number(words, at), number(words, at + 1), number(words, at + 2)};
+}
+
+bool flag(const Words& words)
+{
+    if (words[1] == "on") return true;
+    if (words[1] == "off") return false;
+    fail(fmt::format("{} is on or off, not \"{}\"", words[0], words[1]));
+}
+
+template<size_t count>
+size_t indexOf(const std::string& word, const std::array<const char*, count>& names)
+{
+    std::string known;
+    for (size_t i = 0; i < count; ++i) {
+        if (word == names[i]) return i;
+        known += (i == 0 ? "" : ", ") + std::string(names[i]);
+    }
+    fail(fmt::format("\"{}\" is none of {}", word, known));
+}
+
+Layer layerNamed(const std::string& word)
+{
+    for (const LayerName& layer : kLayers)
+        if (word == layer.name) return layer.layer;
+    fail(fmt::format("\"{}\" is no layer", word));
+}
+
+glm::vec3 direction(const Words& words)
+{
+    const glm::vec3 way = vector(words);
+    if (glm::length(way) < 1e-6f) fail("a direction has a length");
+    return glm::normalize(way);
+}
+
+void setCamera(Viewer& viewer, const Words& words)
+{
+    const glm::vec3 position = vector(words);
+    const glm::vec3 way = vector(words, 4) - position;
+    const float distance = glm::length(way);
+    if (distance < 1e-4f) fail("the camera must look at another place than where it stands");
+    const float angle = words.size() > 7 ? glm::radians(number(words, 7)) : 1.3f;
+    viewer.studio.camera.set({position, way / distance, {0, 1, 0}, angle}, distance);
+    viewer.studio.isCameraUntouched = false;
+}
+
+/// What is set beside lights.
+const std::map<std::string, std::function<void(Viewer&, const Words&)>>& settings()
+{
+    using V = Viewer;
+    using W = Words;
+    static const std::map<std::string, std::function<void(V&, const W&)>> all{
+        {"layer", [](V& v, const W& w) { v.shown.layer = layerNamed(w[1]); }},
+        {"before", [](V& v, const W& w) { v.shown.before = layerNamed(w[1]); }},
+        {"compare",
+         [](V& v, const W& w) {
+             v.shown.compares = w[1] != "off";
+             if (v.shown.compares) v.shown.slider = std::clamp(number(w), 0.0f, 1.0f);
+         }},
+        {"wireframe", [](V& v, const W& w) { v.shown.wireframe = flag(w); }},
+        {"atlas", [](V& v, const W& w) { v.shown.atlas = flag(w); }},
+        {"panels", [](V& v, const W& w) { v.shown.panels = flag(w); }},
+        {"marks", [](V& v, const W& w) { v.shown.marks = flag(w); }},
+        {"help", [](V& v, const W& w) { v.shown.help = flag(w); }},
+        {"camera", setCamera},
+        {"mode",
+         [](V& v, const W& w) {
+             constexpr std::array<const char*, 2> kModes{"orbit", "walk"};
+             v.studio.camera.mode = static_cast<CameraRig::Mode>(indexOf(w[1], kModes));
+         }},
+        {"place", [](V& v, const W& w) { v.place = vector(w); }},
+        {"exposure", [](V& v, const W& w) { v.studio.edit.view.exposure = number(w); }},
+        {"view",
+         [](V& v, const W& w) {
+             constexpr std::array<const char*, 3> kViews{"standard", "agx", "aces"};
+             v.studio.edit.view.view = static_cast<relamp::View>(indexOf(w[1], kViews));
+         }},
+        {"solver",
+         [](V& v, const W& w) {
+             constexpr std::array<const char*, 3> kSolvers{"gather", "pathtrace", "thesis"};
+             v.studio.edit.dials.solver = static_cast<relamp::Solver>(indexOf(w[1], kSolvers));
+         }},
+        {"quality",
+         [](V& v, const W& w) {
+             constexpr std::array<const char*, 3> kQualities{"draft", "standard", "high"};
+             v.studio.edit.dials.gather.quality =
+                 static_cast<relamp::Quality>(indexOf(w[1], kQualities));
+         }},
+        {"lights", [](V& v, const W& w) { v.studio.loadLights(w[1]); }},
+        {"timeline", [](V& v, const W& w) { v.studio.loadTimeline(w[1]); }},
+        {"time", [](V& v, const W& w) { v.studio.seek(std::clamp(number(w), 0.0f, 1.0f)); }},
+        {"sky",
+         [](V& v, const W& w) { v.studio.edit.light.sky.radiance = glm::max(vector(w), 0.0f); }},
+        {"select", [](V& v, const W& w) {
+             constexpr std::array<const char*, 3> kKinds{"none", "lamp", "fixture"};
+             v.select({static_cast<Selection::Kind>(indexOf(w[1], kKinds)),
+                       w.size() > 2 ? static_cast<size_t>(number(w, 2)) : 0});
+         }}};
+    return all;
+}
+
+void setLamp(LampItem& lamp, const std::string& what, const Words& words)
+{
+    const std::map<std::string, std::function<void()>> all{
+        {"type", [&] { lamp.type = lightTypeNamed(words[1]); }},
+        {"position", [&] { lamp.position = vector(words); }},
+        {"direction", [&] { lamp.direction = direction(words); }},
+        {"size",
+         [&] {
+             lamp.size = {number(words), number(words, 2)};
+         }},
+        {"radius", [&] { lamp.radius = number(words); }},
+        {"cone", [&] { lamp.cone = number(words); }},
+        {"lumens",
+         [&] {
+             lamp.unit = "lumens";
+             lamp.amount = number(words);
+         }},
+        {"kelvin",
+         [&] {
+             lamp.byKelvin = true;
+             lamp.kelvin = number(words);
+         }},
+        {"colour",
+         [&] {
+             lamp.byKelvin = false;
+             lamp.colour = vector(words);
+         }},
+        {"on", [&] { lamp.on = flag(words); }},
+        {"dim", [&] { lamp.dim = number(words); }}};
+    const auto found = all.find(what);
+    if (found == all.end()) fail(fmt::format("a light has no \"{}\"", what));
+    found->second();
+}
+
+void setFixture(FixtureItem& fixture, const std::string& what, const Words& words)
+{
+    if (what == "on")
+        fixture.on = flag(words);
+    else if (what == "dim")
+        fixture.dim = number(words);
+    else if (what == "kelvin")
+        fixture.kelvin = number(words);
+    else if (what == "lumens")
+        fixture.lumens = number(words);
+    else if (what == "window")
+        fixture.window = flag(words);
+    else
+        fail(fmt::format("a fixture has no \"{}\"", what));
+}
+
+/// "lamp.0.lumens" and the like; false where the name is another.
+bool setLight(Viewer& viewer, const Words& words)
+{
+    const size_t dot = words[0].find('.');
+    const size_t second = words[0].find('.', dot + 1);
+    if (dot == std::string::npos || second == std::string::npos) return false;
+    const std::string kind = words[0].substr(0, dot);
+    const float index = numberOf(words[0].substr(dot + 1, second - dot - 1));
+    const std::string what = words[0].substr(second + 1);
+    LightDocument& light = viewer.studio.edit.light;
+    const size_t count = kind == "lamp" ? light.lamps.size() : light.fixtures.size();
+    if (kind != "lamp" && kind != "fixture") return false;
+    if (!(index >= 0.0f) || index >= static_cast<float>(count))
+        fail(fmt::format("there is no {}; there are {}", words[0].substr(0, second), count));
+    if (kind == "lamp")
+        setLamp(light.lamps[static_cast<size_t>(index)], what, words);
+    else
+        setFixture(light.fixtures[static_cast<size_t>(index)], what, words);
+    return true;
+}
+
+} // namespace
+
+void setByScript(Viewer& viewer, const std::vector<std::string>& words)
+{
+    const auto found = settings().find(words[0]);
+    if (found != settings().end())
+        found->second(viewer, words);
+    else if (!setLight(viewer, words))
+        fail(fmt::format("\"{}\" cannot be set", words[0]));
+    viewer.studio.commit("Set " + words[0]);
+    viewer.studio.settle();
+}

@@ -1,0 +1,158 @@
+#pragma once
+
+#include "camera_rig.h"
+#include "history.h"
+#include "layers.h"
+#include "light_document.h"
+#include "mailbox.h"
+#include "relighting.h"
+#include "room_drawing.h"
+#include "solving.h"
+#include "worker.h"
+
+#include "relamp/timeline.h"
+
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The solver and its dials, as far as the viewer has them.
+struct Dials
+{
+    relamp::Solver solver = relamp::Solver::gather;
+    relamp::GatherOptions gather;
+    relamp::ThesisOptions thesis;
+    relamp::AlbedoOptions albedo;
+    int samples = 64;
+
+    bool operator==(const Dials& other) const;
+    [[nodiscard]] relamp::DelightOptions options() const;
+};
+
+/// What a person may change and take back.
+struct Edit
+{
+    LightDocument light;
+    relamp::ViewOptions view;
+    Dials dials;
+
+    bool operator==(const Edit& other) const;
+};
+
+struct Selection
+{
+    enum class Kind { none, lamp, fixture };
+    Kind kind = Kind::none;
+    size_t index = 0;
+
+    bool operator==(const Selection&) const = default;
+};
+
+/// How far the room has been taken apart.
+enum class Stage { nothing, reading, scanned, drafted, solved };
+
+/// The room that is open, its light, and all that works on it: the viewer without its window.
+class Studio
+{
+public:
+    Studio(RoomDrawing& drawing, std::function<void()> wake);
+
+    /// Reads a scan or a folder of relamp delight, and solves. What was open stays until it is
+    /// read.
+    void open(const std::filesystem::path& path, const relamp::ScanOptions& options);
+    /// Opens what it is: a scan, a folder, a lights file, a timeline.
+    void openAny(const std::filesystem::path& path);
+    /// Takes over what the threads have found; false where that is nothing. To be called once a
+    /// frame.
+    bool deliver() { return mailbox_.deliver(); }
+
+    /// Makes `edit` count: to be called after it was changed, with a name for the step.
+    void commit(const std::string& step);
+    void settle() { history_.settle(); }
+    void undo();
+    void redo();
+    [[nodiscard]] const History<Edit>& history() const { return history_; }
+    void stopSolving() { solver_.cancel(); }
+
+    void saveLights(const std::filesystem::path& file);
+    void loadLights(const std::filesystem::path& file);
+    void saveResult(const std::filesystem::path& folder);
+    void saveBaked(const std::filesystem::path& file);
+    void loadTimeline(const std::filesystem::path& file);
+    void play(bool on);
+    [[nodiscard]] bool isPlaying() const { return isPlaying_; }
+    /// Moves the timeline on, where one plays.
+    void passTime(double seconds);
+    void seek(double part);
+    [[nodiscard]] double timelinePart() const { return part_; }
+    [[nodiscard]] bool hasTimeline() const { return timeline_.has_value(); }
+
+    [[nodiscard]] const relamp::Scan* scan() const { return scan_.get(); }
+    [[nodiscard]] const relamp::Lights& captured() const { return captured_; }
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    [[nodiscard]] Stage stage() const { return stage_; }
+    [[nodiscard]] const relamp::Bounds& bounds() const { return bounds_; }
+    [[nodiscard]] const std::optional<relamp::Closure>& closure() const { return closure_; }
+    [[nodiscard]] double glanceMilliseconds() const { return glanceMilliseconds_; }
+    /// Whether light that counts now is on the walls: glanced at, or found for every texel.
+    [[nodiscard]] bool isGlanced() const;
+    [[nodiscard]] bool isRelit() const;
+    [[nodiscard]] bool rests() const;
+    [[nodiscard]] WorkStatus solving() const { return solver_.status(); }
+    [[nodiscard]] RelightingThread::Status relighting() const { return relighting_.status(); }
+    [[nodiscard]] bool isSaving() const { return saver_.status().isBusy; }
+
+    /// What to tell the person, the newest last; a sentence each.
+    std::deque<std::string> messages;
+    void say(const std::string& sentence);
+    [[nodiscard]] bool hasFailed() const { return hasFailed_; } // since the last `open`
+
+    Edit edit;
+    Selection selection;
+    CameraRig camera;
+    bool isCameraUntouched = true;
+
+private:
+    void adopt(std::shared_ptr<const relamp::Scan> scan, std::shared_ptr<const RoomMesh> mesh,
+               const std::vector<TexturePixels>& pages);
+    void adopt(const Solved& solved);
+    void adoptFixtures(const relamp::Lights& captured);
+    void apply(const Edit& before);
+    void sendLight();
+    void solveAgain();
+    void fail(const std::string& sentence);
+    void readScan(const std::filesystem::path& path, const relamp::ScanOptions& options,
+                  relamp::Progress& progress, const relamp::DelightOptions& dials);
+    void readFolder(const std::filesystem::path& path, relamp::Progress& progress);
+    void find(const std::shared_ptr<const relamp::DelitRoom>& room, relamp::Progress& progress);
+    [[nodiscard]] std::filesystem::path besideScan() const;
+
+    RoomDrawing& drawing_;
+    Mailbox mailbox_;
+    std::filesystem::path path_;
+    std::filesystem::path lightsFolder_; // where files lie that the light names
+    std::shared_ptr<const relamp::Scan> scan_;
+    std::shared_ptr<const RoomMesh> mesh_;
+    relamp::Bounds bounds_;
+    relamp::Lights captured_;
+    std::shared_ptr<const relamp::Decomposition> decomposition_;
+    std::shared_ptr<const relamp::Scan> decomposed_; // the scan that it refers to
+    std::optional<relamp::Closure> closure_;
+    Stage stage_ = Stage::nothing;
+    bool hasFailed_ = false;
+    bool isGlanced_ = false;
+    bool isRelit_ = false;
+    bool isLightOfScan_ = true; // nobody has changed it
+    double glanceMilliseconds_ = 0.0;
+    std::optional<relamp::Timeline> timeline_;
+    bool isPlaying_ = false;
+    double part_ = 0.0;
+    Edit applied_;
+    History<Edit> history_;
+    RelightingThread relighting_; // these three use all of the above
+    Worker solver_;
+    Worker saver_;
+};

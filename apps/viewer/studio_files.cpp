@@ -1,0 +1,111 @@
+#include "studio.h"
+
+#include "lamp_shapes.h"
+#include "text_file.h"
+
+#include "relamp/error.h"
+#include "relamp/result.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace
+{
+
+/// What a JSON file says that it is: "relamp lights 1", "relamp timeline 1", or nothing.
+std::string formatOf(const std::filesystem::path& file)
+{
+    const nlohmann::json json = nlohmann::json::parse(textFrom(file), nullptr, false);
+    return json.is_object() && json.contains("format") && json["format"].is_string()
+               ? json["format"].get<std::string>()
+               : "";
+}
+
+} // namespace
+
+void Studio::openAny(const std::filesystem::path& path)
+{
+    try {
+        if (path.extension() != ".json") return open(path, {});
+        formatOf(path).starts_with("relamp timeline") ? loadTimeline(path) : loadLights(path);
+    } catch (const relamp::Error& error) {
+        say(error.what());
+    }
+}
+
+void Studio::saveLights(const std::filesystem::path& file)
+{
+    writeText(file, textOf(edit.light));
+    say(fmt::format("The light is in {}.", file.string()));
+}
+
+void Studio::loadLights(const std::filesystem::path& file)
+{
+    std::vector<std::string> notes;
+    edit.light = documentFrom(textFrom(file), file, captured_, notes);
+    lightsFolder_ = file.parent_path();
+    commit("Load lights");
+    settle();
+    for (const std::string& note : notes) say(note);
+    say(fmt::format("This is the light of {}.", file.string()));
+}
+
+void Studio::saveResult(const std::filesystem::path& folder)
+{
+    if (!decomposition_) return say("The room is not solved yet; it can be saved when it is.");
+    saver_.start([this, folder, found = decomposition_, scan = decomposed_,
+                  path = path_](relamp::Progress& progress) {
+        relamp::writeResult(*scan, *found, path, folder, progress);
+        mailbox_.post([this, folder] {
+            say(fmt::format("The room without its light is in {}.", folder.string()));
+        });
+    });
+}
+
+void Studio::saveBaked(const std::filesystem::path& file)
+{
+    if (!drawing_.has(Layer::relit))
+        return say("The room is not lit anew yet; it can be saved when it is.");
+    relighting_.bake(file, edit.view, [this, file] {
+        mailbox_.post([this, file] {
+            say(fmt::format("The room with this light is in {}.", file.string()));
+        });
+    });
+}
+
+void Studio::loadTimeline(const std::filesystem::path& file)
+{
+    std::vector<std::string> notes;
+    timeline_.emplace(file, captured_, notes);
+    for (const std::string& note : notes) say(note);
+    part_ = 0.0;
+    play(true);
+}
+
+void Studio::play(bool on)
+{
+    if (on && !timeline_) return say("There is no timeline; drop one into the window.");
+    const bool stops = isPlaying_ && !on;
+    isPlaying_ = on;
+    if (stops) sendLight();
+}
+
+void Studio::passTime(double seconds)
+{
+    if (!isPlaying_) return;
+    seek(std::fmod(part_ + seconds / timeline_->seconds(), 1.0));
+}
+
+void Studio::seek(double part)
+{
+    if (!timeline_) return;
+    part_ = part;
+    isPlaying_ = isPlaying_ || part > 0.0;
+    relamp::Relighting lighting = timeline_->at(part);
+    if (!drawing_.has(Layer::relit)) return;
+    drawing_.setLamps(lampShapes(lighting.lights));
+    isGlanced_ = isRelit_ = false;
+    relighting_.setLight(std::move(lighting));
+}

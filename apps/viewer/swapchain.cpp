@@ -1,0 +1,176 @@
+#include "swapchain.h"
+
+#include "resources.h"
+
+#include <algorithm>
+
+namespace
+{
+
+OwnedSemaphore semaphore(const Device& device)
+{
+    VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
+    VkSemaphore made = nullptr;
+    check(vkCreateSemaphore(device.get(), &info, nullptr, &made), "making a semaphore");
+    return {device.get(), made};
+}
+
+VkSurfaceFormatKHR formatOf(const Device& device)
+{
+    uint32_t count = 0;
+    vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), device.surface(), &count, nullptr);
+    std::vector<VkSurfaceFormatKHR> formats(count);
+    vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), device.surface(), &count,
+                                         formats.data());
+    // Pictures are encoded for the screen already, so the copy must not encode them again.
+    for (const VkSurfaceFormatKHR& format : formats)
+        if (format.format == VK_FORMAT_B8G8R8A8_UNORM || format.format == VK_FORMAT_R8G8B8A8_UNORM)
+            return format;
+    return formats.empty()
+               ? VkSurfaceFormatKHR{VK_FORMAT_B8G8R8A8_UNORM, VK_COLOR_SPACE_SRGB_NONLINEAR_KHR}
+               : formats[0];
+}
+
+} // namespace
+
+Swapchain::Swapchain(const Device& device, VkExtent2D size, bool waits)
+    : device_(device), waits_(waits), acquired_(semaphore(device))
+{
+    VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
+    pool.queueFamilyIndex = device.family();
+    VkCommandPool madePool = nullptr;
+    check(vkCreateCommandPool(device.get(), &pool, nullptr, &madePool), "making a command pool");
+    pool_ = {device.get(), madePool};
+    VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+    allocate.commandPool = madePool;
+    allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+    allocate.commandBufferCount = 1;
+    check(vkAllocateCommandBuffers(device.get(), &allocate, &commands_), "making commands");
+    VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+    VkFence madeFence = nullptr;
+    check(vkCreateFence(device.get(), &fence, nullptr, &madeFence), "making a fence");
+    done_ = {device.get(), madeFence};
+    resize(size);
+}
+
+VkPresentModeKHR Swapchain::presentMode() const
+{
+    uint32_t count = 0;
+    vkGetPhysicalDeviceSurfacePresentModesKHR(device_.physical(), device_.surface(), &count,
+                                              nullptr);
+    std::vector<VkPresentModeKHR> modes(count);
+    vkGetPhysicalDeviceSurfacePresentModesKHR(device_.physical(), device_.surface(), &count,
+                                              modes.data());
+    const auto has = [&](VkPresentModeKHR mode) {
+        return std::find(modes.begin(), modes.end(), mode) != modes.end();
+    };
+    if (!waits_ && has(VK_PRESENT_MODE_IMMEDIATE_KHR)) return VK_PRESENT_MODE_IMMEDIATE_KHR;
+    if (!waits_ && has(VK_PRESENT_MODE_MAILBOX_KHR)) return VK_PRESENT_MODE_MAILBOX_KHR;
+    return VK_PRESENT_MODE_FIFO_KHR;
+}
+
+void Swapchain::resize(VkExtent2D size)
+{
+    device_.wait();
+    VkSurfaceCapabilitiesKHR can;
+    check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), device_.surface(), &can),
+          "asking for the window's size");
+    const bool isFixed = can.currentExtent.width != ~0u;
+    size_ =
+        isFixed
+            ? can.currentExtent
+            : VkExtent2D{
+                  std::clamp(size.width, can.minImageExtent.width, can.maxImageExtent.width),
+                  std::clamp(size.height, can.minImageExtent.height, can.maxImageExtent.height)};
+    if (size_.width == 0 || size_.height == 0) return; // an icon; nothing can be shown
+    const VkSurfaceFormatKHR format = formatOf(device_);
+    VkSwapchainCreateInfoKHR info{VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR};
+    info.surface = device_.surface();
+    info.minImageCount = can.maxImageCount == 0
+                             ? can.minImageCount + 1
+                             : std::min(can.minImageCount + 1, can.maxImageCount);
+    info.imageFormat = format.format;
+    info.imageColorSpace = format.colorSpace;
+    info.imageExtent = size_;
+    info.imageArrayLayers = 1;
+    info.imageUsage = VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    info.preTransform = can.currentTransform;
+    info.compositeAlpha = VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR;
+    info.presentMode = presentMode();
+    info.clipped = VK_TRUE;
+    info.oldSwapchain = chain_.get();
+    VkSwapchainKHR made = nullptr;
+    check(vkCreateSwapchainKHR(device_.get(), &info, nullptr, &made), "preparing the window");
+    chain_ = {device_.get(), made};
+    uint32_t count = 0;
+    vkGetSwapchainImagesKHR(device_.get(), made, &count, nullptr);
+    images_.resize(count);
+    vkGetSwapchainImagesKHR(device_.get(), made, &count, images_.data());
+    drawn_.clear();
+    for (uint32_t i = 0; i < count; ++i) drawn_.push_back(semaphore(device_));
+    acquired_ = semaphore(device_);
+}
+
+void Swapchain::record(const std::function<void(VkCommandBuffer)>& draw, VkImage picture,
+                       VkExtent2D pictureSize, VkImage shown)
+{
+    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    check(vkBeginCommandBuffer(commands_, &begin), "recording commands");
+    draw(commands_);
+    changeLayout(commands_, shown, VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_UNDEFINED,
+                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    VkImageBlit blit{};
+    blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    blit.srcOffsets[1] = {static_cast<int32_t>(pictureSize.width),
+                          static_cast<int32_t>(pictureSize.height), 1};
+    blit.dstSubresource = blit.srcSubresource;
+    blit.dstOffsets[1] = {static_cast<int32_t>(size_.width), static_cast<int32_t>(size_.height), 1};
+    vkCmdBlitImage(commands_, picture, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, shown,
+                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit, VK_FILTER_NEAREST);
+    changeLayout(commands_, shown, VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                 VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
+    check(vkEndCommandBuffer(commands_), "recording commands");
+}
+
+bool Swapchain::show(const std::function<void(VkCommandBuffer)>& draw, VkImage picture,
+                     VkExtent2D pictureSize)
+{
+    if (size_.width == 0 || size_.height == 0) return false;
+    uint32_t index = 0;
+    const VkResult acquired =
+        vkAcquireNextImageKHR(device_.get(), chain_.get(), ~0ull, acquired_.get(), nullptr, &index);
+    if (acquired == VK_ERROR_OUT_OF_DATE_KHR) return false;
+    check(acquired, "waiting for the window");
+    record(draw, picture, pictureSize, images_[index]);
+
+    VkSemaphore waited = acquired_.get();
+    VkSemaphore drawn = drawn_[index].get();
+    const VkPipelineStageFlags stage = VK_PIPELINE_STAGE_TRANSFER_BIT;
+    VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
+    submit.waitSemaphoreCount = 1;
+    submit.pWaitSemaphores = &waited;
+    submit.pWaitDstStageMask = &stage;
+    submit.commandBufferCount = 1;
+    submit.pCommandBuffers = &commands_;
+    submit.signalSemaphoreCount = 1;
+    submit.pSignalSemaphores = &drawn;
+    check(vkQueueSubmit(device_.queue(), 1, &submit, done_.get()), "drawing");
+
+    VkSwapchainKHR chain = chain_.get();
+    VkPresentInfoKHR present{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
+    present.waitSemaphoreCount = 1;
+    present.pWaitSemaphores = &drawn;
+    present.swapchainCount = 1;
+    present.pSwapchains = &chain;
+    present.pImageIndices = &index;
+    const VkResult presented = vkQueuePresentKHR(device_.queue(), &present);
+    // One frame at a time: what is drawn from may be changed as soon as this returns.
+    VkFence done = done_.get();
+    check(vkWaitForFences(device_.get(), 1, &done, VK_TRUE, ~0ull), "drawing");
+    check(vkResetFences(device_.get(), 1, &done), "drawing");
+    if (presented == VK_ERROR_OUT_OF_DATE_KHR) return false;
+    check(presented, "showing the picture");
+    return presented != VK_SUBOPTIMAL_KHR;
+}

@@ -1,0 +1,70 @@
+#include "light_document.h"
+
+#include "relamp/error.h"
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+
+namespace
+{
+
+relamp::Lights twoFixtures()
+{
+    relamp::Lights lights;
+    lights.fixtures.push_back({{0, 2, 0}, {0, -1, 0}, 0.1f, glm::vec3(20.0f)});
+    lights.fixtures.push_back({{1, 2, 0}, {0, -1, 0}, 0.2f, glm::vec3(10.0f)});
+    lights.ambient = glm::vec3(0.25f);
+    return lights;
+}
+
+TEST(LightDocument, AsItWasFoundIsTheLightOfTheScan)
+{
+    std::vector<std::string> notes;
+    const relamp::Lights captured = twoFixtures();
+
+    const relamp::Relighting light = lightingOf(documentOf(captured), {}, captured, notes);
+
+    EXPECT_THAT(notes, testing::IsEmpty());
+    ASSERT_EQ(light.fixtures.size(), 2u);
+    EXPECT_EQ(light.fixtures[0].fixture.radiance, captured.fixtures[0].radiance);
+    EXPECT_EQ(light.sky.radiance, captured.ambient);
+}
+
+TEST(LightDocument, IsReadAsItWasWritten)
+{
+    LightDocument document = documentOf(twoFixtures());
+    document.fixtures[0] = {.on = false, .dim = 0.5f, .kelvin = 3000.0f, .window = true};
+    LampItem spot{.name = "reading lamp", .type = relamp::LightType::spot, .position = {1, 2, 3}};
+    spot.direction = glm::normalize(glm::vec3(1, -1, 0));
+    LampItem panel{.type = relamp::LightType::rectangle, .unit = "nits", .amount = 300.0f};
+    panel.byKelvin = false;
+    panel.colour = {1.0f, 0.5f, 0.25f};
+    LampItem sun{.type = relamp::LightType::sun, .unit = "irradiance", .rgb = glm::vec3(3.0f)};
+    document.lamps = {spot, panel, sun};
+    std::vector<std::string> notes;
+
+    const LightDocument read = documentFrom(textOf(document), "lights.json", twoFixtures(), notes);
+
+    EXPECT_THAT(notes, testing::IsEmpty());
+    EXPECT_EQ(textOf(read), textOf(document));
+    EXPECT_EQ(read.fixtures, document.fixtures);
+}
+
+TEST(LightDocument, WhatIsWrongIsSaidByTheLibrary)
+{
+    std::vector<std::string> notes;
+    EXPECT_THROW(static_cast<void>(documentFrom("{\"lights\": [{\"type\": \"spot\"}]}", "a.json",
+                                                twoFixtures(), notes)),
+                 relamp::Error);
+    EXPECT_THROW(static_cast<void>(lightTypeNamed("candle")), relamp::Error);
+}
+
+TEST(LightDocument, SwitchesAllFixturesByAWord)
+{
+    std::vector<std::string> notes;
+    const LightDocument on = documentFrom("{\"fixtures\": \"on\"}", "a.json", twoFixtures(), notes);
+
+    EXPECT_TRUE(on.fixtures[0].on && on.fixtures[1].on);
+}
+
+} // namespace

@@ -1,0 +1,143 @@
+#include "golden/program.h"
+#include "scenes/temporary_folder.h"
+
+#include "relamp/picture.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+
+namespace relamp::golden
+{
+namespace
+{
+
+using testing::HasSubstr;
+
+const std::filesystem::path kBedroom = std::filesystem::path(RELAMP_SAMPLES) / "bedroom";
+constexpr const char* kCamera = "set camera 0.35 1.65 -0.45 3 0.8 -2.9 80\n";
+
+Outcome view(const std::vector<std::string>& arguments, const std::string& script)
+{
+    const scenes::TemporaryFolder home;
+    setenv("XDG_CONFIG_HOME", home.path().c_str(), 1);
+    std::vector<std::string> all{"view", "--size", "480x270"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    all.insert(all.end(), {"--script", home.write("script.txt", script).string()});
+    return runRelamp(all);
+}
+
+std::string textOf(const std::filesystem::path& file)
+{
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+glm::vec3 meanOf(const Image& image)
+{
+    const Radiance radiance(image);
+    glm::vec3 sum(0.0f);
+    for (size_t i = 0; i < image.pixels(); ++i) sum += glm::min(radiance[i], glm::vec3(4.0f));
+    return sum / static_cast<float>(image.pixels());
+}
+
+/// Share of pixels whose colours are less than `tolerance` apart.
+double likeness(const Image& a, const Image& b, float tolerance)
+{
+    if (a.width != b.width || a.height != b.height) return 0.0;
+    const Radiance first(a);
+    const Radiance second(b);
+    size_t alike = 0;
+    for (size_t i = 0; i < a.pixels(); ++i)
+        if (glm::length(first[i] - second[i]) < tolerance) ++alike;
+    return static_cast<double>(alike) / static_cast<double>(a.pixels());
+}
+
+/// The scan as the library's own rays see it.
+Image photograph()
+{
+    Progress progress;
+    DelitRoom room;
+    room.scan = readScan(kBedroom / "scan.glb", {}, progress);
+    std::vector<Image> pages;
+    for (const Page& page : room.scan.pages) pages.push_back(page.image);
+    room.albedo = pages;
+    std::vector<std::string> warnings;
+    const Camera camera = cameraFor((kBedroom / "camera.json").string(), room.scan, warnings);
+    return Photographer(room, progress)
+        .take(pages, camera, {.width = 480, .height = 270}, progress);
+}
+
+// One run of the program, for a room is solved but once.
+TEST(ViewerProgram, ShowsARoomTakesItApartAndLightsItAnew)
+{
+    const scenes::TemporaryFolder out;
+    const auto file = [&](const char* name) { return (out / name).string(); };
+    const Outcome outcome = view(
+        {},
+        "set quality draft\nset panels off\nopen " + (kBedroom / "scan.glb").string() +
+            "\nwait scan\n" + kCamera + "screenshot " + file("scan.exr") +
+            " view\nwait solve\npress 6\nscreenshot " + file("albedo.png") + " view\npress 8\n" +
+            "wait relit\nscreenshot " + file("again.exr") + " view\nsave lights " +
+            file("found.json") + "\ndo all-off\ndo add-point\nset lamp.0.position 2 1.6 -2\n" +
+            "set lamp.0.lumens 1500\nwait glance\nscreenshot " + file("glance.exr") +
+            " view\nwait relit\nscreenshot " + file("bulb.exr") + " view\nsave lights " +
+            file("bulb.json") + "\npress ctrl+z\npress ctrl+z\npress ctrl+z\npress ctrl+z\n" +
+            "save lights " + file("undone.json") + "\npress ctrl+y\npress ctrl+y\npress ctrl+y\n" +
+            "press ctrl+y\nsave lights " + file("redone.json") + "\nquit\n");
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+
+    const Image scan = readImage(file("scan.exr"));
+    // The graphics device and the library's rays see the same room from the same place.
+    EXPECT_GT(likeness(scan, photograph(), 0.05f), 0.9);
+    // The light of the scan, put back on the albedo, is the scan.
+    const glm::vec3 ratio = meanOf(readImage(file("again.exr"))) / meanOf(scan);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0f, 0.2f);
+    // The first look is the light itself, but for fine shadows.
+    const glm::vec3 first = meanOf(readImage(file("glance.exr")));
+    const glm::vec3 fine = meanOf(readImage(file("bulb.exr")));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(first[c] / fine[c], 1.0f, 0.1f);
+    EXPECT_GT(glm::length(fine), 0.01f);
+    EXPECT_GT(std::filesystem::file_size(file("albedo.png")), 20000u);
+    EXPECT_EQ(textOf(file("undone.json")), textOf(file("found.json")));
+    EXPECT_EQ(textOf(file("redone.json")), textOf(file("bulb.json")));
+    EXPECT_NE(textOf(file("bulb.json")), textOf(file("found.json")));
+}
+
+TEST(ViewerProgram, OutlivesWhateverIsDoneToIt)
+{
+    const Outcome outcome = view({(kBedroom / "scan.glb").string()},
+                                 "set quality draft\nwait scan\nrandom 6 7\nquit\n");
+
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+}
+
+TEST(ViewerProgram, SaysWhatIsWrongWithAScript)
+{
+    const Outcome unknown = view({}, "set panels off\njump\n");
+    EXPECT_EQ(unknown.exitCode, 1);
+    EXPECT_THAT(unknown.err, HasSubstr("script.txt line 2: \"jump\" is no command"));
+
+    const Outcome missing = view({}, "open /nowhere.glb\nwait solve\n");
+    EXPECT_EQ(missing.exitCode, 1);
+    EXPECT_THAT(missing.err, HasSubstr("line 2: /nowhere.glb"));
+}
+
+TEST(ViewerProgram, SaysThatThereIsNoDisplay)
+{
+    const char* display = std::getenv("DISPLAY");
+    const std::string before = display == nullptr ? "" : display;
+    unsetenv("DISPLAY");
+    const Outcome outcome = view({}, "quit\n");
+    setenv("DISPLAY", before.c_str(), 1);
+
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("there is no display"));
+}
+
+} // namespace
+} // namespace relamp::golden
