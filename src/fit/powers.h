@@ -14,7 +14,7 @@ struct PowersOptions
 {
     double priorWeight = 0.05; // of the pull of every lamp's luminance towards the texture's white,
                                // and of its channels towards its luminance, in pairs a place, >= 0
-    double firstScale = 0.5; // of the Cauchy loss, in log radiance; halves until lastScale
+    double firstScale = 0.5;   // of the Cauchy loss, in log radiance; halves until lastScale
     double lastScale = 0.08;
     bool oneChannel = false; // fit luminance alone: faster, for a first look
     std::vector<std::pair<uint32_t, uint32_t>> alike; // lamps that look like one model

@@ -16,12 +16,11 @@ namespace
 constexpr float kPi = 3.14159265f;
 constexpr float kBeside = 1.6f;       // surfel sizes
 constexpr float kMostBurntOut = 0.1f; // of a surfel
-constexpr float kPaintStep = 0.2f;    // of log albedo between neighbours: more is an edge of paint
+constexpr float kPaintStep = 0.3f;    // of log albedo between neighbours: more is an edge of paint
 constexpr float kColorStep = 0.1f;    // of log (r / g) and log (b / g), likewise
-constexpr float kBelief = 0.03f;     // in the light found in the middle of all places
+constexpr float kBelief = 0.004f;     // in the light found in the middle of all places
 constexpr float kMostUneven = 0.05f;  // of log light that is too dark: so much is noise
-constexpr int kSweeps = 60;
-constexpr float kOver = 1.6f; // relaxation
+constexpr int kSweeps = 80;
 constexpr float kDarkest = 1e-4f;
 
 /// Albedo as the light found makes it, in logarithms.
@@ -36,6 +35,13 @@ struct Paint
 float logOf(float value)
 {
     return std::log(std::max(value, kDarkest));
+}
+
+/// Steep: what is darker than usual by an octave is believed 64 times less.
+float beliefIn(float bright)
+{
+    const float squared = bright * bright;
+    return kBelief * squared * squared * squared;
 }
 
 std::vector<Paint> paintOf(const SurfelRadiance& radiance, std::span<const glm::vec3> irradiance)
@@ -56,7 +62,7 @@ std::vector<Paint> paintOf(const SurfelRadiance& radiance, std::span<const glm::
         paint.push_back({logOf(luminance(seen)) - logOf(luminance(light)),
                          logOf(seen.r) - logOf(light.r) - green,
                          logOf(seen.b) - logOf(light.b) - green,
-                         isKnown ? kBelief * bright * bright * bright * bright * bright * bright : -1.0f});
+                         isKnown ? beliefIn(bright) : -1.0f});
     }
     return paint;
 }
@@ -112,7 +118,8 @@ float settled(std::span<const Beside> beside, float belief, std::span<const floa
     for (const auto [n, step, alike] : beside) {
         const float even = lit[n] + step;
         const float edge = (even - lit[s]) / kPaintStep;
-        const float weight = alike / (1.0f + edge * edge);
+        const float far = 1.0f + edge * edge;
+        const float weight = alike / (far * far);
         sum += weight * even;
         weights += weight;
     }
@@ -144,6 +151,7 @@ std::vector<float> sharesOf(const Sheet& sheet, std::span<const float> lit)
 std::vector<float> findShade(const Surfels& surfels, const SurfelRadiance& radiance,
                              std::span<const glm::vec3> irradiance)
 {
+    if (irradiance.empty()) return {};
     const std::vector<Paint> paint = paintOf(radiance, irradiance);
     const Sheet sheet = sheetOf(surfels, paint);
     std::vector<float> lit(surfels.count(), 0.0f);
@@ -152,8 +160,7 @@ std::vector<float> findShade(const Surfels& surfels, const SurfelRadiance& radia
             const size_t s = sweep % 2 == 0 ? i : lit.size() - 1 - i;
             const std::span beside(sheet.beside.begin() + sheet.first[s],
                                    sheet.beside.begin() + sheet.first[s + 1]);
-            if (!beside.empty())
-                lit[s] += kOver * (settled(beside, paint[s].belief, lit, s) - lit[s]);
+            if (!beside.empty()) lit[s] = settled(beside, paint[s].belief, lit, s);
         }
     return sharesOf(sheet, lit);
 }

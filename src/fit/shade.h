@@ -11,12 +11,13 @@
 namespace relamp
 {
 
-/// How much of the light that was found on each surfel is there, 0..1: the rest is shade that the
-/// mesh does not tell of.
+/// How much of the light that was found on each surfel is there, 0..1.05: the rest is shade that
+/// the mesh does not tell of.
 ///
 /// What throws it is missing from the scan, or off by a few centimetres. It shows as albedo that
 /// fades within one paint, towards places that are dark anyway: a smooth change is light, an edge
 /// is paint (Land and McCann 1971), and bright places are right. `irradiance`: found, one a surfel.
+/// A surfel that is burnt out keeps its light.
 std::vector<float> findShade(const Surfels& surfels, const SurfelRadiance& radiance,
                              std::span<const glm::vec3> irradiance);
 

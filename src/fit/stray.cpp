@@ -180,6 +180,13 @@ StrayLight fitStray(const Texels& texels, const SurfelRadiance& radiance, const 
     return StrayLight(tooHigh);
 }
 
+std::vector<glm::vec3> withoutStray(std::vector<glm::vec3> irradiance, const StrayLight& stray)
+{
+    constexpr float kPi = 3.14159265f;
+    for (glm::vec3& light : irradiance) light *= stray.kept(luminance(light) / kPi);
+    return irradiance;
+}
+
 TexelShading withoutStray(TexelShading shade, const StrayLight& stray)
 {
     if (stray.isNone()) return shade;

@@ -36,7 +36,8 @@ private:
 StrayLight fitStray(const Texels& texels, const SurfelRadiance& radiance,
                     const TexelShading& shade);
 
-/// The shading without it, direct and indirect by the same share.
+/// The shading without it, direct and indirect by the same share; the irradiance of places.
 TexelShading withoutStray(TexelShading shade, const StrayLight& stray);
+std::vector<glm::vec3> withoutStray(std::vector<glm::vec3> irradiance, const StrayLight& stray);
 
 } // namespace relamp

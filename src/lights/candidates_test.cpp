@@ -109,4 +109,20 @@ TEST(Candidates, LargestComesFirst)
     EXPECT_NEAR(candidates[1].area, 0.3f, 0.03f);
 }
 
+// A wall's overexposure fades into what is not yet burnt out; a lamp ends where it ends.
+TEST(Candidates, WallsFadeAndLampsEnd)
+{
+    const auto isFading = [](const scenes::Paint& paint) {
+        const scenes::Surfaces surfaces(scenes::square(2.0f, 200, paint));
+        const auto candidates = findCandidates(surfaces.texels, surfaces.radiance);
+        EXPECT_EQ(candidates.size(), 1u);
+        return fades(surfaces.texels, surfaces.radiance, candidates.at(0));
+    };
+    EXPECT_TRUE(isFading([](glm::vec3 p, glm::vec3) {
+        const float far = glm::distance(p, glm::vec3(1.0f, 0.0f, 1.0f));
+        return glm::vec3(std::min(1.0f, 1.3f - far), 0.5f, 0.3f);
+    }));
+    EXPECT_FALSE(isFading(discIn(2.0f, 0.3f, 0.6f)));
+}
+
 } // namespace relamp

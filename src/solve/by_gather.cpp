@@ -4,7 +4,6 @@
 #include "fit/lamp_groups.h"
 #include "fit/shade.h"
 #include "fit/stray.h"
-#include "lights/expand.shared.h"
 #include "shading/buried.h"
 #include "shading/gathered_light.h"
 #include "solve/found_room.h"
@@ -64,10 +63,9 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     const TexelShading shade = shadingOf(texels, light);
     const StrayLight stray = fitStray(texels, room.radiance, shade);
     const SurfelLighting lighting = lightOnSurfels(texels.surfels, *light);
-    std::vector<glm::vec3> irr = lighting.irradiance;
-    for (glm::vec3& e : irr) e *= stray.kept(luminance(e) / 3.14159265f);
-    solution.shade = withShade(texels, withoutStray(shade, stray),
-                               findShade(texels.surfels, room.radiance, irr));
+    solution.shade = withShade(
+        texels, withoutStray(shade, stray),
+        findShade(texels.surfels, room.radiance, withoutStray(lighting.irradiance, stray)));
     solution.trust = trustByView(room.hits, texels.surfels.count());
     doubtEdges(texels.surfels, room.radiance, lighting, solution.trust);
     if (options.albedo.fill) solution.fill = fillOf(texels.surfels, room.radiance, sides.albedo);

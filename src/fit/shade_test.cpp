@@ -1,0 +1,120 @@
+#include "fit/shade.h"
+
+#include "scenes/scenes.h"
+#include "scenes/surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kSide = 2.0f;
+
+/// Light on a floor as a solver finds it: less on the left, under something.
+float foundAt(float x)
+{
+    return x < 0.6f ? 0.3f : 1.0f;
+}
+
+std::vector<glm::vec3> foundOn(const Surfels& surfels)
+{
+    std::vector<glm::vec3> found;
+    for (const glm::vec3 place : surfels.position)
+        found.emplace_back(3.14159265f * foundAt(place.x));
+    return found;
+}
+
+/// Something that fades from 1 to 0.3 on the left.
+float fadeAt(float x)
+{
+    return std::min(0.3f + 0.7f * x / 0.6f, 1.0f);
+}
+
+/// Mean share of light over the surfels with low < x < high.
+float shareBetween(const Surfels& surfels, const std::vector<float>& shares, float low, float high)
+{
+    float sum = 0.0f;
+    float count = 0.0f;
+    for (size_t s = 0; s < surfels.count(); ++s)
+        if (surfels.position[s].x > low && surfels.position[s].x < high) {
+            sum += shares[s];
+            count += 1.0f;
+        }
+    return sum / count;
+}
+
+std::vector<float> sharesOf(const scenes::Surfaces& floor)
+{
+    return findShade(floor.texels.surfels, floor.radiance, foundOn(floor.texels.surfels));
+}
+
+} // namespace
+
+// As little as 0.39 of the light is there; the fade's own foot stays paint.
+TEST(Shade, WhatFadesInTheDarkIsShade)
+{
+    const scenes::Surfaces floor(scenes::square(kSide, 128, [](glm::vec3 p, glm::vec3) {
+        return glm::vec3(0.7f, 0.6f, 0.5f) * foundAt(p.x) * fadeAt(p.x);
+    }));
+    const auto shares = sharesOf(floor);
+    EXPECT_NEAR(shareBetween(floor.texels.surfels, shares, 0.0f, 0.15f), 0.65f, 0.1f);
+    EXPECT_NEAR(shareBetween(floor.texels.surfels, shares, 1.0f, 1.9f), 1.0f, 0.03f);
+}
+
+TEST(Shade, AnEdgeOfPaintIsNone)
+{
+    const scenes::Surfaces floor(scenes::square(kSide, 128, [](glm::vec3 p, glm::vec3) {
+        return foundAt(p.x) * (p.x < 0.3f ? glm::vec3(0.1f) : glm::vec3(0.7f));
+    }));
+    const auto shares = sharesOf(floor);
+    EXPECT_GT(shareBetween(floor.texels.surfels, shares, 0.0f, 0.25f), 0.85f);
+}
+
+TEST(Shade, AnEdgeOfColourIsNone)
+{
+    const scenes::Surfaces floor(scenes::square(kSide, 128, [](glm::vec3 p, glm::vec3) {
+        const glm::vec3 red(0.6f, 0.3f, 0.3f);
+        return foundAt(p.x) * (p.x < 0.3f ? red : glm::vec3(0.5f));
+    }));
+    const auto shares = sharesOf(floor);
+    EXPECT_NEAR(shareBetween(floor.texels.surfels, shares, 0.0f, 0.25f), 1.0f, 0.06f);
+}
+
+TEST(Shade, BrightPlacesAreRight)
+{
+    const scenes::Surfaces floor(scenes::square(kSide, 128, [](glm::vec3 p, glm::vec3) {
+        return glm::vec3(0.7f * fadeAt(p.x)); // as paint
+    }));
+    const Surfels& surfels = floor.texels.surfels;
+    std::vector<glm::vec3> found;
+    for (const glm::vec3 place : surfels.position)
+        found.emplace_back(place.x < 0.6f ? 12.0f : 3.0f);
+    const auto shares = findShade(surfels, floor.radiance, found);
+    EXPECT_GT(shareBetween(surfels, shares, 0.0f, 0.15f), 0.95f);
+}
+
+TEST(Shade, DarkensDirectAndIndirectAlike)
+{
+    const scenes::Surfaces floor(scenes::square(kSide, 64, scenes::plain(glm::vec3(0.5f))));
+    const TexelShading one = [](size_t, size_t, const TexelBlock& block, ShadingBlock& out) {
+        for (RgbBlock* part : {&out.direct, &out.indirect})
+            for (float* channel : {part->r, part->g, part->b})
+                std::fill_n(channel, block.count, 1.0f);
+    };
+    const TexelShading shaded =
+        withShade(floor.texels, one, std::vector<float>(floor.texels.surfels.count(), 0.25f));
+    const TexelLoader loader(floor.texels, 0);
+    TexelBlock block;
+    loader.loadGeometry(0, 100, block);
+    ShadingBlock out;
+    shaded(0, 0, block, out);
+    EXPECT_NEAR(out.direct.r[50], 0.25f, 1e-4f);
+    EXPECT_NEAR(out.indirect.b[50], 0.25f, 1e-4f);
+}
+
+} // namespace relamp
