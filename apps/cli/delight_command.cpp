@@ -59,7 +59,7 @@ void addDials(CLI::App& command, DelightArguments& arguments)
                     "k0 k1 k2 of 1 / (k0 + k1 d + k2 d^2), d in metres")
         ->expected(3)
         ->check(between(0.0, 1e6))
-        ->type_name("K0 K1 K2")
+        ->type_name("K")
         ->group(group);
     command.add_option("--power", dials.power, "Factor on all light")
         ->check(between(1e-6, 1e6))
