@@ -27,9 +27,9 @@ inline void readAndWriteGltf(std::span<const std::byte> bytes)
             scan.pages[p].ofVertices ? 3 * scan.pages[p].image.pixels() : 0, 0.5f);
         pages[p].albedo = {{1, 2, 3}, "image/png"};
     }
-    PointLight lamp;
-    lamp.intensity = glm::vec3(1.0f);
-    const std::string written = writeGlb(scan, pages, {lamp});
+    Lights lights;
+    lights.points.push_back({.intensity = glm::vec3(1.0f)});
+    const std::string written = writeGlb(scan, pages, lights);
     if (std::all_of(scan.pages.begin(), scan.pages.end(),
                     [](const Page& page) { return page.ofVertices; }))
         readGltf(std::as_bytes(std::span(written)), "fuzz.glb", {}, progress);
