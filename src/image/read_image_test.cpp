@@ -101,6 +101,9 @@ TEST(ReadImage, OnlyAJpegThatHalvesColourIsSharpened)
     EXPECT_NEAR(redAtEdge(pictureFile("jpeg", picture)), 160, 3);
     EXPECT_NEAR(redAtEdge(pictureFile("jpeg", picture, "4:2:0")), 160, 12);
     EXPECT_NEAR(redAtEdge(pictureFile("jpeg", picture, "4:2:2")), 160, 12);
+    // Any format can carry the word.
+    const Pixels<float> grey{2, 1, 3, std::vector<float>(6, 0.5f)};
+    EXPECT_FLOAT_EQ(pixel(read(pictureFile("openexr", grey, "4:2:0")), 1).g, 0.5f);
 }
 
 TEST(ReadImage, PalettesAreLookedUp)
