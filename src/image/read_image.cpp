@@ -193,7 +193,8 @@ Image readImage(std::span<const std::byte> bytes, const std::string& name, Trans
         readBytes(*input, transfer, name, image);
     else
         readFloats(*input, transfer, name, image);
-    if (image.wasJpeg && subsampling != "4:4:4") sharpenChroma(image.encoded, image.width, image.height);
+    if (image.wasJpeg && subsampling != "4:4:4")
+        sharpenChroma(image.encoded, image.width, image.height);
     return image;
 }
 
