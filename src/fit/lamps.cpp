@@ -50,7 +50,6 @@ constexpr float kGreyWall = 0.5f;         // radiance
 constexpr float kHardlyMissed = 0.3f;     // of these
 constexpr float kTold = 0.5f;             // of the prior's variance; beyond, data decide
 constexpr float kTouching = 0.12f;        // m between pieces of one lamp
-constexpr float kPointedAt = 0.3f;        // m around a place that a person names
 constexpr float kAboutEqual = 3.0f;       // ratio of their radiances
 
 /// One lamp to be, with what it does at all places at radiance 1.
@@ -130,27 +129,6 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
     if (places_.size() > 1) chooseBurntOut();
     findAround();
     takeCandidates(options);
-}
-
-float distanceTo(const Candidate& candidate, glm::vec3 place)
-{
-    float least = kPointedAt;
-    for (const ClippedPatch& patch : candidate.patches)
-        least = std::min(least, glm::distance(patch.position, place));
-    return least;
-}
-
-/// The candidate that a person points at; none where nothing near is burnt out.
-size_t nearestTo(std::span<const Candidate> candidates, glm::vec3 place)
-{
-    size_t nearest = candidates.size();
-    float least = kPointedAt;
-    for (size_t c = 0; c < candidates.size(); ++c)
-        if (const float distance = distanceTo(candidates[c], place); distance < least) {
-            least = distance;
-            nearest = c;
-        }
-    return nearest;
 }
 
 std::vector<SoughtLamp> LampSearch::sought(size_t raysPerOrigin) const

@@ -21,6 +21,7 @@ constexpr float kSmallPlane = 0.1f;      // m^2; from here on, where the wall go
 constexpr float kWallAround = 0.4f;      // of a square's rim that is wall
 constexpr float kBrightRim = 0.55f;      // luminance around a speck that only just burnt out
 constexpr float kSpeck = 0.02f;          // m^2
+constexpr float kPointedAt = 0.3f;       // m around a place that a person names
 constexpr float kFading = 0.75f;         // of white, in the channel that burns out first
 constexpr size_t kMostPlanes = 4;        // of one blob
 
@@ -227,6 +228,19 @@ bool fades(const Texels& texels, const SurfelRadiance& radiance, const Candidate
         return std::max({color.r, color.g, color.b}) > kFading;
     });
     return 2 * static_cast<size_t>(nearlyBurntOut) > rim.size();
+}
+
+size_t nearestTo(std::span<const Candidate> candidates, glm::vec3 place)
+{
+    size_t nearest = candidates.size();
+    float least = kPointedAt;
+    for (size_t c = 0; c < candidates.size(); ++c)
+        for (const ClippedPatch& patch : candidates[c].patches)
+            if (const float distance = glm::distance(patch.position, place); distance < least) {
+                least = distance;
+                nearest = c;
+            }
+    return nearest;
 }
 
 std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance& radiance)

@@ -3,6 +3,7 @@
 #include "lights/surfel_radiance.h"
 #include "scan/texels.h"
 
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -33,5 +34,9 @@ std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance
 /// Whether the surface goes on around it, nearly burnt out itself: overexposure fades, where a lamp
 /// ends sharply.
 bool fades(const Texels& texels, const SurfelRadiance& radiance, const Candidate& candidate);
+
+/// The candidate that a person points at: the one with the patch nearest to `place`, within 0.3 m;
+/// candidates.size() where there is none.
+size_t nearestTo(std::span<const Candidate> candidates, glm::vec3 place);
 
 } // namespace relamp
