@@ -59,8 +59,7 @@ Decomposition delight(const Scan& scan, const DelightOptions& options, Progress&
     auto state = stateOf(scan, progress);
     state->texels = rasterizeAtlas(scan, progress, surfelsFor(options));
     checkOverlap(state->texels);
-    if (options.solver != Solver::thesis)
-        state->texels.buried = findBuried(state->texels, state->scene, progress);
+    if (options.solver != Solver::thesis) separateBuried(state->texels, state->scene, progress);
     state->solution = solverOf(options.solver)(state->texels, state->scene, options, progress);
     return Decomposition(std::move(state));
 }

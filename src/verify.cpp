@@ -21,7 +21,7 @@ Verification verify(const std::filesystem::path& folder, const VerifyOptions& op
 
     const RayScene scene(scan);
     Texels texels = rasterizeAtlas(scan, progress, surfelsOf(run.gather.quality));
-    texels.buried = findBuried(texels, scene, progress);
+    separateBuried(texels, scene, progress);
     const FoundRoom found = findRoom(texels, scene, asThen, progress);
     const TracedRoom room = tracedRoomOf(texels, found, meanAlbedo(texels, found.radiance, albedo));
     const auto places =

@@ -42,15 +42,10 @@ std::vector<RunSum> sumRuns(const Texels& texels, size_t p, std::vector<uint8_t>
     std::vector<RunSum> sums(page.runs.size() - 1);
     isClipped.assign(texels.scan->pages[p].image.pixels(), 0);
     forEachRun(page, [&](size_t run, TexelBlock& block) {
-        bool isMixed = false;
-        if (!texels.buried.empty())
-            for (uint32_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i)
-                isMixed |= texels.buried[p][i] == 0;
         forEachBlockOfRun(page, run, [&](size_t begin, size_t count) {
             loader.load(begin, count, block);
             loader.loadArea(begin, count, block);
             for (size_t i = 0; i < count; ++i) {
-                if (isMixed && texels.buried[p][begin + i] != 0) continue;
                 const bool clipped =
                     brightestChannel({block.r[i], block.g[i], block.b[i]}) >= burntOut;
                 if (clipped) isClipped[page.pixel[begin + i]] = 1;

@@ -1,7 +1,6 @@
 #include "relight/by_radiosity.h"
 
 #include "base/parallel.h"
-#include "shading/buried.h"
 #include "shading/gathered_light.h"
 #include "shading/lit_sides.h"
 
@@ -26,17 +25,6 @@ void addDirectOf(const LightSource& source, glm::vec3 emission, const TexelBlock
         out.g[i] += open[i] * share[i] * perIrradiance.g;
         out.b[i] += open[i] * share[i] * perIrradiance.b;
     }
-}
-
-/// No light comes to where something lies on the surface, though its surfel is lit beside that.
-void darkenBuried(const Texels& texels, size_t page, size_t begin, size_t count, ShadingBlock& out)
-{
-    if (texels.buried.empty()) return;
-    const uint8_t* buried = &texels.buried[page][begin];
-    for (RgbBlock* light : {&out.direct, &out.indirect})
-        for (float* channel : {light->r, light->g, light->b})
-            for (size_t i = 0; i < count; ++i)
-                if (buried[i] != 0) channel[i] = 0.0f;
 }
 
 /// Irradiance at emission 1 in the middle of surfels. A few rays tell how much of the light is
@@ -78,7 +66,7 @@ RadiosityLight::RadiosityLight(const Texels& texels, const RayScene& scene,
                                const Transport& transport,
                                std::span<const std::vector<uint8_t>> isClipped, size_t shadowRays)
     : texels_(texels), scene_(scene), transport_(transport), isClipped_(isClipped),
-      shadowRays_(shadowRays), isBuried_(buriedSurfels(texels))
+      shadowRays_(shadowRays)
 {}
 
 std::shared_ptr<const ShadowedLight>
@@ -136,8 +124,7 @@ void RadiosityLight::set(const ActiveLights& active, std::span<const glm::vec3> 
     }
     const Bounced bounced = bounce(transport_, albedo, direct, active.sky);
     indirect_ = std::make_shared<const std::vector<glm::vec3>>(
-        withoutNoise(texels_.surfels, withoutBuried(texels_.surfels, bounced.irradiance, isBuried_),
-                     bounced.noise));
+        withoutNoise(texels_.surfels, bounced.irradiance, bounced.noise));
     onFronts_ = *indirect_;
     for (size_t l = 0; l < lights_.size(); ++l)
         for (size_t s = 0; s < onFronts_.size(); ++s)
@@ -155,7 +142,6 @@ TexelShading RadiosityLight::shading() const
         for (size_t l = 0; l < lights.size(); ++l)
             if (lights[l]->shadows->at(p, begin, block.count, share))
                 addDirectOf(*lights[l]->light.source, emissions[l], block, share, out.direct);
-        darkenBuried(texels, p, begin, block.count, out);
     };
 }
 

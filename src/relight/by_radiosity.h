@@ -62,7 +62,6 @@ private:
     const Transport& transport_;
     std::span<const std::vector<uint8_t>> isClipped_;
     size_t shadowRays_;
-    std::vector<uint8_t> isBuried_; // of surfels
 
     std::vector<uint8_t> panes_;
     std::vector<std::shared_ptr<const ShadowedLight>> lights_;

@@ -3,6 +3,7 @@
 #include "relight/relighter_state.h"
 #include "relight/relit_page.h"
 #include "relight/room_transport.h"
+#include "shading/buried.h"
 #include "solve/found_room.h"
 
 #include "relamp/error.h"
@@ -17,7 +18,7 @@ namespace relamp
 namespace
 {
 
-Texels checkedTexels(const DelitRoom& room, Progress& progress)
+Texels checkedTexels(const DelitRoom& room, const RayScene& scene, Progress& progress)
 {
     for (size_t p = 0; p < room.scan.pages.size(); ++p) {
         const Image& page = room.scan.pages[p].image;
@@ -33,13 +34,14 @@ Texels checkedTexels(const DelitRoom& room, Progress& progress)
     }
     Texels texels = rasterizeAtlas(room.scan, progress, surfelsOf(room.gather.quality));
     checkOverlap(texels);
+    separateBuried(texels, scene, progress);
     return texels;
 }
 
 } // namespace
 
 Relighter::State::State(const DelitRoom& of, const RelightOptions& with, Progress& progress)
-    : room(of), options(with), scene(of.scan), texels(checkedTexels(of, progress)),
+    : room(of), options(with), scene(of.scan), texels(checkedTexels(of, scene, progress)),
       radiance(collectRadiance(texels, progress)),
       transport(transportOfRoom(of, {texels, scene, radiance}, with, warningsOfRoom, progress)),
       albedo(texels, of.albedo, of.confidence, radiance.isClipped),

@@ -1,7 +1,6 @@
 #include "relight/room_albedo.h"
 
 #include "albedo/fill.h"
-#include "shading/buried.h"
 
 #include <glm/common.hpp>
 
@@ -36,20 +35,15 @@ RoomAlbedo::RoomAlbedo(const Texels& texels, std::span<const Image> albedo,
     for (const Image& page : albedo) albedo_.emplace_back(page);
     std::vector<Sum> known(texels.surfels.count());
     std::vector<Sum> burntOut(texels.surfels.count());
-    const std::vector<uint8_t> isBuried = buriedSurfels(texels);
     for (size_t p = 0; p < texels.pages.size(); ++p) {
         const PageTexels& page = texels.pages[p];
         const TexelLoader loader(texels, p);
-        const std::span<const uint8_t> buried =
-            texels.buried.empty() ? std::span<const uint8_t>() : texels.buried[p];
         forEachRun(page, [&](size_t run, TexelBlock& block) {
             const uint32_t surfel = page.runs[run].surfel; // one run a surfel and page
-            const bool isMixed = !texels.buried.empty() && isBuried[surfel] == 0;
             forEachBlockOfRun(page, run, [&](size_t begin, size_t count) {
                 loader.loadArea(begin, count, block);
                 for (size_t i = 0; i < count; ++i) {
                     const uint32_t pixel = page.pixel[begin + i];
-                    if (isMixed && buried[begin + i] != 0) continue;
                     if (isKnown(p, pixel))
                         known[surfel].add(ownOf(p, pixel), block.area[i]);
                     else if (isBurntOut_[p][pixel] != 0)

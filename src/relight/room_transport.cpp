@@ -3,7 +3,6 @@
 #include "fit/given_lamps.h"
 #include "relamp/error.h"
 #include "relight/transport_file.h"
-#include "shading/buried.h"
 #include "shading/hit_lists.h"
 #include "solve/found_room.h"
 
@@ -55,23 +54,18 @@ Transport transportOfRoom(const DelitRoom& room, const SurfaceOfRoom& surface,
                           const RelightOptions& options, std::vector<std::string>& warnings,
                           Progress& progress)
 {
-    Texels& texels = surface.texels;
+    const Texels& texels = surface.texels;
     const size_t rays = raysOf(options, texels.surfels.count());
     const uint64_t key =
         options.transport.empty() ? 0 : keyOfTransport(texels, room.captured.fixtures, rays);
     if (!options.transport.empty())
-        if (auto kept = loadTransport(options.transport, key, texels)) {
-            texels.buried = kept->buried;
-            return std::move(*kept);
-        }
+        if (auto kept = loadTransport(options.transport, key, texels)) return std::move(*kept);
 
-    texels.buried = findBuried(texels, surface.scene, progress);
     std::vector<std::vector<ClippedPatch>> fixtures =
         surfacesOfFixtures(room, texels, surface.scene, progress);
     Transport transport =
         transportOf(texels, castHitLists(texels, surface.scene, surface.radiance, rays, progress));
     transport.fixtures = std::move(fixtures);
-    transport.buried = texels.buried;
     if (options.transport.empty()) return transport;
     const Progress::Stage stage(progress, "write");
     try {

@@ -18,14 +18,13 @@ size_t raysOf(const RelightOptions& options, size_t surfels);
 /// A scan as rays and texels know it.
 struct SurfaceOfRoom
 {
-    Texels& texels;
+    const Texels& texels;
     const RayScene& scene;
     const SurfelRadiance& radiance;
 };
 
-/// The room's transport, and the texels' `buried`: read from the options' file where that is of
-/// this room and these options, else found by rays, and kept there if the place lets it; `warnings`
-/// says if not.
+/// The room's transport: read from the options' file where that is of this room and these options,
+/// else found by rays, and kept there if the place lets it; `warnings` says if not.
 Transport transportOfRoom(const DelitRoom& room, const SurfaceOfRoom& surface,
                           const RelightOptions& options, std::vector<std::string>& warnings,
                           Progress& progress);

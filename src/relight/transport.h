@@ -40,7 +40,6 @@ struct Transport
     SightLists ofFronts;             // receivers are surfels; radiances those of sides and sky
     SightLists ofClusters;           // of clusters and sky
     std::vector<std::vector<ClippedPatch>> fixtures; // surface of each captured one
-    std::vector<std::vector<uint8_t>> buried;        // Texels::buried
 
     [[nodiscard]] size_t clusters() const { return ofClusters.count(); }
     /// How many radiances there are beside the sides' or clusters' own, behind them: SkyBins, and

@@ -16,7 +16,7 @@ namespace
 
 static_assert(std::endian::native == std::endian::little, "transport.bin holds memory as it is");
 
-constexpr uint64_t kMagic = 0x31'54'50'4d'41'4c'45'52; // "RELAMPT1": another version, another digit
+constexpr uint64_t kMagic = 0x32'54'50'4d'41'4c'45'52; // "RELAMPT2": another version, another digit
 
 struct PatchRecord
 {
@@ -132,8 +132,6 @@ bool isSound(const Transport& transport, const Texels& texels)
     for (const auto& fixture : transport.fixtures)
         for (const ClippedPatch& patch : fixture)
             if (patch.surfel != Surfels::kNone && patch.surfel >= surfels) return false;
-    for (size_t p = 0; p < transport.buried.size(); ++p)
-        if (transport.buried[p].size() != texels.pages[p].count()) return false;
     return true;
 }
 
@@ -182,11 +180,6 @@ std::optional<Transport> loadTransport(const std::filesystem::path& file, uint64
     Transport transport;
     std::vector<uint32_t> sides;
     uint64_t fixtures = 0;
-    uint64_t pages = 0;
-    if (!reader.take(pages) || (pages != 0 && pages != texels.pages.size())) return {};
-    transport.buried.resize(pages);
-    for (auto& page : transport.buried)
-        if (!reader.take(page)) return {};
     if (!reader.take(sides) || !reader.take(transport.clusterOf) ||
         !reader.take(transport.weight) || !reader.take(transport.ofFronts.first) ||
         !reader.take(transport.ofFronts.target) || !reader.take(transport.ofClusters.first) ||
@@ -209,8 +202,6 @@ void saveTransport(const std::filesystem::path& file, uint64_t key, const Transp
     Writer content;
     std::vector<uint32_t> sides;
     for (const Side side : transport.sides) sides.push_back(side.index);
-    content.add(uint64_t{transport.buried.size()});
-    for (const auto& page : transport.buried) content.add(page);
     content.add(sides);
     content.add(transport.clusterOf);
     content.add(transport.weight);

@@ -23,7 +23,6 @@ struct Kept
           file(folder / "transport.bin")
     {
         transport.fixtures = {{{{1, 2, 1}, {0, -1, 0}, 0.5f, 3}}, {}};
-        transport.buried = {std::vector<uint8_t>(surfaces.texels.pages[0].count(), 0)};
         saveTransport(file, kKey, transport);
     }
 
@@ -101,7 +100,6 @@ TEST(TransportFile, IndicesBeyondTheRoomAreNone)
     EXPECT_TRUE(isRefused([](Transport& t) { t.sides[5].index = 1u << 30; }));
     EXPECT_TRUE(isRefused([](Transport& t) { t.ofFronts.first[5] = t.ofFronts.first[4]; }));
     EXPECT_TRUE(isRefused([](Transport& t) { t.fixtures[0][0].surfel = 1u << 30; }));
-    EXPECT_TRUE(isRefused([](Transport& t) { t.buried[0].pop_back(); }));
     EXPECT_TRUE(isRefused([](Transport& t) { t.weight.pop_back(); }));
     EXPECT_FALSE(isRefused([](Transport&) {}));
 }

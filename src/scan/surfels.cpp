@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <glm/common.hpp>
@@ -41,6 +42,7 @@ constexpr float kSlack = 0.01f;   // for rounding, in these
 bool isSameSurface(const Surfels& surfels, size_t a, size_t b)
 {
     const glm::vec3 way = surfels.position[b] - surfels.position[a];
+    if (surfels.isBuried(a) != surfels.isBuried(b)) return false;
     const float reach = kReach * surfels.size;
     const float step = std::max(std::abs(glm::dot(way, surfels.normal[a])),
                                 std::abs(glm::dot(way, surfels.normal[b])));
@@ -77,7 +79,7 @@ uint64_t SurfelGrid::firstKeyOf(glm::ivec3 cell)
 
 uint64_t SurfelGrid::keyOf(glm::vec3 position, glm::vec3 normal) const
 {
-    return firstKeyOf(cellOf(position)) + facingOf(normal);
+    return firstKeyOf(cellOf(position)) + kParts * facingOf(normal);
 }
 
 SurfelCells::SurfelCells(std::span<const uint64_t> keys)
@@ -110,9 +112,16 @@ uint32_t Surfels::find(glm::vec3 place, glm::vec3 facing) const
 {
     const uint64_t wanted = grid.keyOf(place, facing);
     const auto [begin, end] = cells[wanted / SurfelGrid::kFacings * SurfelGrid::kFacings];
-    for (uint32_t s = begin; s < end; ++s)
-        if (key[s] == wanted) return s;
     uint32_t nearest = kNone;
+    float leastStep = std::numeric_limits<float>::max();
+    for (uint32_t s = begin; s < end; ++s) {
+        if (key[s] / SurfelGrid::kParts != wanted / SurfelGrid::kParts) continue;
+        const float step = std::abs(glm::dot(place - position[s], normal[s]));
+        if (step >= leastStep) continue;
+        leastStep = step;
+        nearest = s;
+    }
+    if (nearest != kNone) return nearest;
     float least = 4.0f * size * size;
     forEachInReach(place, [&](size_t s) {
         const glm::vec3 way = position[s] - place;

@@ -10,6 +10,12 @@
 namespace relamp
 {
 
+/// What sets surfels of one cell and one facing apart; bits of their keys.
+enum class SurfelPart : uint64_t {
+    upper = 1,  // of two layers, the one that the other lies behind
+    buried = 2, // something stands or lies on it
+};
+
 /// Where a texel belongs: its cell in space and the axis that it faces most.
 ///
 /// Keys sort along a Morton curve; surfels of one cell follow each other.
@@ -29,8 +35,9 @@ public:
         return (position - low_) * perMetre_;
     }
 
-    static constexpr uint64_t kFacings = 8; // six axes, rounded up to bits
-    static constexpr int kMostCells = 1 << 20;
+    static constexpr uint64_t kParts = 4;            // of a cell's surfels that face one way
+    static constexpr uint64_t kFacings = 8 * kParts; // six axes, rounded up to bits
+    static constexpr int kMostCells = 1 << 19;
 
 private:
     glm::vec3 low_{0.0f};
@@ -83,6 +90,10 @@ struct Surfels
     std::vector<uint32_t> neighbor;
 
     [[nodiscard]] size_t count() const { return position.size(); }
+    [[nodiscard]] bool isBuried(size_t surfel) const
+    {
+        return (key[surfel] & static_cast<uint64_t>(SurfelPart::buried)) != 0;
+    }
     [[nodiscard]] std::span<const uint32_t> neighborsOf(size_t surfel) const
     {
         return {neighbor.data() + firstNeighbor[surfel],
@@ -90,8 +101,9 @@ struct Surfels
     }
 
     static constexpr uint32_t kNone = ~0u;
-    /// The surfel that a texel at `place` facing `facing` belongs to; where there is no texel just
-    /// there, the nearest that faces about the same way; kNone where nothing is near.
+    /// The surfel that a texel at `place` facing `facing` belongs to, of layers the nearest; where
+    /// there is no texel just there, the nearest that faces about the same way; kNone where nothing
+    /// is near.
     [[nodiscard]] uint32_t find(glm::vec3 place, glm::vec3 facing) const;
 
     /// Calls `visit(surfel)` for all whose cell is at most two from that of `place`: all within a
@@ -107,7 +119,7 @@ struct Surfels
 };
 
 /// Finds for every surfel those within two cells' reach whose surface goes on from its own: not
-/// turned away by more than 60 degrees and not on another level.
+/// turned away by more than 60 degrees, not on another level, and buried like it or open like it.
 void connectNeighbors(Surfels& surfels);
 
 template<class Visit, class Matters>

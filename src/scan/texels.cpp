@@ -2,6 +2,7 @@
 
 #include "base/fail.h"
 #include "scan/atlas_raster.h"
+#include "scan/split_surfels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -158,44 +159,6 @@ PageTexels sortBySurfel(const PageCoverage& coverage, const PageKeys& keys,
     return page;
 }
 
-/// Adds what the texels of one page contribute to their surfels; sums until finishSurfels.
-void accumulateSurfels(Texels& texels, size_t pageIndex)
-{
-    const PageTexels& page = texels.pages[pageIndex];
-    const uint32_t width = widthOf(texels, pageIndex);
-    Surfels& surfels = texels.surfels;
-    forEachChunk(page.runs.size() - 1, 256, [&](size_t begin, size_t end) {
-        for (size_t run = begin; run < end; ++run) {
-            glm::dvec3 position(0.0);
-            glm::vec3 normal(0.0f);
-            double area = 0.0;
-            for (uint32_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i) {
-                const Facet& facet = texels.facets.facets[page.facet[i]];
-                const TexelSite site = siteOn(facet, static_cast<float>(page.pixel[i] % width),
-                                              static_cast<float>(page.pixel[i] / width));
-                position += static_cast<double>(facet.texelArea) * glm::dvec3(site.position);
-                normal += facet.texelArea * site.normal;
-                area += static_cast<double>(facet.texelArea);
-            }
-            const uint32_t s =
-                page.runs[run].surfel; // one run a surfel and page: no one else writes here
-            surfels.position[s] += glm::vec3(position);
-            surfels.normal[s] += normal;
-            surfels.area[s] += static_cast<float>(area);
-        }
-    });
-}
-
-void finishSurfels(Surfels& surfels)
-{
-    for (size_t s = 0; s < surfels.count(); ++s) {
-        surfels.position[s] /= std::max(surfels.area[s], 1e-20f);
-        const float length = glm::length(surfels.normal[s]);
-        surfels.normal[s] =
-            length > 0.0f ? surfels.normal[s] / length : glm::vec3(0.0f, 1.0f, 0.0f);
-    }
-}
-
 } // namespace
 
 size_t PageTexels::runOf(size_t texel) const
@@ -240,21 +203,16 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions&
     }
     sortUnique(surfelKeys);
 
-    texels.surfels.position.assign(surfelKeys.size(), glm::vec3(0.0f));
-    texels.surfels.normal.assign(surfelKeys.size(), glm::vec3(0.0f));
-    texels.surfels.area.assign(surfelKeys.size(), 0.0f);
     texels.pages.resize(pages);
     for (size_t p = 0; p < pages; ++p) {
         texels.pages[p] = sortBySurfel(coverages[p], keys[p], surfelKeys);
         coverages[p] = {};
         keys[p] = {};
-        accumulateSurfels(texels, p);
         stage.advance();
     }
-    finishSurfels(texels.surfels);
-    texels.surfels.cells = SurfelCells(surfelKeys);
     texels.surfels.key = std::move(surfelKeys);
-    connectNeighbors(texels.surfels);
+    sumSurfels(texels);
+    separateLayers(texels);
 
     const auto covered = static_cast<double>(texels.count());
     texels.overlapShare = covered > 0.0 ? std::min(1.0, ambiguous / covered) : 0.0;
@@ -291,32 +249,16 @@ SurfelSites::SurfelSites(const Texels& texels) : texels_(texels), ranges_(texels
         for (size_t run = 0; run + 1 < runs.size(); ++run) {
             const uint32_t count = runs[run + 1].begin - runs[run].begin;
             Range& best = ranges_[runs[run].surfel];
-            if (count > best.count) best = {p, runs[run].begin, count, false};
+            if (count > best.count) best = {p, runs[run].begin, count};
         }
     }
-    if (texels.buried.empty()) return;
-    for (Range& range : ranges_) leaveOutBuried(range);
-}
-
-void SurfelSites::leaveOutBuried(Range& range)
-{
-    const std::vector<uint8_t>& buried = texels_.buried[range.page];
-    const auto first = static_cast<uint32_t>(open_.size());
-    for (uint32_t i = range.begin; i < range.begin + range.count; ++i)
-        if (buried[i] == 0) open_.push_back(i);
-    const auto count = static_cast<uint32_t>(open_.size()) - first;
-    if (count == range.count || count == 0)
-        open_.resize(first); // all of one kind need no list
-    else
-        range = {range.page, first, count, true};
 }
 
 TexelSite SurfelSites::at(uint32_t surfel, size_t i) const
 {
     constexpr size_t kStride = 7919; // prime: visits all texels before it repeats
     const Range& range = ranges_[surfel];
-    const size_t at = range.begin + i * kStride % range.count;
-    return texels_.siteOf(range.page, range.isListed ? open_[at] : at);
+    return texels_.siteOf(range.page, range.begin + i * kStride % range.count);
 }
 
 TexelLoader::TexelLoader(const Texels& texels, size_t page)

@@ -48,9 +48,6 @@ struct Texels
     Facets facets;
     std::vector<PageTexels> pages; // as Scan::pages
     Surfels surfels;
-    // [page][texel]: not 0 where something lies on it or stands on it, so that it is no part of
-    // what its surfel shows; empty: all lie open, or nobody has looked.
-    std::vector<std::vector<uint8_t>> buried;
     double area = 0.0;         // m^2 of all texels
     double overlapShare = 0.0; // of texels that stand for more than one place, 0..1
 
@@ -60,7 +57,7 @@ struct Texels
 };
 
 /// Texels of surfels, one after the other: where rays of a surfel start so that they average over
-/// it. Where some lie open, the buried ones are left out.
+/// it.
 class SurfelSites
 {
 public:
@@ -75,15 +72,12 @@ private:
     struct Range
     {
         uint32_t page = 0;
-        uint32_t begin = 0; // of the page's texels; of `open_` where some are buried
+        uint32_t begin = 0; // of the page's texels
         uint32_t count = 0;
-        bool isListed = false;
     };
-    void leaveOutBuried(Range& range);
 
     const Texels& texels_;
     std::vector<Range> ranges_; // on the page where a surfel has most of its texels
-    std::vector<uint32_t> open_;
 };
 
 struct SurfelOptions

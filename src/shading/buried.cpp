@@ -1,16 +1,25 @@
 #include "shading/buried.h"
 
 #include "base/parallel.h"
+#include "lights/expand.shared.h"
 #include "shading/hit_lists.h"
 #include "shading/sampling.shared.h"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
 
 namespace relamp
 {
 namespace
 {
 
+constexpr float kPi = 3.14159265f;
+constexpr float kRimReach = 2.0f;    // of a buried surfel to open ones, in surfel sizes
+constexpr float kRimStep = 0.3f;     // off its surface, in these
+constexpr float kRimFacing = 0.8f;   // cosine
+constexpr float kDark = 1e-4f;       // shading
 constexpr size_t kRaysOfSurfel = 12; // that say whether its texels need to be looked at
 constexpr size_t kRaysOfTexel = 4;
 constexpr float kOffSurface = 2e-3f; // m, as hit lists start theirs
@@ -51,7 +60,63 @@ bool isBuried(const RayScene& scene, const TexelSite& site, uint32_t salt)
     return true;
 }
 
-double shareOf(const Texels& texels, const std::vector<std::vector<uint8_t>>& buried)
+/// What is around a buried surfel.
+struct Rim
+{
+    glm::vec3 shading{0.0f};
+    float albedo = 0.0f; // luminance; 0: nothing is open around it
+};
+
+Rim rimOf(const Surfels& surfels, const SurfelRadiance& radiance,
+          std::span<const glm::vec3> irradiance, size_t buried)
+{
+    glm::vec3 light(0.0f);
+    glm::vec3 seen(0.0f);
+    float count = 0.0f;
+    const float reach = kRimReach * surfels.size;
+    surfels.forEachInReach(surfels.position[buried], [&](size_t s) {
+        const glm::vec3 way = surfels.position[s] - surfels.position[buried];
+        if (surfels.isBuried(s) || glm::dot(way, way) > reach * reach ||
+            glm::dot(surfels.normal[s], surfels.normal[buried]) < kRimFacing ||
+            std::abs(glm::dot(way, surfels.normal[buried])) > kRimStep * surfels.size)
+            return;
+        light += irradiance[s] / kPi;
+        seen += radiance.plain[s];
+        count += 1.0f;
+    });
+    if (count == 0.0f) return {};
+    return {light / count, luminance(seen) / std::max(luminance(light), kDark)};
+}
+
+std::vector<Rim> rimsOf(const Surfels& surfels, const SurfelRadiance& radiance,
+                        std::span<const glm::vec3> irradiance)
+{
+    std::vector<Rim> rims(surfels.count());
+    forEachChunk(rims.size(), 1024, [&](size_t begin, size_t end) {
+        for (size_t s = begin; s < end; ++s)
+            if (surfels.isBuried(s)) rims[s] = rimOf(surfels, radiance, irradiance, s);
+    });
+    return rims;
+}
+
+/// As much of the light around as gives the texel the albedo around: from none to all of it.
+void letIn(const Rim& rim, const TexelBlock& block, size_t i, ShadingBlock& shading)
+{
+    RgbBlock& direct = shading.direct;
+    RgbBlock& indirect = shading.indirect;
+    const float seen = luminance(glm::vec3(block.r[i], block.g[i], block.b[i]));
+    const float under = luminance(glm::vec3(
+        direct.r[i] + indirect.r[i], direct.g[i] + indirect.g[i], direct.b[i] + indirect.b[i]));
+    const float around = luminance(rim.shading);
+    if (around <= under) return;
+    const float share = std::clamp((seen / rim.albedo - under) / (around - under), 0.0f, 1.0f);
+    for (float* channel : {direct.r, direct.g, direct.b}) channel[i] *= 1.0f - share;
+    indirect.r[i] += share * (rim.shading.r - indirect.r[i]);
+    indirect.g[i] += share * (rim.shading.g - indirect.g[i]);
+    indirect.b[i] += share * (rim.shading.b - indirect.b[i]);
+}
+
+double shareOf(const Texels& texels, const TexelMarks& buried)
 {
     size_t count = 0;
     for (const auto& page : buried)
@@ -61,13 +126,12 @@ double shareOf(const Texels& texels, const std::vector<std::vector<uint8_t>>& bu
 
 } // namespace
 
-std::vector<std::vector<uint8_t>> findBuried(const Texels& texels, const RayScene& scene,
-                                             Progress& progress)
+TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress& progress)
 {
     Progress::Stage stage(progress, "buried", texels.pages.size() + 1);
     const std::vector<uint8_t> isSuspect = suspects(texels, scene);
     stage.advance();
-    std::vector<std::vector<uint8_t>> buried;
+    TexelMarks buried;
     for (size_t p = 0; p < texels.pages.size(); ++p) {
         const PageTexels& page = texels.pages[p];
         std::vector<uint8_t>& ofPage = buried.emplace_back(page.count(), uint8_t{0});
@@ -84,36 +148,28 @@ std::vector<std::vector<uint8_t>> findBuried(const Texels& texels, const RayScen
     return buried;
 }
 
-std::vector<uint8_t> buriedSurfels(const Texels& texels)
+void separateBuried(Texels& texels, const RayScene& scene, Progress& progress)
 {
-    std::vector<uint8_t> isBuried(texels.surfels.count(), texels.buried.empty() ? 0 : 1);
-    for (size_t p = 0; p < texels.buried.size(); ++p) {
-        const PageTexels& page = texels.pages[p];
-        for (size_t run = 0; run + 1 < page.runs.size(); ++run)
-            for (uint32_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i)
-                if (texels.buried[p][i] == 0) isBuried[page.runs[run].surfel] = 0;
-    }
-    return isBuried;
+    const TexelMarks buried = findBuried(texels, scene, progress);
+    if (!buried.empty()) splitSurfels(texels, buried, SurfelPart::buried);
 }
 
-std::vector<glm::vec3> withoutBuried(const Surfels& surfels, std::span<const glm::vec3> irradiance,
-                                     std::span<const uint8_t> isBuried)
+TexelShading withRims(const Texels& texels, TexelShading shade, const SurfelRadiance& radiance,
+                      std::span<const glm::vec3> irradiance)
 {
-    std::vector<glm::vec3> open(irradiance.begin(), irradiance.end());
-    forEachChunk(open.size(), 1024, [&](size_t begin, size_t end) {
-        for (size_t s = begin; s < end; ++s) {
-            if (isBuried[s] == 0) continue;
-            glm::vec3 sum(0.0f);
-            float count = 0.0f;
-            for (const uint32_t n : surfels.neighborsOf(s)) {
-                if (isBuried[n] != 0) continue;
-                sum += irradiance[n];
-                count += 1.0f;
-            }
-            if (count > 0.0f) open[s] = sum / count;
+    return [&texels, shade = std::move(shade),
+            rims = std::make_shared<const std::vector<Rim>>(
+                rimsOf(texels.surfels, radiance, irradiance))](
+               size_t p, size_t begin, const TexelBlock& block, ShadingBlock& out) {
+        shade(p, begin, block, out);
+        const PageTexels& page = texels.pages[p];
+        size_t run = page.runOf(begin);
+        for (size_t i = 0; i < block.count; ++i) {
+            while (begin + i >= page.runs[run + 1].begin) ++run;
+            const Rim& rim = (*rims)[page.runs[run].surfel];
+            if (rim.albedo > 0.0f) letIn(rim, block, i, out);
         }
-    });
-    return open;
+    };
 }
 
 } // namespace relamp

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "lights/surfel_radiance.h"
 #include "relamp/progress.h"
 #include "scan/rays.h"
+#include "scan/split_surfels.h"
 #include "scan/texels.h"
+#include "shading/texel_shading.h"
 
 #include <cstdint>
 #include <span>
@@ -14,21 +17,18 @@ namespace relamp
 {
 
 /// Marks the texels that something stands on or lies on: every ray from them meets a surface from
-/// behind, as inside a solid. A modelled room has many, a scanned one hardly any.
-///
-/// Where a rug lies on a floor both are one surfel; without this each would send the mean of light
-/// and darkness. Returns Texels::buried; nothing
-/// where most are, for then the scan is inside out.
-std::vector<std::vector<uint8_t>> findBuried(const Texels& texels, const RayScene& scene,
-                                             Progress& progress);
+/// behind, as inside a solid. A modelled room has many, a scanned one hardly any. Nothing where
+/// most are, for then the scan is inside out.
+TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress& progress);
 
-/// Surfels all of whose texels are buried: not 0.
-std::vector<uint8_t> buriedSurfels(const Texels& texels);
+/// Makes these surfels of their own: where a rug lies on a floor, that floor would send and get the
+/// mean of light and darkness.
+void separateBuried(Texels& texels, const RayScene& scene, Progress& progress);
 
-/// Irradiance of surfels as what lies between them may be interpolated: nothing arrives under a
-/// wardrobe, and what is beside it must not hear of that, so buried surfels get the mean of the
-/// open ones around.
-std::vector<glm::vec3> withoutBuried(const Surfels& surfels, std::span<const glm::vec3> irradiance,
-                                     std::span<const uint8_t> isBuried);
+/// The shading, with some of the light around on buried texels at the rim of what lies there: such
+/// a texel is part open, and shows more than the light under a thing can make of the paint around.
+/// `irradiance`: found, one a surfel.
+TexelShading withRims(const Texels& texels, TexelShading shade, const SurfelRadiance& radiance,
+                      std::span<const glm::vec3> irradiance);
 
 } // namespace relamp

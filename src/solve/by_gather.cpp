@@ -57,15 +57,16 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     const glm::vec3 ambient = room.found.ambient;
     solution.closure = closeLoop(room.hits, room.radiance, sides, ambient);
     const std::vector<glm::vec3> indirect =
-        withoutBuried(texels.surfels, indirectOfFronts(texels.surfels, room.hits, sides, ambient),
-                      buriedSurfels(texels));
+        indirectOfFronts(texels.surfels, room.hits, sides, ambient);
     const auto light = lightOf(texels, scene, room, indirect);
     const TexelShading shade = shadingOf(texels, light);
     const StrayLight stray = fitStray(texels, room.radiance, shade);
     const SurfelLighting lighting = lightOnSurfels(texels.surfels, *light);
-    solution.shade = withShade(
-        texels, withoutStray(shade, stray),
-        findShade(texels.surfels, room.radiance, withoutStray(lighting.irradiance, stray)));
+    std::vector<glm::vec3> irradiance = withoutStray(lighting.irradiance, stray);
+    std::vector<float> lit = findShade(texels.surfels, room.radiance, irradiance);
+    for (size_t s = 0; s < lit.size(); ++s) irradiance[s] *= lit[s];
+    solution.shade = withRims(texels, withShade(texels, withoutStray(shade, stray), std::move(lit)),
+                              room.radiance, irradiance);
     solution.trust = trustByView(room.hits, texels.surfels.count());
     doubtEdges(texels.surfels, room.radiance, lighting, solution.trust);
     if (options.albedo.fill) solution.fill = fillOf(texels.surfels, room.radiance, sides.albedo);

@@ -1,0 +1,114 @@
+#include "shading/buried.h"
+
+#include "lights/expand.shared.h"
+#include "scenes/scenes.h"
+
+#include <gmock/gmock.h>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr glm::vec3 kBoxLow(0.3f, 0.0f, 0.3f);
+constexpr glm::vec3 kBoxHigh(0.7f, 0.4f, 0.7f);
+constexpr float kPi = 3.14159265f;
+
+/// A floor of one metre with a box on it, which has no bottom.
+Scan boxOnFloor(const scenes::Paint& paint)
+{
+    const glm::vec3 size = kBoxHigh - kBoxLow;
+    const glm::vec3 x(size.x, 0.0f, 0.0f);
+    const glm::vec3 y(0.0f, size.y, 0.0f);
+    const glm::vec3 z(0.0f, 0.0f, size.z);
+    const std::vector<scenes::Panel> panels{
+        {glm::vec3(0.0f), {0.0f, 0.0f, 1.0f}, {1.0f, 0.0f, 0.0f}},
+        {kBoxLow + y, z, x},
+        {kBoxLow, z, y},
+        {kBoxLow + x, y, z},
+        {kBoxLow, y, x},
+        {kBoxLow + z, x, y}};
+    return scenes::panels(panels, 96, paint);
+}
+
+bool isUnderBox(glm::vec3 p, glm::vec3 n, float off)
+{
+    return n.y > 0.9f && p.y < 0.01f && p.x > kBoxLow.x + off && p.x < kBoxHigh.x - off &&
+           p.z > kBoxLow.z + off && p.z < kBoxHigh.z - off;
+}
+
+struct BoxRoom
+{
+    explicit BoxRoom(const scenes::Paint& paint)
+        : scan(boxOnFloor(paint)), scene(scan), texels(rasterizeAtlas(scan, progress))
+    {}
+
+    Progress progress;
+    Scan scan;
+    RayScene scene;
+    Texels texels;
+};
+
+} // namespace
+
+TEST(Buried, IsTheFloorUnderABoxAndNothingElse)
+{
+    BoxRoom room(scenes::plain(glm::vec3(0.5f)));
+    separateBuried(room.texels, room.scene, room.progress);
+    size_t under = 0;
+    const PageTexels& page = room.texels.pages[0];
+    for (size_t i = 0; i < page.count(); ++i) {
+        const TexelSite site = room.texels.siteOf(0, i);
+        const bool isBuried = room.texels.surfels.isBuried(page.runs[page.runOf(i)].surfel);
+        if (isUnderBox(site.position, site.normal, 0.02f)) {
+            EXPECT_TRUE(isBuried);
+            ++under;
+        } else if (!isUnderBox(site.position, site.normal, -0.02f)) {
+            EXPECT_FALSE(isBuried) << site.position.x << ' ' << site.position.y;
+        }
+    }
+    EXPECT_GT(under, 100u);
+}
+
+// The floor is grey and the light on it one; under the box it is a tenth. A texel under it that
+// shows half of what the floor shows has half of its light, for its paint goes on.
+TEST(Buried, AtItsRimThePaintAroundGoesOn)
+{
+    BoxRoom room([](glm::vec3 p, glm::vec3 n) {
+        if (!isUnderBox(p, n, 0.0f)) return glm::vec3(0.4f);
+        return glm::vec3(isUnderBox(p, n, 0.03f) ? 0.02f : 0.2f);
+    });
+    separateBuried(room.texels, room.scene, room.progress);
+    const Surfels& surfels = room.texels.surfels;
+    const SurfelRadiance radiance = collectRadiance(room.texels, room.progress);
+    const TexelShading dark = [](size_t, size_t, const TexelBlock& block, ShadingBlock& out) {
+        for (size_t i = 0; i < block.count; ++i) {
+            out.direct.r[i] = out.direct.g[i] = out.direct.b[i] = 0.0f;
+            out.indirect.r[i] = out.indirect.g[i] = out.indirect.b[i] = 0.1f;
+        }
+    };
+    const TexelShading shade = withRims(room.texels, dark, radiance,
+                                        std::vector<glm::vec3>(surfels.count(), glm::vec3(kPi)));
+    const TexelLoader loader(room.texels, 0);
+    TexelBlock block;
+    ShadingBlock shading;
+    size_t atRim = 0;
+    for (size_t begin = 0; begin < room.texels.pages[0].count(); begin += 256) {
+        const size_t count = std::min<size_t>(256, room.texels.pages[0].count() - begin);
+        loader.load(begin, count, block);
+        loader.loadSurfel(begin, count, block);
+        shade(0, begin, block, shading);
+        for (size_t i = 0; i < count; ++i) {
+            if (!surfels.isBuried(block.surfel[i])) continue;
+            if (block.r[i] < 0.1f) {
+                EXPECT_NEAR(shading.indirect.r[i], 0.1f, 1e-3f);
+                continue;
+            }
+            EXPECT_NEAR(shading.indirect.r[i], 0.5f, 0.02f);
+            ++atRim;
+        }
+    }
+    EXPECT_GT(atRim, 20u);
+}
+
+} // namespace relamp
