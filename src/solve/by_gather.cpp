@@ -12,6 +12,8 @@
 #include <memory>
 #include <utility>
 
+#include <tbb/parallel_invoke.h>
+
 namespace relamp
 {
 namespace
@@ -55,7 +57,6 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     const Progress::Stage stage(progress, "shadows");
     const LitSides& sides = room.sides;
     const glm::vec3 ambient = room.found.ambient;
-    solution.closure = closeLoop(room.hits, room.radiance, sides, ambient);
     const std::vector<glm::vec3> indirect =
         withoutBuried(texels.surfels, indirectOfFronts(texels.surfels, room.hits, sides, ambient),
                       buriedSurfels(texels));
@@ -63,11 +64,18 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     const TexelShading shade = shadingOf(texels, light);
     const StrayLight stray = fitStray(texels, room.radiance, shade);
     const SurfelLighting lighting = lightOnSurfels(texels.surfels, *light);
-    solution.shade = withShade(
-        texels, withoutStray(shade, stray),
-        findShade(texels.surfels, room.radiance, withoutStray(lighting.irradiance, stray)));
-    solution.trust = trustByView(room.hits, texels.surfels.count());
-    doubtEdges(texels.surfels, room.radiance, lighting, solution.trust);
+    std::vector<float> lit;
+    tbb::parallel_invoke( // one thread finds shade, the others what does not ask for it
+        [&] {
+            lit =
+                findShade(texels.surfels, room.radiance, withoutStray(lighting.irradiance, stray));
+        },
+        [&] {
+            solution.closure = closeLoop(room.hits, room.radiance, sides, ambient);
+            solution.trust = trustByView(room.hits, texels.surfels.count());
+            doubtEdges(texels.surfels, room.radiance, lighting, solution.trust);
+        });
+    solution.shade = withShade(texels, withoutStray(shade, stray), std::move(lit));
     if (options.albedo.fill) solution.fill = fillOf(texels.surfels, room.radiance, sides.albedo);
     solution.lights = lightsOf(room);
     solution.merged = solution.lights.points;
