@@ -13,7 +13,8 @@ namespace
 {
 
 constexpr float kPi = 3.14159265f;
-constexpr size_t kOrigins = 4; // texels of a surfel that a lamp is looked for from
+constexpr size_t kOrigins = 4;       // texels of a surfel that a lamp is looked for from
+constexpr size_t kOriginsOfBack = 2; // of which only the mean of many counts
 constexpr int kRounds = 4;
 constexpr int kSmoothings = 3;
 constexpr float kLeastIrradiance = 1e-4f;
@@ -105,9 +106,12 @@ std::vector<std::vector<AreaSample>> directOfLists(const Texels& texels, const R
         }
         for (size_t l = 0; l < lamps.size(); ++l) {
             AreaSampler sampler(scene, lamps[l].light);
-            for (size_t i = begin; i < end; ++i)
-                sampler.add(origins[i - begin], lamps[l].raysPerOrigin,
-                            hashedShift(sides[i - begin].index, 0), direct[l][i]);
+            for (size_t i = begin; i < end; ++i) {
+                const Side side = sides[i - begin];
+                const size_t from = side.isBack() ? kOriginsOfBack : kOrigins;
+                sampler.add({origins[i - begin], from}, lamps[l].raysPerOrigin,
+                            hashedShift(side.index, 0), direct[l][i]);
+            }
             sampler.finish();
         }
     });
@@ -135,8 +139,9 @@ LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadi
     sides.field.shines.assign(shines.begin(), shines.end());
     const std::vector<glm::vec3> least = sides.field.clipped;
     sides.direct = std::move(direct);
+    const SettlingGather settling(hits, sides.field);
     for (int round = 0; round < kRounds; ++round) {
-        sides.gathered = gather(hits, sides.field);
+        sides.gathered = settling.gather(sides.field);
         std::vector<glm::vec3> irradiance(sides.direct.size());
         for (size_t i = 0; i < irradiance.size(); ++i)
             irradiance[i] =

@@ -12,6 +12,8 @@
 #include <memory>
 #include <utility>
 
+#include <tbb/parallel_invoke.h>
+
 namespace relamp
 {
 namespace
@@ -55,7 +57,6 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     const Progress::Stage stage(progress, "shadows");
     const LitSides& sides = room.sides;
     const glm::vec3 ambient = room.found.ambient;
-    solution.closure = closeLoop(room.hits, room.radiance, sides, ambient);
     const std::vector<glm::vec3> indirect =
         indirectOfFronts(texels.surfels, room.hits, sides, ambient);
     const auto light = lightOf(texels, scene, room, indirect);
@@ -63,12 +64,17 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     const StrayLight stray = fitStray(texels, room.radiance, shade);
     const SurfelLighting lighting = lightOnSurfels(texels.surfels, *light);
     std::vector<glm::vec3> irradiance = withoutStray(lighting.irradiance, stray);
-    std::vector<float> lit = findShade(texels.surfels, room.radiance, irradiance);
+    std::vector<float> lit;
+    tbb::parallel_invoke( // one thread finds shade, the others what does not ask for it
+        [&] { lit = findShade(texels.surfels, room.radiance, irradiance); },
+        [&] {
+            solution.closure = closeLoop(room.hits, room.radiance, sides, ambient);
+            solution.trust = trustByView(room.hits, texels.surfels.count());
+            doubtEdges(texels.surfels, room.radiance, lighting, solution.trust);
+        });
     for (size_t s = 0; s < lit.size(); ++s) irradiance[s] *= lit[s];
     solution.shade = withRims(texels, withShade(texels, withoutStray(shade, stray), std::move(lit)),
                               room.radiance, irradiance);
-    solution.trust = trustByView(room.hits, texels.surfels.count());
-    doubtEdges(texels.surfels, room.radiance, lighting, solution.trust);
     if (options.albedo.fill) solution.fill = fillOf(texels.surfels, room.radiance, sides.albedo);
     solution.lights = lightsOf(room);
     solution.merged = solution.lights.points;
