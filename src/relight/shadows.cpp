@@ -14,7 +14,6 @@ namespace
 {
 
 constexpr float kOffSurface = 2e-3f; // m; less than things that lie on each other are apart
-constexpr size_t kOrigins = 4;       // texels of a side that look for a light
 constexpr size_t kFirstRays = 4;     // of a texel
 constexpr size_t kBatch = 256;       // rays
 
@@ -124,31 +123,32 @@ float varianceOf(float share, size_t rays)
 } // namespace
 
 std::vector<AreaSample> directOfSides(const Texels& texels, const Obstacles& obstacles,
-                                      const LightSource& light, std::span<const Side> sides)
+                                      const LightSource& light, std::span<const Side> sides,
+                                      size_t origins)
 {
     const SurfelSites sites(texels);
+    const auto perSide = static_cast<float>(origins);
     std::vector<AreaSample> direct(sides.size());
-    forEachChunk(sides.size(), kBatch / kOrigins, [&](size_t begin, size_t end) {
+    forEachChunk(sides.size(), kBatch / origins, [&](size_t begin, size_t end) {
         Ray rays[kBatch];
         float gains[kBatch];
         size_t owner[kBatch];
         size_t count = 0;
         for (size_t i = begin; i < end; ++i)
-            for (size_t k = 0; k < kOrigins; ++k) {
+            for (size_t k = 0; k < origins; ++k) {
                 const uint32_t index = sides[i].index;
                 const TexelSite site = sites.at(sides[i].surfel(), k);
                 const glm::vec3 normal = sides[i].isBack() ? -site.normal : site.normal;
-                const float share =
-                    (static_cast<float>(k) + hashedShift(index, 0)) / static_cast<float>(kOrigins);
+                const float share = (static_cast<float>(k) + hashedShift(index, 0)) / perSide;
                 const glm::vec2 u = evenPoint(
                     static_cast<float>(k), glm::vec2(hashedShift(index, 1), hashedShift(index, 2)));
                 const glm::vec3 origin = site.position + kOffSurface * normal;
                 const Look look = light.look(origin, normal, share, u);
                 if (look.irradiance <= 0.0f) continue;
-                direct[i].open += look.irradiance / kOrigins;
+                direct[i].open += look.irradiance / perSide;
                 rays[count] = {
                     .origin = origin, .direction = look.direction, .farthest = look.distance};
-                gains[count] = look.irradiance / kOrigins;
+                gains[count] = look.irradiance / perSide;
                 owner[count++] = i;
             }
         uint8_t blocked[kBatch];
