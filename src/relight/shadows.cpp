@@ -1,6 +1,7 @@
 #include "relight/shadows.h"
 
 #include "base/parallel.h"
+#include "scan/footprints.h"
 #include "shading/sampling.shared.h"
 
 #include <algorithm>
@@ -16,35 +17,6 @@ namespace
 constexpr float kOffSurface = 2e-3f; // m; less than things that lie on each other are apart
 constexpr size_t kFirstRays = 4;     // of a texel
 constexpr size_t kBatch = 256;       // rays
-
-/// A piece of a page's texels: where rays of each start.
-class Footprints
-{
-public:
-    Footprints(const Texels& texels, size_t page)
-        : texels_(texels), page_(texels.pages[page]),
-          width_(static_cast<uint32_t>(texels.scan->pages[page].image.width)),
-          isSpread_(!texels.scan->pages[page].ofVertices)
-    {}
-
-    /// A place within a texel, `u` in its unit square.
-    [[nodiscard]] TexelSite at(size_t texel, glm::vec2 u) const
-    {
-        const Facet& facet = texels_.facets.facets[page_.facet[texel]];
-        const uint32_t pixel = page_.pixel[texel];
-        const glm::vec2 off = isSpread_ ? u - 0.5f : glm::vec2(0.0f);
-        const float x = static_cast<float>(pixel % width_) + off.x - facet.pixel.x;
-        const float y = static_cast<float>(pixel / width_) + off.y - facet.pixel.y;
-        return {facet.position + x * facet.positionX + y * facet.positionY,
-                glm::normalize(facet.normal + x * facet.normalX + y * facet.normalY)};
-    }
-
-private:
-    const Texels& texels_;
-    const PageTexels& page_;
-    uint32_t width_;
-    bool isSpread_;
-};
 
 /// Rays of several texels that are traced together.
 class Batch
