@@ -84,6 +84,23 @@ bool disagree(std::span<const AreaSample> sums)
     return anySeesAll && anySeesNone;
 }
 
+/// Where a thing stands on a part of a surfel, its edge crosses texels that the surfel's rays,
+/// which start beside it, know nothing of.
+void doubtPartlyBuried(const Texels& texels, std::span<Seen> states)
+{
+    for (size_t p = 0; p < texels.buried.size(); ++p) {
+        const PageTexels& page = texels.pages[p];
+        for (size_t run = 0; run + 1 < page.runs.size(); ++run) {
+            Seen& state = states[page.runs[run].surfel];
+            if (state != Seen::all) continue;
+            const auto texelsOfRun =
+                std::span(texels.buried[p])
+                    .subspan(page.runs[run].begin, page.runs[run + 1].begin - page.runs[run].begin);
+            if (std::ranges::find(texelsOfRun, uint8_t{1}) != texelsOfRun.end()) state = Seen::some;
+        }
+    }
+}
+
 /// Of a share that `rays` rays told; 0 and 1 are not sure either.
 float varianceOf(float share, size_t rays)
 {
@@ -135,7 +152,8 @@ Shadows::Shadows(const Texels& texels, const Obstacles& obstacles, const LightSo
                  std::span<const AreaSample> coarse, size_t rays)
     : texels_(texels)
 {
-    const std::vector<Seen> states = seenBySurfels(texels_.surfels, coarse);
+    std::vector<Seen> states = seenBySurfels(texels_.surfels, coarse);
+    doubtPartlyBuried(texels_, states);
     for (size_t p = 0; p < texels.pages.size(); ++p)
         pages_.push_back(look(p, states, obstacles, light, rays));
     // The shadow of a point has no penumbra: what varies in it is where its edge lies.
