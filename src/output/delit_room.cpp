@@ -1,7 +1,11 @@
 #include "base/fail.h"
+#include "base/half.h"
 #include "output/result_folder.h"
 #include "relamp/relight.h"
+#include "scan/texels.h"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace relamp
@@ -58,6 +62,50 @@ DelitRoom roomOfFolder(const std::filesystem::path& folder, const DelitOptions& 
     return room;
 }
 
+bool isTinted(const Scan& scan, size_t page)
+{
+    return std::ranges::any_of(scan.meshes, [page](const Mesh& mesh) {
+        return mesh.page == static_cast<int>(page) &&
+               (mesh.factor != glm::vec3(1.0f) || !mesh.colors.empty());
+    });
+}
+
+/// The picture of a page times the colours that meshes have beside it.
+Image paintedPage(const Texels& texels, size_t page)
+{
+    const Image& picture = texels.scan->pages[page].image;
+    Image painted = picture;
+    painted.transfer = Transfer::linear;
+    painted.encoded.clear();
+    painted.half.resize(3 * picture.pixels());
+    const auto put = [&](size_t pixel, glm::vec3 color) {
+        for (int c = 0; c < 3; ++c)
+            painted.half[3 * pixel + static_cast<size_t>(c)] = halfFromFloat(color[c]);
+    };
+    const Radiance plain(picture);
+    for (size_t pixel = 0; pixel < picture.pixels(); ++pixel) put(pixel, plain[pixel]);
+    const TexelLoader loader(texels, page);
+    forEachBlock(texels.pages[page], [&](size_t begin, size_t count) {
+        TexelBlock block;
+        loader.loadRadiance(begin, count, block);
+        for (size_t i = 0; i < count; ++i)
+            put(texels.pages[page].pixel[begin + i], {block.r[i], block.g[i], block.b[i]});
+    });
+    return painted;
+}
+
+/// The base colour of a scan that no light is in.
+std::vector<Image> paintOf(const Scan& scan, Progress& progress)
+{
+    std::vector<Image> albedo;
+    std::optional<Texels> texels;
+    for (size_t p = 0; p < scan.pages.size(); ++p) {
+        if (isTinted(scan, p) && !texels) texels = rasterizeAtlas(scan, progress);
+        albedo.push_back(isTinted(scan, p) ? paintedPage(*texels, p) : scan.pages[p].image);
+    }
+    return albedo;
+}
+
 } // namespace
 
 DelitRoom readDelitRoom(const std::filesystem::path& folderOrScan, const DelitOptions& options,
@@ -71,8 +119,7 @@ DelitRoom readDelitRoom(const std::filesystem::path& folderOrScan, const DelitOp
     } else {
         room.scan = readScan(folderOrScan, options.asScan, progress);
         room.isLit = false;
-        if (options.albedo.empty())
-            for (const Page& page : room.scan.pages) room.albedo.push_back(page.image);
+        if (options.albedo.empty()) room.albedo = paintOf(room.scan, progress);
     }
     if (!options.albedo.empty()) room.albedo = imagesOf(options.albedo, room.scan);
     room.warnings.insert(room.warnings.end(), room.scan.warnings.begin(), room.scan.warnings.end());

@@ -1,5 +1,6 @@
 #include "relight/by_lpv.h"
 #include "relight/by_paths.h"
+#include "relight/panes.h"
 #include "relight/relighter_state.h"
 #include "relight/relit_page.h"
 #include "relight/room_transport.h"
@@ -34,7 +35,7 @@ Texels checkedTexels(const DelitRoom& room, const RayScene& scene, Progress& pro
     }
     Texels texels = rasterizeAtlas(room.scan, progress, surfelsOf(room.gather.quality));
     checkOverlap(texels);
-    separateBuried(texels, scene, progress);
+    separateBuried(texels, scene, progress, BuriedWhen::whole);
     return texels;
 }
 
@@ -45,6 +46,7 @@ Relighter::State::State(const DelitRoom& of, const RelightOptions& with, Progres
       radiance(collectRadiance(texels, progress)),
       transport(transportOfRoom(of, {texels, scene, radiance}, with, warningsOfRoom, progress)),
       albedo(texels, of.albedo, of.confidence, radiance.isClipped),
+      isPane(likelyPanes(scene, transport.fixtures)),
       radiosity(texels, scene, transport, radiance.isClipped, static_cast<size_t>(with.shadowRays))
 {}
 
@@ -61,7 +63,8 @@ void Relighter::glance(const Relighting& lighting, Progress& progress)
     State& state = *state_;
     if (state.options.solver != Solver::gather) return light(lighting, progress);
     state.warnings = state.warningsOfRoom;
-    state.active = activate(state.texels, state.transport, state.room.captured, lighting);
+    state.active = activate(state.texels, state.transport, state.room.captured,
+                            withOpenPanes(lighting, state.isPane));
     state.radiosity.set(state.active, reflecting(state), ShadowDetail::sides, progress);
     state.shade = {};
 }
@@ -70,7 +73,8 @@ void Relighter::light(const Relighting& lighting, Progress& progress)
 {
     State& state = *state_;
     state.warnings = state.warningsOfRoom;
-    state.active = activate(state.texels, state.transport, state.room.captured, lighting);
+    state.active = activate(state.texels, state.transport, state.room.captured,
+                            withOpenPanes(lighting, state.isPane));
     switch (state.options.solver) {
     case Solver::gather:
         state.radiosity.set(state.active, reflecting(state), ShadowDetail::texels, progress);

@@ -8,6 +8,7 @@
 #include "scan/rays.h"
 #include "scan/texels.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct Relighter::State
     SurfelRadiance radiance;
     Transport transport;
     RoomAlbedo albedo;
+    std::vector<uint8_t> isPane; // of captured fixtures: likelyPanes
     RadiosityLight radiosity;
 
     ActiveLights active;

@@ -1,6 +1,7 @@
 #include "relight/shadows.h"
 
 #include "base/parallel.h"
+#include "scan/footprints.h"
 #include "shading/sampling.shared.h"
 
 #include <algorithm>
@@ -14,40 +15,8 @@ namespace
 {
 
 constexpr float kOffSurface = 2e-3f; // m; less than things that lie on each other are apart
-constexpr size_t kOrigins = 4;       // texels of a side that look for a light
 constexpr size_t kFirstRays = 4;     // of a texel
 constexpr size_t kBatch = 256;       // rays
-constexpr float kRing = 1.7f;        // surfel sizes; so near, neighbours must agree
-constexpr float kAllOfIt = 0.999f;
-
-/// A piece of a page's texels: where rays of each start.
-class Footprints
-{
-public:
-    Footprints(const Texels& texels, size_t page)
-        : texels_(texels), page_(texels.pages[page]),
-          width_(static_cast<uint32_t>(texels.scan->pages[page].image.width)),
-          isSpread_(!texels.scan->pages[page].ofVertices)
-    {}
-
-    /// A place within a texel, `u` in its unit square.
-    [[nodiscard]] TexelSite at(size_t texel, glm::vec2 u) const
-    {
-        const Facet& facet = texels_.facets.facets[page_.facet[texel]];
-        const uint32_t pixel = page_.pixel[texel];
-        const glm::vec2 off = isSpread_ ? u - 0.5f : glm::vec2(0.0f);
-        const float x = static_cast<float>(pixel % width_) + off.x - facet.pixel.x;
-        const float y = static_cast<float>(pixel / width_) + off.y - facet.pixel.y;
-        return {facet.position + x * facet.positionX + y * facet.positionY,
-                glm::normalize(facet.normal + x * facet.normalX + y * facet.normalY)};
-    }
-
-private:
-    const Texels& texels_;
-    const PageTexels& page_;
-    uint32_t width_;
-    bool isSpread_;
-};
 
 /// Rays of several texels that are traced together.
 class Batch
@@ -101,11 +70,6 @@ private:
     size_t count_ = 0;
 };
 
-bool seesAll(const AreaSample& sum)
-{
-    return sum.visible >= kAllOfIt * sum.open;
-}
-
 /// Whether rays met different things. In a penumbra all of a surfel's are asked together: a texel's
 /// own few often agree by chance, and it would be too bright or too dark.
 bool disagree(std::span<const AreaSample> sums)
@@ -120,6 +84,14 @@ bool disagree(std::span<const AreaSample> sums)
     return anySeesAll && anySeesNone;
 }
 
+/// Where a thing stands on a part of a surfel, its edge crosses texels that the surfel's rays,
+/// which start beside it, know nothing of.
+void doubtPartlyBuried(const Surfels& surfels, std::span<Seen> states)
+{
+    for (size_t s = 0; s < states.size(); ++s)
+        if (states[s] == Seen::all && surfels.isPartlyBuried(s)) states[s] = Seen::some;
+}
+
 /// Of a share that `rays` rays told; 0 and 1 are not sure either.
 float varianceOf(float share, size_t rays)
 {
@@ -131,31 +103,32 @@ float varianceOf(float share, size_t rays)
 } // namespace
 
 std::vector<AreaSample> directOfSides(const Texels& texels, const Obstacles& obstacles,
-                                      const LightSource& light, std::span<const Side> sides)
+                                      const LightSource& light, std::span<const Side> sides,
+                                      size_t origins)
 {
     const SurfelSites sites(texels);
+    const auto perSide = static_cast<float>(origins);
     std::vector<AreaSample> direct(sides.size());
-    forEachChunk(sides.size(), kBatch / kOrigins, [&](size_t begin, size_t end) {
+    forEachChunk(sides.size(), kBatch / origins, [&](size_t begin, size_t end) {
         Ray rays[kBatch];
         float gains[kBatch];
         size_t owner[kBatch];
         size_t count = 0;
         for (size_t i = begin; i < end; ++i)
-            for (size_t k = 0; k < kOrigins; ++k) {
+            for (size_t k = 0; k < origins; ++k) {
                 const uint32_t index = sides[i].index;
                 const TexelSite site = sites.at(sides[i].surfel(), k);
                 const glm::vec3 normal = sides[i].isBack() ? -site.normal : site.normal;
-                const float share =
-                    (static_cast<float>(k) + hashedShift(index, 0)) / static_cast<float>(kOrigins);
+                const float share = (static_cast<float>(k) + hashedShift(index, 0)) / perSide;
                 const glm::vec2 u = evenPoint(
                     static_cast<float>(k), glm::vec2(hashedShift(index, 1), hashedShift(index, 2)));
                 const glm::vec3 origin = site.position + kOffSurface * normal;
                 const Look look = light.look(origin, normal, share, u);
                 if (look.irradiance <= 0.0f) continue;
-                direct[i].open += look.irradiance / kOrigins;
+                direct[i].open += look.irradiance / perSide;
                 rays[count] = {
                     .origin = origin, .direction = look.direction, .farthest = look.distance};
-                gains[count] = look.irradiance / kOrigins;
+                gains[count] = look.irradiance / perSide;
                 owner[count++] = i;
             }
         uint8_t blocked[kBatch];
@@ -170,7 +143,8 @@ Shadows::Shadows(const Texels& texels, const Obstacles& obstacles, const LightSo
                  std::span<const AreaSample> coarse, size_t rays)
     : texels_(texels)
 {
-    const std::vector<State> states = statesOf(coarse);
+    std::vector<Seen> states = seenBySurfels(texels_.surfels, coarse);
+    doubtPartlyBuried(texels_.surfels, states);
     for (size_t p = 0; p < texels.pages.size(); ++p)
         pages_.push_back(look(p, states, obstacles, light, rays));
     // The shadow of a point has no penumbra: what varies in it is where its edge lies.
@@ -194,37 +168,16 @@ void Shadows::Moments::add(const Moments& other)
     count += other.count;
 }
 
-/// All or nothing only where the ring of neighbours says the same.
-std::vector<Shadows::State> Shadows::statesOf(std::span<const AreaSample> coarse) const
-{
-    const Surfels& surfels = texels_.surfels;
-    std::vector<State> own(surfels.count());
-    for (size_t s = 0; s < own.size(); ++s)
-        own[s] = coarse[s].visible <= 0.0f                        ? none
-                 : coarse[s].visible >= kAllOfIt * coarse[s].open ? all
-                                                                  : some;
-    std::vector<State> states = own;
-    const float ring = kRing * surfels.size;
-    forEachChunk(own.size(), 1024, [&](size_t begin, size_t end) {
-        for (size_t s = begin; s < end; ++s)
-            for (const uint32_t n : surfels.neighborsOf(s)) {
-                const glm::vec3 way = surfels.position[n] - surfels.position[s];
-                if (own[n] != own[s] && glm::dot(way, way) < ring * ring) states[s] = some;
-            }
-    });
-    return states;
-}
-
-Shadows::OfPage Shadows::look(size_t p, std::span<const State> states, const Obstacles& obstacles,
+Shadows::OfPage Shadows::look(size_t p, std::span<const Seen> states, const Obstacles& obstacles,
                               const LightSource& light, size_t rays) const
 {
     const PageTexels& page = texels_.pages[p];
     OfPage found;
     uint32_t count = 0;
     for (size_t run = 0; run + 1 < page.runs.size(); ++run) {
-        const State state = states[page.runs[run].surfel];
-        found.firstShare.push_back(state == some ? count : state == all ? kAll : kNone);
-        if (state == some) count += page.runs[run + 1].begin - page.runs[run].begin;
+        const Seen state = states[page.runs[run].surfel];
+        found.firstShare.push_back(state == Seen::some ? count : state == Seen::all ? kAll : kNone);
+        if (state == Seen::some) count += page.runs[run + 1].begin - page.runs[run].begin;
     }
     found.shares.resize(count);
     found.moments.resize(found.firstShare.size());
@@ -261,11 +214,11 @@ Shadows::OfPage Shadows::look(size_t p, std::span<const State> states, const Obs
 
 /// Shares are drawn towards their mean, over the ring of surfels around theirs, as far as chance
 /// alone would spread them: a wide penumbra becomes smooth, an edge stays (Lee's filter).
-void Shadows::smooth(std::span<const State> states)
+void Shadows::smooth(std::span<const Seen> states)
 {
     std::vector<Moments> ofSurfels(states.size());
     for (size_t s = 0; s < states.size(); ++s)
-        if (states[s] != some) ofSurfels[s].add(states[s] == all ? 1.0f : 0.0f, 0.0f);
+        if (states[s] != Seen::some) ofSurfels[s].add(states[s] == Seen::all ? 1.0f : 0.0f, 0.0f);
     for (size_t p = 0; p < pages_.size(); ++p)
         for (size_t run = 0; run < pages_[p].moments.size(); ++run)
             ofSurfels[texels_.pages[p].runs[run].surfel].add(pages_[p].moments[run]);
@@ -277,7 +230,7 @@ void Shadows::smoothPage(size_t p, std::span<const Moments> ofSurfels)
     const PageTexels& page = texels_.pages[p];
     const Surfels& surfels = texels_.surfels;
     OfPage& found = pages_[p];
-    const float ring = kRing * surfels.size;
+    const float ring = kRingOfSeen * surfels.size;
     forEachChunk(found.firstShare.size(), 256, [&](size_t begin, size_t end) {
         for (size_t run = begin; run < end; ++run) {
             const uint32_t first = found.firstShare[run];

@@ -5,6 +5,7 @@
 #include "scan/texels.h"
 #include "shading/area_direct.h"
 #include "shading/hit_lists.h"
+#include "shading/seen.h"
 
 #include <cstdint>
 #include <span>
@@ -14,9 +15,10 @@ namespace relamp
 {
 
 /// Irradiance from one light at emission 1 on the sides that `sides` name: a few rays each, from
-/// places all over a side.
+/// `origins` places all over a side.
 std::vector<AreaSample> directOfSides(const Texels& texels, const Obstacles& obstacles,
-                                      const LightSource& light, std::span<const Side> sides);
+                                      const LightSource& light, std::span<const Side> sides,
+                                      size_t origins = 4);
 
 /// What share of a light every texel sees.
 ///
@@ -36,8 +38,6 @@ public:
     bool at(size_t page, size_t begin, size_t count, float* share) const;
 
 private:
-    enum State : uint8_t { none, all, some };
-
     /// Shares of some texels, and how far their few rays leave them open.
     struct Moments
     {
@@ -58,11 +58,9 @@ private:
     static constexpr uint32_t kNone = ~0u;
     static constexpr uint32_t kAll = ~0u - 1;
 
-    [[nodiscard]] std::vector<State> statesOf(std::span<const AreaSample> coarse) const;
-    [[nodiscard]] OfPage look(size_t page, std::span<const State> states,
-                              const Obstacles& obstacles, const LightSource& light,
-                              size_t rays) const;
-    void smooth(std::span<const State> states);
+    [[nodiscard]] OfPage look(size_t page, std::span<const Seen> states, const Obstacles& obstacles,
+                              const LightSource& light, size_t rays) const;
+    void smooth(std::span<const Seen> states);
     void smoothPage(size_t page, std::span<const Moments> ofSurfels);
 
     const Texels& texels_;

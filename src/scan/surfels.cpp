@@ -108,6 +108,14 @@ SurfelCells::Range SurfelCells::operator[](uint64_t firstKey) const
     return slots_[slotOf(firstKey)].range;
 }
 
+bool Surfels::isPartlyBuried(size_t surfel) const
+{
+    const uint64_t buried = key[surfel] | static_cast<uint64_t>(SurfelPart::buried);
+    const size_t end = std::min<size_t>(surfel + SurfelGrid::kParts, count());
+    return !isBuried(surfel) &&
+           std::find(&key[surfel], &key[end - 1] + 1, buried) != &key[end - 1] + 1;
+}
+
 uint32_t Surfels::find(glm::vec3 place, glm::vec3 facing) const
 {
     const uint64_t wanted = grid.keyOf(place, facing);

@@ -100,6 +100,9 @@ struct Surfels
                 neighbor.data() + firstNeighbor[surfel + 1]};
     }
 
+    /// Whether it lies open beside a buried part of its own cell and layer.
+    [[nodiscard]] bool isPartlyBuried(size_t surfel) const;
+
     static constexpr uint32_t kNone = ~0u;
     /// The surfel that a texel at `place` facing `facing` belongs to, of layers the nearest; where
     /// there is no texel just there, the nearest that faces about the same way; kNone where nothing

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "lights/expand.shared.h"
+#include "scan/footprints.h"
 #include "shading/hit_lists.h"
 #include "shading/sampling.shared.h"
 
@@ -48,10 +49,14 @@ std::vector<uint8_t> suspects(const Texels& texels, const RayScene& scene)
     return isSuspect;
 }
 
-bool isBuried(const RayScene& scene, const TexelSite& site, uint32_t salt)
+bool isBuried(const RayScene& scene, const Footprints& prints, uint32_t texel, BuriedWhen when)
 {
-    const glm::vec2 shift(hashedShift(salt, 8), hashedShift(salt, 9));
+    const glm::vec2 shift(hashedShift(texel, 8), hashedShift(texel, 9));
+    const glm::vec2 within(hashedShift(texel, 10), hashedShift(texel, 11));
     for (size_t i = 0; i < kRaysOfTexel; ++i) {
+        const TexelSite site =
+            prints.at(texel, when == BuriedWhen::middle ? glm::vec2(0.5f)
+                                                        : evenPoint(static_cast<float>(i), within));
         const Ray ray{.origin = site.position + kOffSurface * site.normal,
                       .direction =
                           cosineDirection(site.normal, evenPoint(static_cast<float>(i), shift))};
@@ -126,7 +131,8 @@ double shareOf(const Texels& texels, const TexelMarks& buried)
 
 } // namespace
 
-TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress& progress)
+TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress& progress,
+                      BuriedWhen when)
 {
     Progress::Stage stage(progress, "buried", texels.pages.size() + 1);
     const std::vector<uint8_t> isSuspect = suspects(texels, scene);
@@ -134,12 +140,13 @@ TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress& pro
     TexelMarks buried;
     for (size_t p = 0; p < texels.pages.size(); ++p) {
         const PageTexels& page = texels.pages[p];
+        const Footprints prints(texels, p);
         std::vector<uint8_t>& ofPage = buried.emplace_back(page.count(), uint8_t{0});
         forEachChunk(page.runs.size() - 1, 64, [&](size_t begin, size_t end) {
             for (size_t run = begin; run < end; ++run) {
                 if (isSuspect[page.runs[run].surfel] == 0) continue;
                 for (uint32_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i)
-                    ofPage[i] = isBuried(scene, texels.siteOf(p, i), i) ? 1 : 0;
+                    ofPage[i] = isBuried(scene, prints, i, when) ? 1 : 0;
             }
         });
         stage.advance();
@@ -148,9 +155,9 @@ TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress& pro
     return buried;
 }
 
-void separateBuried(Texels& texels, const RayScene& scene, Progress& progress)
+void separateBuried(Texels& texels, const RayScene& scene, Progress& progress, BuriedWhen when)
 {
-    const TexelMarks buried = findBuried(texels, scene, progress);
+    const TexelMarks buried = findBuried(texels, scene, progress, when);
     if (!buried.empty()) splitSurfels(texels, buried, SurfelPart::buried);
 }
 

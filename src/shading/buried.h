@@ -16,14 +16,20 @@
 namespace relamp
 {
 
+/// Which texels count that the edge of a thing crosses: those whose middle lies under it, where the
+/// texture tells how much of them is open (withRims); or none, where rays to lights have to tell.
+enum class BuriedWhen { middle, whole };
+
 /// Marks the texels that something stands on or lies on: every ray from them meets a surface from
 /// behind, as inside a solid. A modelled room has many, a scanned one hardly any. Nothing where
 /// most are, for then the scan is inside out.
-TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress& progress);
+TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress& progress,
+                      BuriedWhen when);
 
 /// Makes these surfels of their own: where a rug lies on a floor, that floor would send and get the
 /// mean of light and darkness.
-void separateBuried(Texels& texels, const RayScene& scene, Progress& progress);
+void separateBuried(Texels& texels, const RayScene& scene, Progress& progress,
+                    BuriedWhen when = BuriedWhen::middle);
 
 /// The shading, with some of the light around on buried texels at the rim of what lies there: such
 /// a texel is part open, and shows more than the light under a thing can make of the paint around.

@@ -4,6 +4,7 @@
 #include "scan/rays.h"
 #include "scan/texels.h"
 #include "shading/area_direct.h"
+#include "shading/seen.h"
 
 #include <cstdint>
 #include <span>
@@ -43,18 +44,15 @@ public:
     /// Whether a surfel or one around it sees a part of a lamp and not all.
     [[nodiscard]] bool isPartial(size_t lamp, uint32_t surfel) const
     {
-        return states_[lamp][surfel] == some;
+        return states_[lamp][surfel] == Seen::some;
     }
 
 private:
-    enum State : uint8_t { none, all, some };
-
     void placeProbes();
-    [[nodiscard]] std::vector<State> statesOf(std::span<const AreaSample> coarse) const;
-    [[nodiscard]] std::vector<uint8_t> look(const AreaLight& lamp, std::span<const State> states,
+    [[nodiscard]] std::vector<uint8_t> look(const AreaLight& lamp, std::span<const Seen> states,
                                             const RayScene& scene, size_t rays) const;
 
-    void drawTogether(std::span<const State> states, size_t rays,
+    void drawTogether(std::span<const Seen> states, size_t rays,
                       std::vector<uint8_t>& shares) const;
 
     const Texels& texels_;
@@ -63,7 +61,7 @@ private:
     std::vector<uint32_t> firstProbe_;         // of surfels, and one more
     std::vector<float> x_, y_, z_;             // of probes
     std::vector<float> reach_;                 // of surfels, m: how far a probe's word goes
-    std::vector<std::vector<State>> states_;   // [lamp][surfel]
+    std::vector<std::vector<Seen>> states_;    // [lamp][surfel]
     std::vector<std::vector<uint8_t>> shares_; // [lamp][probe], of kAll; kUnknown: faces away
 };
 
