@@ -95,13 +95,13 @@ void bounces(benchmark::State& state)
     std::vector<glm::vec3> direct(s.transport.sides.size(), glm::vec3(0.0f));
     addDirect(directOfSides(s.texels, walls, LightSource(lamp(0).lights[0]), s.transport.sides),
               glm::vec3(3.0f), direct);
-    int count = 0;
+    size_t count = 0;
     for (auto _ : state) {
         const Bounced bounced = bounce(s.transport, s.albedo.ofSurfels(), direct, {});
         count = bounced.bounces;
         benchmark::DoNotOptimize(bounced);
     }
-    state.counters["bounces"] = count;
+    state.counters["bounces"] = static_cast<double>(count);
     state.counters["surfels"] = static_cast<double>(s.transport.ofFronts.count());
     state.counters["clusters"] = static_cast<double>(s.transport.clusters());
     state.counters["rays"] = static_cast<double>(s.transport.ofFronts.target.size() +

@@ -34,6 +34,12 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
                 fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
 }
 
+/// For mkstemp and mkdtemp.
+std::string patternBeside(const std::filesystem::path& target)
+{
+    return (target.parent_path() / fmt::format(".{}.XXXXXX", target.filename().string())).string();
+}
+
 } // namespace
 
 std::vector<std::byte> readFile(const std::filesystem::path& file, size_t largest)
@@ -71,14 +77,27 @@ void writeFile(const std::filesystem::path& file, const std::string& text)
     writeFile(file, std::as_bytes(std::span(text)));
 }
 
-void replaceFile(const std::filesystem::path& file, std::span<const std::byte> bytes)
+std::filesystem::path stageFile(const std::filesystem::path& target)
 {
-    std::string staged =
-        (file.parent_path() / fmt::format(".{}.XXXXXX", file.filename().string())).string();
+    std::string staged = patternBeside(target);
     const int descriptor = mkstemp(staged.data());
-    if (descriptor < 0) cannotWrite(file);
+    if (descriptor < 0) cannotWrite(target);
     fchmod(descriptor, 0644);
     close(descriptor);
+    return staged;
+}
+
+std::filesystem::path stageFolder(const std::filesystem::path& target)
+{
+    std::string staged = patternBeside(target);
+    if (mkdtemp(staged.data()) == nullptr) cannotWrite(target);
+    chmod(staged.c_str(), 0755);
+    return staged;
+}
+
+void replaceFile(const std::filesystem::path& file, std::span<const std::byte> bytes)
+{
+    const std::filesystem::path staged = stageFile(file);
     std::error_code failure;
     try {
         writeFile(staged, bytes);

@@ -19,6 +19,11 @@ std::vector<std::byte> readFile(const std::filesystem::path& file,
 void writeFile(const std::filesystem::path& file, std::span<const std::byte> bytes);
 void writeFile(const std::filesystem::path& file, const std::string& text);
 
+/// Makes an empty file, which everyone may read, or an empty folder of a hidden name beside
+/// `target`, for what will take that place when it is complete. Throws Error(cannotWrite).
+std::filesystem::path stageFile(const std::filesystem::path& target);
+std::filesystem::path stageFolder(const std::filesystem::path& target);
+
 /// Writes a file beside its place and moves it there when it is complete: whoever reads it finds
 /// the old one or the new one. Throws Error(cannotWrite).
 void replaceFile(const std::filesystem::path& file, std::span<const std::byte> bytes);

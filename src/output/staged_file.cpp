@@ -1,12 +1,7 @@
 #include "output/staged_file.h"
 
 #include "base/fail.h"
-
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-
-#include <unistd.h>
+#include "base/file.h"
 
 namespace relamp
 {
@@ -28,16 +23,7 @@ StagedFile::StagedFile(const fs::path& file, Progress& progress) : file_(file)
     const fs::file_status status = fs::status(file, failure);
     if (fs::exists(status) && !fs::is_regular_file(status))
         cannotWrite(file, "is no file; name another with -o");
-    std::string pattern =
-        (file.parent_path() / fmt::format(".{}.XXXXXX", file.filename().string())).string();
-    const int descriptor = mkstemp(pattern.data());
-    if (descriptor < 0) cannotWrite(file, std::strerror(errno));
-    close(descriptor);
-    staging_ = pattern;
-    fs::permissions(staging_,
-                    fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read |
-                        fs::perms::others_read,
-                    failure);
+    staging_ = stageFile(file);
     progress.removeIfAbandoned(staging_);
 }
 

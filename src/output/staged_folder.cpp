@@ -1,11 +1,9 @@
 #include "output/staged_folder.h"
 
 #include "base/fail.h"
+#include "base/file.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
 
 namespace relamp
 {
@@ -45,11 +43,7 @@ StagedFolder::StagedFolder(const fs::path& folder, Progress& progress) : folder_
         cannotWrite(folder_, "is a file; name another folder with -o");
     fs::create_directories(folder_.parent_path(), failure);
     if (failure) cannotWrite(folder_, failure.message());
-    std::string pattern =
-        (folder_.parent_path() / fmt::format(".{}.XXXXXX", folder_.filename().string())).string();
-    if (mkdtemp(pattern.data()) == nullptr) cannotWrite(folder_, std::strerror(errno));
-    staging_ = pattern;
-    fs::permissions(staging_, fs::perms(0755), failure);
+    staging_ = stageFolder(folder_);
     progress.removeIfAbandoned(staging_);
 }
 

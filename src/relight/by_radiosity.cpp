@@ -47,16 +47,7 @@ std::vector<float> smoothOnFronts(const Surfels& surfels, const LightSource& sou
     std::vector<float> irradiance(surfels.count());
     forEachChunk(surfels.count(), TexelBlock::kCapacity, [&](size_t begin, size_t end) {
         TexelBlock block;
-        block.count = end - begin;
-        for (size_t s = begin; s < end; ++s) {
-            const size_t i = s - begin;
-            block.x[i] = surfels.position[s].x;
-            block.y[i] = surfels.position[s].y;
-            block.z[i] = surfels.position[s].z;
-            block.nx[i] = surfels.normal[s].x;
-            block.ny[i] = surfels.normal[s].y;
-            block.nz[i] = surfels.normal[s].z;
-        }
+        loadSurfels(surfels, begin, end, block);
         float open[TexelBlock::kPadded];
         source.open(block, open);
         for (size_t s = begin; s < end; ++s) {

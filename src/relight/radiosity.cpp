@@ -4,6 +4,7 @@
 #include "lights/expand.shared.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/vec4.hpp>
@@ -14,12 +15,16 @@ namespace
 {
 
 constexpr float kPi = 3.14159265f;
-constexpr int kMostBounces = 64;
-constexpr int kFewestBounces = 3;  // before their series can be told
-constexpr float kUnseen = 2e-3f;   // of all light
-constexpr float kSlowest = 0.95f;  // ratio of a series that is believed
-constexpr size_t kStepOfSides = 4; // of its rays, one that is asked what a side sends on
+constexpr size_t kMostBounces = 64;
+constexpr size_t kFewestBounces = 3; // before their series can be told
+constexpr float kUnseen = 0.01f;     // of all light
+constexpr float kSlowest = 0.95f;    // ratio of a series that is believed
 constexpr size_t kChunk = 1024;
+
+/// Of their rays, one that clusters ask in the first bounces and all later ones: what is to come
+/// is ever less, and ever more even.
+constexpr std::array<size_t, 3> kStepOfBounces{1, 2, 4};
+constexpr size_t kStepOfSides = 4; // and one that is asked what a side sends on
 
 /// The fourth is the square of the luminance, which gathering sums up along with the colours.
 glm::vec4 withSquare(glm::vec3 radiance)
@@ -28,6 +33,7 @@ glm::vec4 withSquare(glm::vec3 radiance)
     return {radiance, brightness * brightness};
 }
 
+/// The light goes from bounce to bounce by itself, so that what a bounce adds is known.
 class Bouncer
 {
 public:
@@ -37,8 +43,8 @@ public:
     Bounced run();
 
 private:
-    float bounceOnce();
-    float send(float stretch);
+    [[nodiscard]] float meanSent() const;
+    float bounceOnce(size_t step, float weight = 1.0f);
     [[nodiscard]] std::vector<glm::vec4> radianceOfSides();
     void arrive(Bounced& bounced);
 
@@ -47,71 +53,67 @@ private:
     std::span<const glm::vec3> direct_;
     std::span<const glm::vec3> sky_;
     std::vector<glm::vec3> albedo_;     // of clusters
-    std::vector<glm::vec3> source_;     // radiance of clusters by direct light
-    std::vector<glm::vec4> radiance_;   // of clusters, sky, nothing
-    std::vector<glm::vec4> irradiance_; // on clusters
-    float total_ = 0.0f;                // mean luminance of all that is sent
+    std::vector<glm::vec4> sent_;       // radiance of clusters, sky, nothing, by the last bounce
+    std::vector<glm::vec4> arriving_;   // irradiance on clusters by that
+    std::vector<glm::vec3> irradiance_; // on clusters, by all bounces
 };
 
 Bouncer::Bouncer(const Transport& transport, std::span<const glm::vec3> albedo,
                  std::span<const glm::vec3> direct, std::span<const glm::vec3> sky)
     : transport_(transport), albedoOfSurfels_(albedo), direct_(direct), sky_(sky),
       albedo_(transport.clusters(), glm::vec3(0.0f)),
-      source_(transport.clusters(), glm::vec3(0.0f)),
-      radiance_(transport.clusters() + Transport::radiancesBeyond(), glm::vec4(0.0f)),
-      irradiance_(transport.clusters(), glm::vec4(0.0f))
+      sent_(transport.clusters() + Transport::radiancesBeyond(), glm::vec4(0.0f)),
+      arriving_(transport.clusters(), glm::vec4(0.0f)),
+      irradiance_(transport.clusters(), glm::vec3(0.0f))
 {
     for (size_t i = 0; i < transport.sides.size(); ++i) {
         const uint32_t cluster = transport.clusterOf[i];
         const glm::vec3 share = transport.weight[i] * albedo[transport.sides[i].surfel()];
         albedo_[cluster] += share;
-        source_[cluster] += share * direct[i] / kPi;
+        sent_[cluster] += glm::vec4(share * direct[i] / kPi, 0.0f);
     }
     for (size_t bin = 0; bin < sky.size(); ++bin)
-        radiance_[transport.clusters() + bin] = withSquare(sky[bin]);
+        sent_[transport.clusters() + bin] = glm::vec4(sky[bin], 0.0f);
 }
 
-/// Lets everything send what it receives, `stretch` times the change. Returns the mean change.
-float Bouncer::send(float stretch)
+/// Mean luminance of what clusters send.
+float Bouncer::meanSent() const
 {
     const size_t clusters = transport_.clusters();
-    std::vector<glm::dvec2> sums((clusters + kChunk - 1) / kChunk, glm::dvec2(0.0));
-    forEachChunk(clusters, kChunk, [&](size_t begin, size_t end) {
-        glm::dvec2 sum(0.0);
-        for (size_t i = begin; i < end; ++i) {
-            const glm::vec3 before(radiance_[i]);
-            const glm::vec3 after = source_[i] + albedo_[i] * glm::vec3(irradiance_[i]) / kPi;
-            const glm::vec3 change = after - before;
-            radiance_[i] = withSquare(glm::max(before + stretch * change, glm::vec3(0.0f)));
-            sum += glm::dvec2(std::abs(luminance(change)), luminance(after));
-        }
-        sums[begin / kChunk] = sum;
-    });
-    glm::dvec2 all(0.0);
-    for (const glm::dvec2& sum : sums) all += sum; // in order: the same on any machine
-    total_ = static_cast<float>(all.y / static_cast<double>(clusters));
-    return static_cast<float>(all.x / static_cast<double>(clusters));
+    double sum = 0.0;
+    for (size_t i = 0; i < clusters; ++i)
+        sum += static_cast<double>(luminance(glm::vec3(sent_[i])));
+    return static_cast<float>(sum / static_cast<double>(clusters));
 }
 
-float Bouncer::bounceOnce()
+/// Lets everything receive what was sent, which counts `weight` times, and send it on. Returns
+/// meanSent().
+float Bouncer::bounceOnce(size_t step, float weight)
 {
-    transport_.ofClusters.gather(radiance_, irradiance_);
-    return send(1.0f);
+    transport_.ofClusters.gather(sent_, arriving_, step);
+    const size_t clusters = transport_.clusters();
+    forEachChunk(clusters, kChunk, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            const glm::vec3 arriving(arriving_[i]);
+            const glm::vec3 sent = albedo_[i] * arriving / kPi;
+            irradiance_[i] += weight * arriving;
+            sent_[i] = glm::vec4(sent, 0.0f);
+        }
+    });
+    std::fill(sent_.begin() + static_cast<std::ptrdiff_t>(clusters), sent_.end(), glm::vec4(0.0f));
+    return meanSent();
 }
 
 /// What every side sends of its own direct light and of what comes from others: to its cluster,
 /// and then, for that mixes what lies open and what is hidden, to itself.
 std::vector<glm::vec4> Bouncer::radianceOfSides()
 {
-    transport_.ofClusters.gather(radiance_, irradiance_);
     const size_t sides = transport_.sides.size();
     std::vector<glm::vec4> radiance(sides + Transport::radiancesBeyond(), glm::vec4(0.0f));
     forEachChunk(sides, kChunk, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-            const glm::vec3 received = direct_[i] + glm::vec3(irradiance_[transport_.clusterOf[i]]);
-            radiance[i] =
-                withSquare(albedoOfSurfels_[transport_.sides[i].surfel()] * received / kPi);
-        }
+        for (size_t i = begin; i < end; ++i)
+            radiance[i] = withSquare(albedoOfSurfels_[transport_.sides[i].surfel()] *
+                                     (direct_[i] + irradiance_[transport_.clusterOf[i]]) / kPi);
     });
     for (size_t bin = 0; bin < sky_.size(); ++bin) radiance[sides + bin] = withSquare(sky_[bin]);
 
@@ -147,16 +149,19 @@ void Bouncer::arrive(Bounced& bounced)
 Bounced Bouncer::run()
 {
     Bounced bounced;
-    float last = bounceOnce(); // the light of the sky, and what is lit directly
-    for (; bounced.bounces < kMostBounces && last > 0.0f; ++bounced.bounces) {
-        const float change = bounceOnce();
-        const float ratio = std::min(change / last, kSlowest);
-        const float rest = change * ratio / (1.0f - ratio);
-        last = change;
-        if (bounced.bounces + 1 < kFewestBounces || rest > 5.0f * kUnseen * total_) continue;
-        // What is to come is the last change again and again, each time a ratio of it.
-        transport_.ofClusters.gather(radiance_, irradiance_);
-        send(1.0f / (1.0f - ratio));
+    float last = meanSent();
+    float all = last;
+    for (size_t i = 0; i < kMostBounces && (i == 0 || last > 0.0f); ++i) {
+        const size_t step = kStepOfBounces[std::min(i, kStepOfBounces.size() - 1)];
+        const float sent = bounceOnce(step);
+        const float ratio = std::min(sent / last, kSlowest);
+        const float rest = sent * ratio / (1.0f - ratio);
+        last = sent;
+        all += sent;
+        ++bounced.bounces;
+        if (bounced.bounces < kFewestBounces || rest > kUnseen * all) continue;
+        // What is to come is the next again and again, each time a ratio of it.
+        bounceOnce(step, 1.0f / (1.0f - ratio));
         break;
     }
     arrive(bounced);

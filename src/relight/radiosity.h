@@ -15,7 +15,7 @@ struct Bounced
 {
     std::vector<glm::vec3> irradiance; // on fronts of surfels
     std::vector<float> noise;          // standard error of its luminance
-    int bounces = 0;                   // that were followed; the rest is the sum of their series
+    size_t bounces = 0;                // that were followed; the rest is the sum of their series
 };
 
 /// All bounces of the light in a room of matte surfaces: radiance <- albedo / pi * irradiance,

@@ -17,8 +17,6 @@ constexpr float kOffSurface = 2e-3f; // m; less than things that lie on each oth
 constexpr size_t kOrigins = 4;       // texels of a side that look for a light
 constexpr size_t kFirstRays = 4;     // of a texel
 constexpr size_t kBatch = 256;       // rays
-constexpr float kRing = 1.7f;        // surfel sizes; so near, neighbours must agree
-constexpr float kAllOfIt = 0.999f;
 
 /// A piece of a page's texels: where rays of each start.
 class Footprints
@@ -101,11 +99,6 @@ private:
     size_t count_ = 0;
 };
 
-bool seesAll(const AreaSample& sum)
-{
-    return sum.visible >= kAllOfIt * sum.open;
-}
-
 /// Whether rays met different things. In a penumbra all of a surfel's are asked together: a texel's
 /// own few often agree by chance, and it would be too bright or too dark.
 bool disagree(std::span<const AreaSample> sums)
@@ -170,7 +163,7 @@ Shadows::Shadows(const Texels& texels, const Obstacles& obstacles, const LightSo
                  std::span<const AreaSample> coarse, size_t rays)
     : texels_(texels)
 {
-    const std::vector<State> states = statesOf(coarse);
+    const std::vector<Seen> states = seenBySurfels(texels_.surfels, coarse);
     for (size_t p = 0; p < texels.pages.size(); ++p)
         pages_.push_back(look(p, states, obstacles, light, rays));
     // The shadow of a point has no penumbra: what varies in it is where its edge lies.
@@ -194,37 +187,16 @@ void Shadows::Moments::add(const Moments& other)
     count += other.count;
 }
 
-/// All or nothing only where the ring of neighbours says the same.
-std::vector<Shadows::State> Shadows::statesOf(std::span<const AreaSample> coarse) const
-{
-    const Surfels& surfels = texels_.surfels;
-    std::vector<State> own(surfels.count());
-    for (size_t s = 0; s < own.size(); ++s)
-        own[s] = coarse[s].visible <= 0.0f                        ? none
-                 : coarse[s].visible >= kAllOfIt * coarse[s].open ? all
-                                                                  : some;
-    std::vector<State> states = own;
-    const float ring = kRing * surfels.size;
-    forEachChunk(own.size(), 1024, [&](size_t begin, size_t end) {
-        for (size_t s = begin; s < end; ++s)
-            for (const uint32_t n : surfels.neighborsOf(s)) {
-                const glm::vec3 way = surfels.position[n] - surfels.position[s];
-                if (own[n] != own[s] && glm::dot(way, way) < ring * ring) states[s] = some;
-            }
-    });
-    return states;
-}
-
-Shadows::OfPage Shadows::look(size_t p, std::span<const State> states, const Obstacles& obstacles,
+Shadows::OfPage Shadows::look(size_t p, std::span<const Seen> states, const Obstacles& obstacles,
                               const LightSource& light, size_t rays) const
 {
     const PageTexels& page = texels_.pages[p];
     OfPage found;
     uint32_t count = 0;
     for (size_t run = 0; run + 1 < page.runs.size(); ++run) {
-        const State state = states[page.runs[run].surfel];
-        found.firstShare.push_back(state == some ? count : state == all ? kAll : kNone);
-        if (state == some) count += page.runs[run + 1].begin - page.runs[run].begin;
+        const Seen state = states[page.runs[run].surfel];
+        found.firstShare.push_back(state == Seen::some ? count : state == Seen::all ? kAll : kNone);
+        if (state == Seen::some) count += page.runs[run + 1].begin - page.runs[run].begin;
     }
     found.shares.resize(count);
     found.moments.resize(found.firstShare.size());
@@ -261,11 +233,11 @@ Shadows::OfPage Shadows::look(size_t p, std::span<const State> states, const Obs
 
 /// Shares are drawn towards their mean, over the ring of surfels around theirs, as far as chance
 /// alone would spread them: a wide penumbra becomes smooth, an edge stays (Lee's filter).
-void Shadows::smooth(std::span<const State> states)
+void Shadows::smooth(std::span<const Seen> states)
 {
     std::vector<Moments> ofSurfels(states.size());
     for (size_t s = 0; s < states.size(); ++s)
-        if (states[s] != some) ofSurfels[s].add(states[s] == all ? 1.0f : 0.0f, 0.0f);
+        if (states[s] != Seen::some) ofSurfels[s].add(states[s] == Seen::all ? 1.0f : 0.0f, 0.0f);
     for (size_t p = 0; p < pages_.size(); ++p)
         for (size_t run = 0; run < pages_[p].moments.size(); ++run)
             ofSurfels[texels_.pages[p].runs[run].surfel].add(pages_[p].moments[run]);
@@ -277,7 +249,7 @@ void Shadows::smoothPage(size_t p, std::span<const Moments> ofSurfels)
     const PageTexels& page = texels_.pages[p];
     const Surfels& surfels = texels_.surfels;
     OfPage& found = pages_[p];
-    const float ring = kRing * surfels.size;
+    const float ring = kRingOfSeen * surfels.size;
     forEachChunk(found.firstShare.size(), 256, [&](size_t begin, size_t end) {
         for (size_t run = begin; run < end; ++run) {
             const uint32_t first = found.firstShare[run];

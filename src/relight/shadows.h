@@ -5,6 +5,7 @@
 #include "scan/texels.h"
 #include "shading/area_direct.h"
 #include "shading/hit_lists.h"
+#include "shading/seen.h"
 
 #include <cstdint>
 #include <span>
@@ -36,8 +37,6 @@ public:
     bool at(size_t page, size_t begin, size_t count, float* share) const;
 
 private:
-    enum State : uint8_t { none, all, some };
-
     /// Shares of some texels, and how far their few rays leave them open.
     struct Moments
     {
@@ -58,11 +57,9 @@ private:
     static constexpr uint32_t kNone = ~0u;
     static constexpr uint32_t kAll = ~0u - 1;
 
-    [[nodiscard]] std::vector<State> statesOf(std::span<const AreaSample> coarse) const;
-    [[nodiscard]] OfPage look(size_t page, std::span<const State> states,
-                              const Obstacles& obstacles, const LightSource& light,
-                              size_t rays) const;
-    void smooth(std::span<const State> states);
+    [[nodiscard]] OfPage look(size_t page, std::span<const Seen> states, const Obstacles& obstacles,
+                              const LightSource& light, size_t rays) const;
+    void smooth(std::span<const Seen> states);
     void smoothPage(size_t page, std::span<const Moments> ofSurfels);
 
     const Texels& texels_;

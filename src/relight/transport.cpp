@@ -153,11 +153,20 @@ void SightLists::gather(std::span<const glm::vec4> radiance, std::span<glm::vec4
         for (size_t list = begin; list < end; ++list) {
             const uint32_t* targets = target.data() + first[list];
             const size_t rays = first[list + 1] - first[list];
-            glm::vec4 sum[2] = {glm::vec4(0.0f), glm::vec4(0.0f)}; // an addition takes its time
-            size_t taken = 0;
-            for (size_t i = std::min(list % step, rays - 1); i < rays; i += step, ++taken)
-                sum[taken % 2] += radiance[targets[i]];
-            irradiance[list] = (kPi / static_cast<float>(taken)) * (sum[0] + sum[1]);
+            size_t i = std::min(list % step, rays - 1);
+            const size_t taken = (rays - i + step - 1) / step;
+            glm::vec4 a(0.0f); // four sums, for an addition takes its time
+            glm::vec4 b(0.0f);
+            glm::vec4 c(0.0f);
+            glm::vec4 d(0.0f);
+            for (; i + 3 * step < rays; i += 4 * step) {
+                a += radiance[targets[i]];
+                b += radiance[targets[i + step]];
+                c += radiance[targets[i + 2 * step]];
+                d += radiance[targets[i + 3 * step]];
+            }
+            for (; i < rays; i += step) a += radiance[targets[i]];
+            irradiance[list] = (kPi / static_cast<float>(taken)) * ((a + b) + (c + d));
         }
     });
 }

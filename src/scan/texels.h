@@ -147,6 +147,10 @@ private:
     bool tinted_; // a mesh of this page has a colour of its own beside the page
 };
 
+/// Fills `block` with position and normal of surfels [begin, end), as if each were a texel; at most
+/// kCapacity.
+void loadSurfels(const Surfels& surfels, size_t begin, size_t end, TexelBlock& block);
+
 /// Calls `work(begin, count)` for all texels of a page in blocks, on all threads.
 template<class Work>
 void forEachBlock(const PageTexels& page, const Work& work)

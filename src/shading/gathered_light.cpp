@@ -118,17 +118,6 @@ void shadeDirect(const GatheredLight& light, const PageTexels& page, size_t begi
     }
 }
 
-/// A surfel as a texel.
-void put(TexelBlock& block, size_t i, const Surfels& surfels, size_t s)
-{
-    block.x[i] = surfels.position[s].x;
-    block.y[i] = surfels.position[s].y;
-    block.z[i] = surfels.position[s].z;
-    block.nx[i] = surfels.normal[s].x;
-    block.ny[i] = surfels.normal[s].y;
-    block.nz[i] = surfels.normal[s].z;
-}
-
 } // namespace
 
 void interpolate(const Texels& texels, std::span<const glm::vec3> irradiance, size_t page,
@@ -149,8 +138,7 @@ SurfelLighting lightOnSurfels(const Surfels& surfels, const GatheredLight& light
     SurfelLighting result{light.indirect, std::vector<uint8_t>(surfels.count(), 0)};
     forEachChunk(surfels.count(), TexelBlock::kCapacity, [&](size_t begin, size_t end) {
         TexelBlock block;
-        block.count = end - begin;
-        for (size_t s = begin; s < end; ++s) put(block, s - begin, surfels, s);
+        loadSurfels(surfels, begin, end, block);
         float share[TexelBlock::kPadded];
         float open[TexelBlock::kPadded];
         std::vector<float> partly(block.count, 0.0f);

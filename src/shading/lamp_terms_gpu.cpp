@@ -31,6 +31,9 @@ std::vector<uint32_t> inFours(std::span<const uint8_t> bytes)
     return fours;
 }
 
+static_assert(static_cast<int>(Seen::none) == kSeesNothing &&
+              static_cast<int>(Seen::all) == kSeesAll && static_cast<int>(Seen::some) == kSeesSome);
+
 std::vector<uint32_t> seenBy(const Visibility& visibility, size_t lamp, size_t surfels)
 {
     std::vector<uint8_t> seen;

@@ -13,7 +13,6 @@ namespace
 {
 
 constexpr size_t kProbes = 16;      // of a surfel, at most
-constexpr float kRing = 1.7f;       // surfel sizes; so near, neighbours must agree
 constexpr float kProbeReach = 1.6f; // steps between probes
 constexpr auto kAll = static_cast<uint8_t>(kShareOfAll);
 constexpr auto kUnknown = static_cast<uint8_t>(kShareUnknown);
@@ -75,7 +74,7 @@ Visibility::Visibility(const Texels& texels, const RayScene& scene,
 void Visibility::add(const RayScene& scene, const AreaLight& lamp,
                      std::span<const AreaSample> coarse, size_t raysPerProbe)
 {
-    states_.push_back(statesOf(coarse));
+    states_.push_back(seenBySurfels(texels_.surfels, coarse));
     shares_.push_back(look(lamp, states_.back(), scene, raysPerProbe));
     drawTogether(states_.back(), raysPerProbe, shares_.back());
 }
@@ -103,28 +102,7 @@ void Visibility::placeProbes()
     });
 }
 
-/// All or nothing only where the ring of neighbours says the same.
-std::vector<Visibility::State> Visibility::statesOf(std::span<const AreaSample> coarse) const
-{
-    const Surfels& surfels = texels_.surfels;
-    std::vector<State> own(surfels.count());
-    for (size_t s = 0; s < own.size(); ++s)
-        own[s] = coarse[s].visible <= 0.0f                      ? none
-                 : coarse[s].visible >= 0.999f * coarse[s].open ? all
-                                                                : some;
-    std::vector<State> states = own;
-    const float ring = kRing * surfels.size;
-    forEachChunk(own.size(), 1024, [&](size_t begin, size_t end) {
-        for (size_t s = begin; s < end; ++s)
-            for (const uint32_t n : surfels.neighborsOf(s)) {
-                const glm::vec3 way = surfels.position[n] - surfels.position[s];
-                if (own[n] != own[s] && glm::dot(way, way) < ring * ring) states[s] = some;
-            }
-    });
-    return states;
-}
-
-std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const State> states,
+std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const Seen> states,
                                       const RayScene& scene, size_t rays) const
 {
     std::vector<uint8_t> shares(x_.size(), kUnknown);
@@ -133,7 +111,7 @@ std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const Sta
         std::vector<AreaSample> samples(firstProbe_[end] - firstProbe);
         AreaSampler sampler(scene, lamp);
         for (auto s = static_cast<uint32_t>(begin); s < end; ++s) {
-            if (states[s] != some) continue;
+            if (states[s] != Seen::some) continue;
             for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {
                 const TexelSite site = sites_.at(s, probe - firstProbe_[s]);
                 sampler.add({&site, 1}, rays, hashedShift(probe, 0), samples[probe - firstProbe]);
@@ -150,13 +128,13 @@ std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const Sta
 
 /// Draws every probe towards the mean around it, all the way where their difference may be the
 /// noise of few rays: a wide penumbra becomes smooth, an edge stays.
-void Visibility::drawTogether(std::span<const State> states, size_t rays,
+void Visibility::drawTogether(std::span<const Seen> states, size_t rays,
                               std::vector<uint8_t>& shares) const
 {
     const Surfels& surfels = texels_.surfels;
     std::vector<float> mean(states.size(), -1.0f);
     for (size_t s = 0; s < states.size(); ++s) {
-        if (states[s] != some) mean[s] = states[s] == all ? 1.0f : 0.0f;
+        if (states[s] != Seen::some) mean[s] = states[s] == Seen::all ? 1.0f : 0.0f;
         float sum = 0.0f;
         float count = 0.0f;
         for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {
@@ -169,12 +147,12 @@ void Visibility::drawTogether(std::span<const State> states, size_t rays,
     const auto n = static_cast<float>(rays);
     forEachChunk(states.size(), 256, [&](size_t begin, size_t end) {
         for (size_t s = begin; s < end; ++s) {
-            if (states[s] != some) continue;
+            if (states[s] != Seen::some) continue;
             float around = 0.0f;
             float count = 0.0f;
             for (const uint32_t other : surfels.neighborsOf(s)) {
                 const glm::vec3 way = surfels.position[other] - surfels.position[s];
-                if (mean[other] < 0.0f || glm::length(way) > kRing * surfels.size) continue;
+                if (mean[other] < 0.0f || glm::length(way) > kRingOfSeen * surfels.size) continue;
                 around += mean[other];
                 count += 1.0f;
             }
@@ -194,15 +172,15 @@ void Visibility::drawTogether(std::span<const State> states, size_t rays,
 bool Visibility::at(size_t lamp, uint32_t surfel, const TexelBlock& block, size_t first, size_t end,
                     float* share) const
 {
-    const State state = states_[lamp][surfel];
-    std::fill(share + first, share + end, state == all ? 1.0f : 0.0f);
-    if (state != some) return state == all;
+    const Seen state = states_[lamp][surfel];
+    std::fill(share + first, share + end, state == Seen::all ? 1.0f : 0.0f);
+    if (state != Seen::some) return state == Seen::all;
     const Surfels& surfels = texels_.surfels;
     const std::vector<uint8_t>& shares = shares_[lamp];
     Taps taps;
     const float far = surfels.size + reach_[surfel];
     for (const uint32_t n : surfels.neighborsOf(surfel)) {
-        if (states_[lamp][n] != some) continue;
+        if (states_[lamp][n] != Seen::some) continue;
         for (uint32_t probe = firstProbe_[n]; probe < firstProbe_[n + 1]; ++probe) {
             if (shares[probe] == kUnknown || taps.count == Taps::kMost) continue;
             const glm::vec3 position(x_[probe], y_[probe], z_[probe]);

@@ -4,6 +4,7 @@
 #include "scan/rays.h"
 #include "scan/texels.h"
 #include "shading/area_direct.h"
+#include "shading/seen.h"
 #include "shading/visibility.shared.h"
 
 #include <cstdint>
@@ -44,7 +45,7 @@ public:
     /// Whether a surfel or one around it sees a part of a lamp and not all.
     [[nodiscard]] bool isPartial(size_t lamp, uint32_t surfel) const
     {
-        return states_[lamp][surfel] == some;
+        return states_[lamp][surfel] == Seen::some;
     }
 
     /// Where probes are, and how far the word of each surfel's goes.
@@ -55,23 +56,17 @@ public:
         std::span<const float> reach; // of surfels, m
     };
     [[nodiscard]] Probes probes() const { return {firstProbe_, x_, y_, z_, reach_}; }
-    /// What a surfel and those around it see of a lamp: kSeesNothing .. kSeesSome.
-    [[nodiscard]] uint32_t seen(size_t lamp, uint32_t surfel) const
-    {
-        return states_[lamp][surfel];
-    }
+    /// What a surfel and those around it see of a lamp.
+    [[nodiscard]] Seen seen(size_t lamp, uint32_t surfel) const { return states_[lamp][surfel]; }
     /// What each probe sees of a lamp, of kShareOfAll; or kShareUnknown.
     [[nodiscard]] std::span<const uint8_t> sharesOf(size_t lamp) const { return shares_[lamp]; }
 
 private:
-    enum State : uint8_t { none = kSeesNothing, all = kSeesAll, some = kSeesSome };
-
     void placeProbes();
-    [[nodiscard]] std::vector<State> statesOf(std::span<const AreaSample> coarse) const;
-    [[nodiscard]] std::vector<uint8_t> look(const AreaLight& lamp, std::span<const State> states,
+    [[nodiscard]] std::vector<uint8_t> look(const AreaLight& lamp, std::span<const Seen> states,
                                             const RayScene& scene, size_t rays) const;
 
-    void drawTogether(std::span<const State> states, size_t rays,
+    void drawTogether(std::span<const Seen> states, size_t rays,
                       std::vector<uint8_t>& shares) const;
 
     const Texels& texels_;
@@ -80,7 +75,7 @@ private:
     std::vector<uint32_t> firstProbe_;         // of surfels, and one more
     std::vector<float> x_, y_, z_;             // of probes
     std::vector<float> reach_;                 // of surfels, m: how far a probe's word goes
-    std::vector<std::vector<State>> states_;   // [lamp][surfel]
+    std::vector<std::vector<Seen>> states_;    // [lamp][surfel]
     std::vector<std::vector<uint8_t>> shares_; // [lamp][probe], of kAll; kUnknown: faces away
 };
 

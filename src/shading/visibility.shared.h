@@ -6,7 +6,7 @@
 
 SHARED_BEGIN
 
-// What a surfel and those around it see of a lamp.
+// Seen, as numbers.
 const int kSeesNothing = 0;
 const int kSeesAll = 1;
 const int kSeesSome = 2;

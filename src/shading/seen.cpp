@@ -1,0 +1,35 @@
+#include "shading/seen.h"
+
+#include "base/parallel.h"
+
+#include <glm/geometric.hpp>
+
+namespace relamp
+{
+
+bool seesAll(const AreaSample& sample)
+{
+    constexpr float kAllOfIt = 0.999f; // but for rounding
+    return sample.visible >= kAllOfIt * sample.open;
+}
+
+std::vector<Seen> seenBySurfels(const Surfels& surfels, std::span<const AreaSample> coarse)
+{
+    std::vector<Seen> own(surfels.count());
+    for (size_t s = 0; s < own.size(); ++s)
+        own[s] = coarse[s].visible <= 0.0f ? Seen::none
+                 : seesAll(coarse[s])      ? Seen::all
+                                           : Seen::some;
+    std::vector<Seen> seen = own;
+    const float ring = kRingOfSeen * surfels.size;
+    forEachChunk(own.size(), 1024, [&](size_t begin, size_t end) {
+        for (size_t s = begin; s < end; ++s)
+            for (const uint32_t n : surfels.neighborsOf(s)) {
+                const glm::vec3 way = surfels.position[n] - surfels.position[s];
+                if (own[n] != own[s] && glm::dot(way, way) < ring * ring) seen[s] = Seen::some;
+            }
+    });
+    return seen;
+}
+
+} // namespace relamp

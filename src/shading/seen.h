@@ -1,0 +1,26 @@
+#pragma once
+
+#include "scan/surfels.h"
+#include "shading/area_direct.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace relamp
+{
+
+/// What of a light a surfel sees, as far as few rays tell.
+enum class Seen : uint8_t { none, all, some };
+
+/// Surfel sizes; so near, surfels must agree on a light, and one ring of neighbours lies within.
+inline constexpr float kRingOfSeen = 1.7f;
+
+/// Whether rays saw all of a light that is above a surface's horizon.
+bool seesAll(const AreaSample& sample);
+
+/// `coarse[surfel]` is what a few rays of each surfel's front saw. It is all or none only where
+/// the ring of neighbours says the same, for else an edge may lie between them: that is some.
+std::vector<Seen> seenBySurfels(const Surfels& surfels, std::span<const AreaSample> coarse);
+
+} // namespace relamp
