@@ -1,0 +1,17 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+#include "relight/radiosity.gpu.h"
+#include "relight/radiosity.shared.h"
+
+ARGUMENTS(RadiositySidesArguments)
+
+void main()
+{
+    const uint side = threadIndex();
+    if (side >= arguments.count) return;
+    const uint from = arguments.ofClusters != 0 ? arguments.clusterOf.at[side] : side;
+    const vec3 irradiance = arguments.direct.at[side].rgb + arguments.irradiance.at[from].rgb;
+    const vec3 albedo = arguments.albedo.at[arguments.surfel.at[side]].rgb;
+    arguments.sent.at[side] = packedHalves(vec4(sentOn(albedo, irradiance), 0.0));
+}
