@@ -41,8 +41,7 @@ void checkSize(const Device& device, size_t size)
         VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES};
     VkPhysicalDeviceProperties2 all{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &limits};
     vkGetPhysicalDeviceProperties2(device.physical(), &all);
-    if (size > limits.maxMemoryAllocationSize)
-        check(VK_ERROR_OUT_OF_DEVICE_MEMORY, tried(size));
+    if (size > limits.maxMemoryAllocationSize) check(VK_ERROR_OUT_OF_DEVICE_MEMORY, tried(size));
 }
 
 uint32_t memoryTypeFor(const Device& device, uint32_t allowed, Buffer::Place place)
