@@ -3,6 +3,7 @@
 #include "shading/lamp_terms.comp.h"
 #include "shading/lamp_terms_sum.comp.h"
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <limits>
@@ -66,7 +67,8 @@ LampTermsGpu::LampTermsGpu(const gpu::Device& device, const Surfels& surfels,
     : device_(device), keep_(device, kLampTermsSpirv), sum_(device, kLampTermsSumSpirv),
       scales_(std::move(scales)), probes_(device, placesOf(light.visibility.probes())),
       probesOf_(device, probesOfSurfels(light.visibility.probes())),
-      radiance_(device, std::vector<glm::vec4>(termsOf(light.lamps.size(), 2)))
+      radiance_(device, termsOf(light.lamps.size(), 2)),
+      written_(device, radiance_.buffer().size(), gpu::Buffer::Place::host)
 {
     for (size_t l = 0; l < light.lamps.size(); ++l)
         lamps_.push_back({{device, entriesOf(light.lamps[l].patches)},
@@ -75,12 +77,15 @@ LampTermsGpu::LampTermsGpu(const gpu::Device& device, const Surfels& surfels,
                           light.lamps[l].patches.area});
 }
 
-void LampTermsGpu::setPowers(std::span<const glm::vec3> radiance)
+void LampTermsGpu::setPowers(gpu::Commands& commands, std::span<const glm::vec3> radiance)
 {
     std::vector<glm::vec4> entries(radiance_.count(), glm::vec4(0.0f));
     for (size_t l = 0; l < radiance.size(); ++l)
         entries[l] = glm::vec4(radiance[l] / scales_[l], 0.0f);
-    radiance_.upload(entries);
+    const std::span bytes = std::as_bytes(std::span(entries));
+    std::copy(bytes.begin(), bytes.end(), written_.bytes().begin());
+    commands.copy(written_, 0, radiance_.buffer(), 0, written_.size());
+    commands.barrier();
 }
 
 gpu::Array<uint32_t> LampTermsGpu::keep(const std::vector<std::vector<float>>& onPlaces,

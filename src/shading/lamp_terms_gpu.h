@@ -20,7 +20,8 @@ public:
     LampTermsGpu(const gpu::Device& device, const Surfels& surfels, const GatheredLight& light,
                  std::vector<float> scales);
 
-    void setPowers(std::span<const glm::vec3> radiance);
+    /// From these commands on lamps shine like this; one call before the commands run.
+    void setPowers(gpu::Commands& commands, std::span<const glm::vec3> radiance);
 
     /// Terms of places that are known already: onPlaces[lamp][place].
     [[nodiscard]] gpu::Array<uint32_t> keep(const std::vector<std::vector<float>>& onPlaces,
@@ -55,6 +56,7 @@ private:
     gpu::Array<glm::vec4> probes_;
     gpu::Array<glm::uvec2> probesOf_;
     gpu::Array<glm::vec4> radiance_; // over the scales
+    gpu::Buffer written_;            // likewise, on its way there
 };
 
 } // namespace relamp

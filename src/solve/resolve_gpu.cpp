@@ -93,13 +93,15 @@ ResolveGpu::~ResolveGpu() = default;
 std::vector<gpu::Timing> ResolveGpu::gather(const LampPowers& powers)
 {
     const bool areNew = powers_.change(numbersOf(powers.lamps));
-    if (areNew) lamps_.setPowers(powers.lamps);
     std::vector<double> inputs = numbersOf({&powers.ambient, 1});
     inputs.push_back(powers_.version());
     if (!gathered_.change(std::move(inputs))) return {};
     gpu::Commands commands(device_);
     commands.mark("gather");
-    if (areNew) lamps_.sum(commands, termsOfLists_, directOfLists_);
+    if (areNew) {
+        lamps_.setPowers(commands, powers.lamps);
+        lamps_.sum(commands, termsOfLists_, directOfLists_);
+    }
     sides_.light(commands, surfels_, directOfLists_, powers.ambient);
     commands.run();
     return commands.timings();

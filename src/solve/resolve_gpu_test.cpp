@@ -6,6 +6,7 @@
 #include "scenes/lit_room.h"
 #include "scenes/scenes.h"
 #include "scenes/solved.h"
+#include "scenes/sun_room.h"
 
 #include <map>
 #include <memory>
@@ -34,6 +35,16 @@ Scan roomOfTwoPages()
     scan.meshes.push_back(top.meshes[0]);
     scan.pages.push_back(top.pages[0]);
     return scan;
+}
+
+/// Open above, so that it is lit from outside.
+Scan roomWithoutLamps()
+{
+    std::vector<scenes::Panel> walls = scenes::wallsOf({4.0f, 2.5f, 5.0f});
+    walls.erase(walls.begin() + 1);
+    return scenes::panels(walls, 96, [](glm::vec3 p, glm::vec3 n) {
+        return glm::vec3(0.4f, 0.3f, 0.2f) + 0.1f * n + 0.02f * p;
+    });
 }
 
 /// Other powers than those that were found.
@@ -101,6 +112,10 @@ protected:
         Progress progress;
         if (name == "TwoPages")
             room = std::make_unique<Twins>(device(), roomOfTwoPages());
+        else if (name == "Sun")
+            room = std::make_unique<Twins>(device(), scenes::SunRoom(glm::vec3(3.0f)).scan);
+        else if (name == "NoLamp")
+            room = std::make_unique<Twins>(device(), roomWithoutLamps());
         else
             room = std::make_unique<Twins>(
                 device(), readScan(RELAMP_SAMPLES "/bedroom/scan.glb", {}, progress));
@@ -113,7 +128,7 @@ private:
 
 std::map<std::string, std::unique_ptr<Twins>> GpuResolve::rooms_;
 
-INSTANTIATE_TEST_SUITE_P(Rooms, GpuResolve, testing::Values("TwoPages", "Sample"),
+INSTANTIATE_TEST_SUITE_P(Rooms, GpuResolve, testing::Values("TwoPages", "Sun", "NoLamp", "Sample"),
                          [](const auto& room) { return std::string(room.param); });
 
 glm::vec3 at(const RgbBlock& block, size_t i)
@@ -134,7 +149,8 @@ std::vector<std::string> ran(const std::vector<gpu::Timing>& timings)
 TEST_P(GpuResolve, LightsSurfelsAsTheCpuDoes)
 {
     const Twins& room = twins();
-    ASSERT_FALSE(room.powers.lamps.empty());
+    ASSERT_EQ(room.powers.lamps.empty(), GetParam() == std::string("NoLamp"));
+    ASSERT_EQ(room.room.solved.found.sun.has_value(), GetParam() == std::string("Sun"));
     const std::vector<glm::vec4> found = room.gpu.indirectOnSurfels();
     Apart indirect(0.02f);
     Apart lit(0.02f);
