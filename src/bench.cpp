@@ -304,14 +304,18 @@ std::vector<double> resolveFloorsOf(const LampRoom& room, const gpu::Peak& peak)
     const double surfels = static_cast<double>(room.texels.surfels.count());
     const double neighbors = static_cast<double>(room.texels.surfels.neighbor.size());
     const double lists = static_cast<double>(hits.sideOfList.size());
-    const double rays = static_cast<double>(hits.targets.size());
+    const auto others = static_cast<double>(
+        std::count_if(hits.targets.begin(), hits.targets.end(), [](HitTarget target) {
+            return !target.isNothing() && (target.side().isBack() || target.isClipped());
+        }));
     const double raysOfFronts = static_cast<double>(hits.firstTarget[room.texels.surfels.count()]);
     const double pairs = static_cast<double>((room.powers.lamps.size() + 1) / 2);
-    const double round = rays * 4 + lists * (4 + 20 + 20 + 8) + surfels * (3 * 8 + 3 * 8 + 16);
+    const double round =
+        others * 4 + lists * (16 + 8 + 16 + 16 + 4 + 8) + surfels * (2 * 8 + 3 * 8 + 16);
     const double rest = raysOfFronts * 4 + surfels * (4 + 3 * 8 + 20) + // gathered without excess
                         surfels * (48 + 3 * 32 + 52 + 40) + neighbors * 4 * 4;
     return {peak.floorSeconds(lists * (4 * pairs + 8) + 4 * round + rest,
-                              (4 * rays + raysOfFronts) * 10 + neighbors * (3 * 4 + 9)),
+                              (4 * others * 3 + raysOfFronts * 10) + neighbors * (3 * 4 + 9)),
             peak.floorSeconds(n * (16 + 4 + 4 * pairs + 16),
                               tapsOf(room.texels, kMostTaps) * 32 + n * pairs * 12),
             peak.floorSeconds(n * (8 + 8 + 8 + 4 + 8), n * 20.0)};

@@ -17,6 +17,17 @@ struct GatherArguments
     uint count;       // of lists
 };
 
+struct SettlingArguments
+{
+    Uints first;      // of lists, as above
+    Vec4s plain;      // irradiance of lists by what does not change
+    Uints firstOther; // of lists, and one more: where those of their targets begin that do
+    Uints other;
+    Uvec2s radiance; // halves
+    Vec4s irradiance;
+    uint count; // of lists
+};
+
 SHARED_END
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "shading/gather.comp.h"
 #include "shading/gather.gpu.h"
+#include "shading/gather_settling.comp.h"
 
 namespace relamp
 {
@@ -34,6 +35,20 @@ GpuSightLists::GpuSightLists(const gpu::Device& device, const HitLists& hits, si
     : GpuSightLists(device, hits.firstTarget, targetsOf(hits, surfels))
 {}
 
+GpuSightLists GpuSightLists::othersOf(const gpu::Device& device, const HitLists& hits,
+                                      size_t surfels)
+{
+    const std::vector<uint32_t> all = targetsOf(hits, surfels);
+    std::vector<uint32_t> firsts{0};
+    std::vector<uint32_t> others;
+    for (size_t list = 0; list < hits.sideOfList.size(); ++list) {
+        for (uint32_t i = hits.firstTarget[list]; i < hits.firstTarget[list + 1]; ++i)
+            if (all[i] >= surfels && all[i] != kNothing) others.push_back(all[i]);
+        firsts.push_back(static_cast<uint32_t>(others.size()));
+    }
+    return {device, firsts, others};
+}
+
 std::vector<glm::uvec2> fieldOnGpu(const RadianceField& field)
 {
     std::vector<glm::uvec2> entries;
@@ -59,6 +74,31 @@ void GatherGpu::gather(gpu::Commands& commands, const GpuSightLists& lists,
                                       gathered.irradiance.ref(), gathered.missed.ref(),
                                       GpuSightLists::kNothing, static_cast<uint32_t>(step),
                                       static_cast<uint32_t>(count)});
+    commands.barrier();
+}
+
+SettlingGatherGpu::SettlingGatherGpu(const gpu::Device& device, const HitLists& hits,
+                                     const GpuSightLists& lists, const GatherGpu& gather,
+                                     const gpu::Array<glm::uvec2>& plain)
+    : program_(device, kGatherSettlingSpirv), lists_(lists), plain_(device, lists.count),
+      others_(GpuSightLists::othersOf(device, hits, plain.count() / 3))
+{
+    gpu::Commands commands(device);
+    gather.gather(commands, lists, plain, plain_, lists.count);
+    commands.run();
+}
+
+void SettlingGatherGpu::gather(gpu::Commands& commands, const gpu::Array<glm::uvec2>& radiance,
+                               const gpu::Array<glm::vec4>& irradiance) const
+{
+    commands.dispatch(program_, lists_.count,
+                      SettlingArguments{.first = lists_.first.ref(),
+                                        .plain = plain_.irradiance.ref(),
+                                        .firstOther = others_.first.ref(),
+                                        .other = others_.target.ref(),
+                                        .radiance = radiance.ref(),
+                                        .irradiance = irradiance.ref(),
+                                        .count = static_cast<uint32_t>(lists_.count)});
     commands.barrier();
 }
 

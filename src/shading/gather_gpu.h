@@ -18,6 +18,8 @@ struct GpuSightLists
                   const std::vector<uint32_t>& targets);
     /// The targets are indices of a fieldOnGpu().
     GpuSightLists(const gpu::Device& device, const HitLists& hits, size_t surfels);
+    /// Those of these targets that are no plain fronts.
+    static GpuSightLists othersOf(const gpu::Device& device, const HitLists& hits, size_t surfels);
 
     gpu::Array<uint32_t> first; // of lists, and one more
     gpu::Array<uint32_t> target;
@@ -51,6 +53,28 @@ public:
 
 private:
     gpu::Program program_;
+};
+
+/// Gathers a field again and again while its light settles, without noise. Plain fronts stay as
+/// they are, so they are summed once; of the others there are few.
+class SettlingGatherGpu
+{
+public:
+    /// `lists` are those of `hits`, `plain` is the first field with nothing in it but plain fronts.
+    /// The device and `lists` must outlive this.
+    SettlingGatherGpu(const gpu::Device& device, const HitLists& hits, const GpuSightLists& lists,
+                      const GatherGpu& gather, const gpu::Array<glm::uvec2>& plain);
+
+    void gather(gpu::Commands& commands, const gpu::Array<glm::uvec2>& radiance,
+                const gpu::Array<glm::vec4>& irradiance) const;
+    /// Of directions that meet nothing, one a list.
+    [[nodiscard]] const gpu::Array<float>& missed() const { return plain_.missed; }
+
+private:
+    gpu::Program program_;
+    const GpuSightLists& lists_;
+    GpuGathered plain_;
+    GpuSightLists others_;
 };
 
 } // namespace relamp

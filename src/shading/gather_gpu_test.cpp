@@ -107,7 +107,7 @@ TEST_F(GpuGather, SettlesSidesAsTheCpuDoes)
     gpu.light(commands, onGpu, directOnGpu, ambient);
     commands.run();
     Apart gathered(0.01f);
-    const std::vector<glm::vec4> received = gpu.gathered().irradiance.download();
+    const std::vector<glm::vec4> received = gpu.gathered().download();
     for (size_t i = 0; i < received.size(); ++i)
         gathered.add(glm::vec3(received[i]), sides.gathered.irradiance[i]);
     EXPECT_LT(gathered.most(), 2e-3f);

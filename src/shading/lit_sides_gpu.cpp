@@ -46,6 +46,14 @@ std::vector<glm::uvec2> startOf(const SurfelRadiance& radiance, std::span<const 
     return fieldOnGpu(field);
 }
 
+/// Plain fronts alone.
+std::vector<glm::uvec2> plainOf(const SurfelRadiance& radiance)
+{
+    RadianceField field = fieldOf(radiance);
+    field.shines.assign(field.shines.size(), 1);
+    return fieldOnGpu(field);
+}
+
 std::vector<float> litOf(std::span<const float> lit, size_t surfels)
 {
     if (lit.empty()) return std::vector<float>(surfels, 1.0f);
@@ -64,6 +72,7 @@ LitSidesGpu::LitSidesGpu(const gpu::Device& device, const HitLists& hits,
       isBuried_(device, {traits.isBuried.begin(), traits.isBuried.end()}),
       lit_(device, litOf(traits.lit, surfels_)), start_(device, startOf(radiance, traits.shines)),
       field_(device, start_.count()), evenField_(device, startOf(radiance, traits.shines)),
+      settling_(device, hits, lists_, gather_, {device, plainOf(radiance)}),
       gathered_(device, lists_.count),
       even_(device, surfels_), work_{{device, surfels_}, {device, surfels_}},
       indirect_(device, surfels_)
@@ -72,8 +81,8 @@ LitSidesGpu::LitSidesGpu(const gpu::Device& device, const HitLists& hits,
 void LitSidesGpu::settle(gpu::Commands& commands, const GpuSurfels& surfels,
                          const gpu::Array<glm::uvec2>& direct, glm::vec3 ambient) const
 {
-    LitSidesArguments arguments{.gathered = gathered_.irradiance.ref(),
-                                .missed = gathered_.missed.ref(),
+    LitSidesArguments arguments{.gathered = gathered_.ref(),
+                                .missed = settling_.missed().ref(),
                                 .direct = direct.ref(),
                                 .backOf = backOf_.ref(),
                                 .burntOut = burntOut_.ref(),
@@ -86,7 +95,7 @@ void LitSidesGpu::settle(gpu::Commands& commands, const GpuSurfels& surfels,
                                 .mostBurntOut = kMostRadiance,
                                 .count = static_cast<uint32_t>(surfels_)};
     for (int round = 0; round < kLitSidesRounds; ++round) {
-        gather_.gather(commands, lists_, field_, gathered_, lists_.count);
+        settling_.gather(commands, field_, gathered_);
         if (round + 1 == kLitSidesRounds) {
             arguments.field = evenField_.ref();
             arguments.mostBurntOut = 1.0f;
@@ -109,7 +118,7 @@ void LitSidesGpu::light(gpu::Commands& commands, const GpuSurfels& surfels,
     gather_.gather(commands, lists_, evenField_, even_, surfels_);
     commands.dispatch(
         excess_, surfels_,
-        ExcessArguments{gathered_.irradiance.ref(), even_.irradiance.ref(), work_[0].ref(), count});
+        ExcessArguments{gathered_.ref(), even_.irradiance.ref(), work_[0].ref(), count});
     commands.barrier();
     for (int pass = 0; pass < kExcessSmoothings; ++pass) {
         commands.dispatch(mean_, surfels_,

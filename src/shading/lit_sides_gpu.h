@@ -34,8 +34,8 @@ public:
 
     /// Irradiance at surfels' fronts that did not come from a lamp; w: `lit`.
     [[nodiscard]] const gpu::Array<glm::vec4>& indirect() const { return indirect_; }
-    /// Light at all sides, one entry a list.
-    [[nodiscard]] const GpuGathered& gathered() const { return gathered_; }
+    /// Irradiance from surfaces that do not shine at all sides, one entry a list.
+    [[nodiscard]] const gpu::Array<glm::vec4>& gathered() const { return gathered_; }
     [[nodiscard]] size_t lists() const { return lists_.count; }
 
 private:
@@ -59,7 +59,8 @@ private:
     gpu::Array<glm::uvec2> start_; // the field before anything is known
     gpu::Array<glm::uvec2> field_;
     gpu::Array<glm::uvec2> evenField_; // nothing in it sends more than white
-    GpuGathered gathered_;
+    SettlingGatherGpu settling_;
+    gpu::Array<glm::vec4> gathered_;
     GpuGathered even_; // of fronts
     gpu::Array<glm::vec4> work_[2];
     gpu::Array<glm::vec4> indirect_;
