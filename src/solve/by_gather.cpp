@@ -18,12 +18,15 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     solution.shining = shiningOf(found);
 
     const Progress::Stage stage(progress, "shadows");
-    const SolvedRoom solved = solvedRoom(texels, scene, std::move(found));
+    const auto rate = [&](const SolvedRoom& solved) {
+        const FoundRoom& room = solved.found;
+        solution.closure = closeLoop(room.hits, room.radiance, room.sides, room.found.ambient);
+        solution.trust = trustByView(room.hits, texels.surfels.count());
+        doubtEdges(texels.surfels, room.radiance, solved.lighting, solution.trust);
+    };
+    const SolvedRoom solved = solvedRoom(texels, scene, std::move(found), rate);
     const FoundRoom& room = solved.found;
-    solution.closure = closeLoop(room.hits, room.radiance, room.sides, room.found.ambient);
     solution.shade = shadingOf(texels, solved);
-    solution.trust = trustByView(room.hits, texels.surfels.count());
-    doubtEdges(texels.surfels, room.radiance, solved.lighting, solution.trust);
     if (options.albedo.fill)
         solution.fill = fillOf(texels.surfels, room.radiance, room.sides.albedo);
     solution.lights = lightsOf(room);

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <tbb/parallel_invoke.h>
+
 namespace relamp
 {
 namespace
@@ -47,14 +49,21 @@ std::shared_ptr<GatheredLight> lightOf(const Texels& texels, const RayScene& sce
 
 } // namespace
 
-SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom found)
+SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom found,
+                      const std::function<void(const SolvedRoom&)>& meanwhile)
 {
     SolvedRoom room{.found = std::move(found), .isBuried = buriedSurfels(texels)};
     room.light = lightOf(texels, scene, room.found, indirectOf(texels, room));
     room.stray = fitStray(texels, room.found.radiance, shadingOf(texels, room.light));
     room.lighting = lightOnSurfels(texels.surfels, *room.light);
-    room.lit = findShade(texels.surfels, room.found.radiance,
-                         withoutStray(room.lighting.irradiance, room.stray));
+    std::vector<float> lit;
+    tbb::parallel_invoke(
+        [&] {
+            lit = findShade(texels.surfels, room.found.radiance,
+                            withoutStray(room.lighting.irradiance, room.stray));
+        },
+        [&] { meanwhile(room); });
+    room.lit = std::move(lit);
     return room;
 }
 

@@ -5,6 +5,7 @@
 #include "solve/found_room.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -26,8 +27,11 @@ struct SolvedRoom
     std::vector<float> lit; // of surfels, as findShade()
 };
 
-/// Shadows, indirect light and shade of a room whose lamps are known.
-SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom found);
+/// Shadows, indirect light and shade of a room whose lamps are known. Shade takes one thread:
+/// `meanwhile` is called beside it, with the room as it is but for `lit`.
+SolvedRoom solvedRoom(
+    const Texels& texels, const RayScene& scene, FoundRoom found,
+    const std::function<void(const SolvedRoom&)>& meanwhile = [](const auto&) {});
 
 /// How bright the lamps of a room are, and what lies around it.
 struct LampPowers
