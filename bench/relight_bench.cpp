@@ -53,13 +53,37 @@ Relighting lamp(int at, float power = 3.0f)
     return lighting;
 }
 
+Relighting bulb(int at)
+{
+    return lamp(at);
+}
+
+/// A panel of 0.6 x 0.6 m there, which has wide penumbrae.
+Relighting panel(int at)
+{
+    Relighting lighting = lamp(at);
+    lighting.lights[0].type = LightType::rectangle;
+    lighting.lights[0].size = {0.6f, 0.6f};
+    return lighting;
+}
+
+/// A narrow spot there: its bounces start from the little that it lights.
+Relighting spot(int at)
+{
+    Relighting lighting = lamp(at, 30.0f);
+    lighting.lights[0].type = LightType::spot;
+    lighting.lights[0].cone = 0.3f;
+    return lighting;
+}
+
 /// A light in a new place, to a new texture.
+template<Relighting (*lightingAt)(int)>
 void newPlace(benchmark::State& state)
 {
     Relit& r = relit();
-    int at = 0;
+    static int at = 0; // never where it was, from one run of this to the next either
     for (auto _ : state) {
-        r.relighter.light(lamp(++at), r.progress);
+        r.relighter.light(lightingAt(++at), r.progress);
         benchmark::DoNotOptimize(r.relighter.radiance(0, r.progress));
     }
 }
@@ -128,7 +152,15 @@ void picture(benchmark::State& state)
         benchmark::DoNotOptimize(photographer.develop(pages, camera, options, r.progress));
 }
 
-BENCHMARK(newPlace)->Name("relight/new_place")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(newPlace<bulb>)->Name("relight/new_place")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(newPlace<panel>)
+    ->Name("relight/new_place_of_panel")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(newPlace<spot>)
+    ->Name("relight/new_place_of_spot")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK(newPower)->Name("relight/new_power")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(shadows)->Name("relight/shadows")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(bounces)->Name("relight/bounces")->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -14,6 +14,7 @@ namespace
 {
 
 constexpr float kPi = 3.14159265f;
+constexpr size_t kRaysToGlow = 2; // of a surfel; the neighbours have as many
 
 void addDirectOf(const LightSource& source, glm::vec3 emission, const TexelBlock& block,
                  const float* share, RgbBlock& out)
@@ -39,26 +40,37 @@ void darkenBuried(const Texels& texels, size_t page, size_t begin, size_t count,
                 if (buried[i] != 0) channel[i] = 0.0f;
 }
 
-/// Irradiance at emission 1 in the middle of surfels. A few rays tell how much of the light is
-/// seen, those of the neighbours with them; how much there is to be seen is known exactly.
+/// Share of a light that is seen from the middle of surfels. A few rays tell it, those of the
+/// neighbours with them.
+std::vector<float> smoothShares(const Surfels& surfels, std::span<const AreaSample> onFronts)
+{
+    std::vector<float> shares(surfels.count());
+    forEachChunk(surfels.count(), 1024, [&](size_t begin, size_t end) {
+        for (size_t s = begin; s < end; ++s) {
+            float all = 0.0f;
+            float seen = 0.0f;
+            for (const uint32_t n : surfels.neighborsOf(s)) {
+                all += onFronts[n].open;
+                seen += onFronts[n].visible;
+            }
+            shares[s] = all > 0.0f ? seen / all : 0.0f;
+        }
+    });
+    return shares;
+}
+
+/// Irradiance at emission 1 in the middle of surfels: how much there is to be seen is known
+/// exactly.
 std::vector<float> smoothOnFronts(const Surfels& surfels, const LightSource& source,
                                   std::span<const AreaSample> onSides)
 {
-    std::vector<float> irradiance(surfels.count());
+    std::vector<float> irradiance = smoothShares(surfels, onSides);
     forEachChunk(surfels.count(), TexelBlock::kCapacity, [&](size_t begin, size_t end) {
         TexelBlock block;
         loadSurfels(surfels, begin, end, block);
         float open[TexelBlock::kPadded];
         source.open(block, open);
-        for (size_t s = begin; s < end; ++s) {
-            float all = 0.0f;
-            float seen = 0.0f;
-            for (const uint32_t n : surfels.neighborsOf(s)) {
-                all += onSides[n].open;
-                seen += onSides[n].visible;
-            }
-            irradiance[s] = all > 0.0f ? open[s - begin] * seen / all : 0.0f;
-        }
+        for (size_t s = begin; s < end; ++s) irradiance[s] *= open[s - begin];
     });
     return irradiance;
 }
@@ -114,6 +126,40 @@ void RadiosityLight::findShadows(const ActiveLights& active, ShadowDetail detail
     panes_ = active.panes;
 }
 
+/// What each light makes glow; what rays found of that is kept as the light itself is.
+void RadiosityLight::findGlows(std::span<const glm::vec3> albedo, std::span<const glm::vec3> direct)
+{
+    const Surfels& surfels = texels_.surfels;
+    const SentLight all = sentDirectly(transport_, surfels, albedo, direct);
+    const Obstacles walls(texels_, scene_, {}, isClipped_);
+    const bool isSameAlbedo = std::ranges::equal(albedo, glowingAlbedo_);
+    std::vector<std::shared_ptr<const SeenGlow>> found;
+    for (size_t l = 0; l < lights_.size(); ++l) {
+        found.emplace_back();
+        std::optional<Glow> glow =
+            findGlow(transport_, texels_, albedo, lights_[l]->onSides, emissions_[l], all);
+        if (!glow) continue;
+        const auto known = std::find_if(glows_.begin(), glows_.end(), [&](const auto& other) {
+            return other && isSameAlbedo && other->light == lights_[l] &&
+                   other->glow.sides == glow->sides;
+        });
+        if (known != glows_.end()) {
+            found.back() = *known;
+            continue;
+        }
+        const LightSource source{AreaLight(glow->patches)};
+        const std::vector<float> shares =
+            smoothShares(surfels, directOfSides(texels_, walls, source,
+                                                std::span(transport_.sides).first(surfels.count()),
+                                                kRaysToGlow));
+        const std::vector<glm::vec3> onFronts = irradianceFrom(*glow, transport_, surfels, shares);
+        found.back() = std::make_shared<const SeenGlow>(
+            SeenGlow{lights_[l], std::move(*glow), withoutBuried(surfels, onFronts, isBuried_)});
+    }
+    glows_ = std::move(found);
+    glowingAlbedo_.assign(albedo.begin(), albedo.end());
+}
+
 void RadiosityLight::set(const ActiveLights& active, std::span<const glm::vec3> albedo,
                          ShadowDetail detail, Progress& progress)
 {
@@ -125,11 +171,23 @@ void RadiosityLight::set(const ActiveLights& active, std::span<const glm::vec3> 
         emissions_.push_back(active.lights[l].emission);
         addDirect(lights_[l]->onSides, emissions_[l], direct);
     }
-    const Bounced bounced = bounce(transport_, albedo, direct, active.sky);
-    indirect_ = std::make_shared<const std::vector<glm::vec3>>(
+    findGlows(albedo, direct);
+    std::vector<glm::vec3> glowing; // direct light of sides that glow
+    std::vector<glm::vec3> byGlow(texels_.surfels.count(), glm::vec3(0.0f));
+    for (size_t l = 0; l < lights_.size(); ++l) {
+        if (!glows_[l]) continue;
+        glowing.resize(direct.size(), glm::vec3(0.0f));
+        for (const uint32_t side : glows_[l]->glow.sides)
+            glowing[side] += lights_[l]->onSides[side].visible * emissions_[l];
+        for (size_t s = 0; s < byGlow.size(); ++s)
+            byGlow[s] += glows_[l]->onFronts[s] * emissions_[l];
+    }
+    const Bounced bounced = bounce(transport_, albedo, direct, active.sky, {glowing, byGlow});
+    onFronts_ =
         withoutNoise(texels_.surfels, withoutBuried(texels_.surfels, bounced.irradiance, isBuried_),
-                     bounced.noise));
-    onFronts_ = *indirect_;
+                     bounced.noise);
+    for (size_t s = 0; s < byGlow.size(); ++s) onFronts_[s] += byGlow[s];
+    indirect_ = std::make_shared<const std::vector<glm::vec3>>(onFronts_);
     for (size_t l = 0; l < lights_.size(); ++l)
         for (size_t s = 0; s < onFronts_.size(); ++s)
             onFronts_[s] += lights_[l]->onFronts[s] * emissions_[l];

@@ -2,6 +2,7 @@
 
 #include "relamp/progress.h"
 #include "relight/active_lights.h"
+#include "relight/glow.h"
 #include "relight/obstacles.h"
 #include "relight/radiosity.h"
 #include "relight/shadows.h"
@@ -26,6 +27,14 @@ struct ShadowedLight
     std::vector<AreaSample> onSides; // one a side of the transport
     std::vector<float> onFronts;     // irradiance on fronts of surfels, without the rays' noise
     std::optional<Shadows> shadows;  // on texels; none where only sides were asked for
+};
+
+/// A glow with what it does to the room at emission 1.
+struct SeenGlow
+{
+    std::shared_ptr<const ShadowedLight> light;
+    Glow glow;
+    std::vector<glm::vec3> onFronts; // irradiance, without the rays' noise
 };
 
 /// How finely shadows are found.
@@ -57,6 +66,8 @@ private:
     shadowed(const ActiveLight& light, std::shared_ptr<const ShadowedLight> known,
              ShadowDetail detail, const Obstacles& obstacles) const;
 
+    void findGlows(std::span<const glm::vec3> albedo, std::span<const glm::vec3> direct);
+
     const Texels& texels_;
     const RayScene& scene_;
     const Transport& transport_;
@@ -67,6 +78,8 @@ private:
     std::vector<uint8_t> panes_;
     std::vector<std::shared_ptr<const ShadowedLight>> lights_;
     std::vector<glm::vec3> emissions_;
+    std::vector<std::shared_ptr<const SeenGlow>> glows_;     // of lights; null: it has none
+    std::vector<glm::vec3> glowingAlbedo_;                   // that these have
     std::shared_ptr<const std::vector<glm::vec3>> indirect_; // irradiance on fronts
     std::vector<glm::vec3> onFronts_;                        // and direct light with it
 };

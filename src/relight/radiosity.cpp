@@ -30,13 +30,20 @@ class Bouncer
 {
 public:
     Bouncer(const Transport& transport, std::span<const glm::vec3> albedo,
-            std::span<const glm::vec3> direct, std::span<const glm::vec3> sky);
+            std::span<const glm::vec3> direct, std::span<const glm::vec3> sky,
+            const KnownLight& known);
 
     Bounced run();
 
 private:
     [[nodiscard]] float meanSent() const;
     float bounceOnce(size_t step, float weight);
+    /// What a side shows of its direct light to rays that are to meet it.
+    [[nodiscard]] glm::vec3 metDirect(size_t side) const
+    {
+        if (known_.direct.empty()) return direct_[side];
+        return glm::max(direct_[side] - known_.direct[side], 0.0f); // but for rounding
+    }
     [[nodiscard]] std::vector<glm::vec4> radianceOfSides();
     void arrive(Bounced& bounced);
 
@@ -44,6 +51,7 @@ private:
     std::span<const glm::vec3> albedoOfSurfels_;
     std::span<const glm::vec3> direct_;
     std::span<const glm::vec3> sky_;
+    const KnownLight& known_;
     std::vector<glm::vec3> albedo_;     // of clusters
     std::vector<glm::vec4> sent_;       // radiance of clusters, sky, nothing, by the last bounce
     std::vector<glm::vec4> arriving_;   // irradiance on clusters by that
@@ -51,8 +59,9 @@ private:
 };
 
 Bouncer::Bouncer(const Transport& transport, std::span<const glm::vec3> albedo,
-                 std::span<const glm::vec3> direct, std::span<const glm::vec3> sky)
-    : transport_(transport), albedoOfSurfels_(albedo), direct_(direct), sky_(sky),
+                 std::span<const glm::vec3> direct, std::span<const glm::vec3> sky,
+                 const KnownLight& known)
+    : transport_(transport), albedoOfSurfels_(albedo), direct_(direct), sky_(sky), known_(known),
       albedo_(transport.clusters(), glm::vec3(0.0f)),
       sent_(transport.clusters() + Transport::radiancesBeyond(), glm::vec4(0.0f)),
       arriving_(transport.clusters(), glm::vec4(0.0f)),
@@ -105,7 +114,7 @@ std::vector<glm::vec4> Bouncer::radianceOfSides()
     forEachChunk(sides, kChunk, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
             radiance[i] = withSquare(sentOn(albedoOfSurfels_[transport_.sides[i].surfel()],
-                                            direct_[i] + irradiance_[transport_.clusterOf[i]]));
+                                            metDirect(i) + irradiance_[transport_.clusterOf[i]]));
     });
     for (size_t bin = 0; bin < sky_.size(); ++bin) radiance[sides + bin] = withSquare(sky_[bin]);
 
@@ -113,9 +122,11 @@ std::vector<glm::vec4> Bouncer::radianceOfSides()
     std::vector<glm::vec4> irradiance(lists.count());
     lists.gather(radiance, irradiance, kStepOfSides);
     forEachChunk(lists.count(), kChunk, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i)
-            radiance[i] =
-                withSquare(sentOn(albedoOfSurfels_[i], direct_[i] + glm::vec3(irradiance[i])));
+        for (size_t i = begin; i < end; ++i) {
+            glm::vec3 received = metDirect(i) + glm::vec3(irradiance[i]);
+            if (!known_.irradiance.empty()) received += known_.irradiance[i];
+            radiance[i] = withSquare(sentOn(albedoOfSurfels_[i], received));
+        }
     });
     return radiance;
 }
@@ -150,9 +161,10 @@ Bounced Bouncer::run()
 } // namespace
 
 Bounced bounce(const Transport& transport, std::span<const glm::vec3> albedo,
-               std::span<const glm::vec3> direct, std::span<const glm::vec3> sky)
+               std::span<const glm::vec3> direct, std::span<const glm::vec3> sky,
+               const KnownLight& known)
 {
-    return Bouncer(transport, albedo, direct, sky).run();
+    return Bouncer(transport, albedo, direct, sky, known).run();
 }
 
 } // namespace relamp

@@ -37,8 +37,9 @@ struct RadiositySidesArguments
     Uints clusterOf;  // of sides
     Uints surfel;     // of sides
     Vec4s albedo;     // of surfels
-    Vec4s direct;     // irradiance on sides
+    Vec4s direct;     // irradiance on sides that rays are to meet
     Vec4s irradiance; // by bounces, on clusters or on sides
+    Vec4s known;      // irradiance on sides by what is known better; with that on sides
     Uvec2s sent;      // by sides, halves
     uint ofClusters;  // not 0: `irradiance` is on these
     uint count;       // of sides

@@ -71,21 +71,28 @@ RadiosityGpu::RadiosityGpu(const gpu::Device& device, const Transport& transport
       firstMember_(device, membersOf(transport).first), member_(device, membersOf(transport).sides),
       clusterOf_(device, transport.clusterOf), surfel_(device, surfelsOf(transport)),
       weight_(device, transport.weight), albedo_(device, ofFronts_.count),
-      direct_(device, transport.sides.size()), sky_(device, beyond_),
-      albedoOfClusters_(device, clusters_), irradiance_(device, clusters_),
-      sent_(device, clusters_ + beyond_), sentBySides_(device, transport.sides.size() + beyond_),
-      arriving_(device, clusters_), onFronts_(device, ofFronts_.count),
+      direct_(device, transport.sides.size()), met_(device, transport.sides.size()),
+      known_(device, ofFronts_.count), sky_(device, beyond_), albedoOfClusters_(device, clusters_),
+      irradiance_(device, clusters_), sent_(device, clusters_ + beyond_),
+      sentBySides_(device, transport.sides.size() + beyond_), arriving_(device, clusters_),
+      onFronts_(device, ofFronts_.count),
       sums_(device, (clusters_ + start_.groupSize() - 1) / start_.groupSize()),
       readSums_(device, sums_.buffer().size(), gpu::Buffer::Place::host)
 {}
 
-void RadiosityGpu::setLight(std::span<const glm::vec3> albedo, std::span<const glm::vec3> direct,
-                            std::span<const glm::vec3> sky)
+void RadiosityGpu::setLight(std::span<const glm::vec3> direct, std::span<const glm::vec3> sky,
+                            const KnownLight& known)
 {
-    const float most = std::max(mostOf(direct), mostOf(sky));
+    const float most = std::max({mostOf(direct), mostOf(sky), mostOf(known.irradiance)});
     scale_ = most > 0.0f ? kMostOnDevice / most : 1.0f;
-    albedo_.upload(scaled(albedo, 1.0f));
     direct_.upload(scaled(direct, scale_));
+    std::vector<glm::vec3> met(direct.begin(), direct.end());
+    for (size_t i = 0; i < known.direct.size(); ++i)
+        met[i] = glm::max(met[i] - known.direct[i], 0.0f); // but for rounding
+    met_.upload(scaled(met, scale_));
+    std::vector<glm::vec4> onFronts = scaled(known.irradiance, scale_);
+    onFronts.resize(known_.count(), glm::vec4(0.0f));
+    known_.upload(onFronts);
     std::vector<glm::uvec2> bins(beyond_, glm::uvec2(0));
     for (size_t bin = 0; bin < sky.size(); ++bin)
         bins[bin] = packedHalves(glm::vec4(scale_ * sky[bin], 0.0f));
@@ -152,8 +159,9 @@ void RadiosityGpu::send(gpu::Commands& commands, const gpu::Array<glm::vec4>& ir
                       RadiositySidesArguments{.clusterOf = clusterOf_.ref(),
                                               .surfel = surfel_.ref(),
                                               .albedo = albedo_.ref(),
-                                              .direct = direct_.ref(),
+                                              .direct = met_.ref(),
                                               .irradiance = irradiance.ref(),
+                                              .known = known_.ref(),
                                               .sent = sentBySides_.ref(),
                                               .ofClusters = ofClusters ? 1u : 0u,
                                               .count = static_cast<uint32_t>(count)});
@@ -173,9 +181,10 @@ void RadiosityGpu::arrive()
 }
 
 Bounced RadiosityGpu::bounce(std::span<const glm::vec3> albedo, std::span<const glm::vec3> direct,
-                             std::span<const glm::vec3> sky)
+                             std::span<const glm::vec3> sky, const KnownLight& known)
 {
-    setLight(albedo, direct, sky);
+    albedo_.upload(scaled(albedo, 1.0f));
+    setLight(direct, sky, known);
     const size_t bounces =
         followBounces(start(), [&](size_t step, float weight) { return bounceOnce(step, weight); });
     arrive();

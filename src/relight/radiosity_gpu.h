@@ -21,11 +21,11 @@ public:
 
     /// As the function of that name.
     Bounced bounce(std::span<const glm::vec3> albedo, std::span<const glm::vec3> direct,
-                   std::span<const glm::vec3> sky);
+                   std::span<const glm::vec3> sky, const KnownLight& known = {});
 
 private:
-    void setLight(std::span<const glm::vec3> albedo, std::span<const glm::vec3> direct,
-                  std::span<const glm::vec3> sky);
+    void setLight(std::span<const glm::vec3> direct, std::span<const glm::vec3> sky,
+                  const KnownLight& known);
     float start();
     float bounceOnce(size_t step, float weight);
     void arrive();
@@ -52,6 +52,8 @@ private:
     float scale_ = 1.0f;           // of all light on the device, so that it suits halves
     gpu::Array<glm::vec4> albedo_; // of surfels
     gpu::Array<glm::vec4> direct_; // on sides
+    gpu::Array<glm::vec4> met_;    // of that, what is not known
+    gpu::Array<glm::vec4> known_;  // irradiance on fronts by what is
     gpu::Array<glm::uvec2> sky_;   // what lies beyond
     gpu::Array<glm::vec4> albedoOfClusters_;
     gpu::Array<glm::vec4> irradiance_; // on clusters, by all bounces

@@ -80,6 +80,28 @@ TEST_F(GpuRadiosity, BouncesAsTheCpuDoes)
     }
 }
 
+// The bright spot, as a glow that others have looked for.
+TEST_F(GpuRadiosity, LeavesWhatIsKnownToOthersAsTheCpuDoes)
+{
+    const Room room(false);
+    std::vector<glm::vec3> spot;
+    for (const glm::vec3 irradiance : room.direct)
+        spot.push_back(irradiance.r > 20.0f ? 0.9f * irradiance : glm::vec3(0.0f));
+    const std::vector<glm::vec3> bySpot(room.albedo.size(), glm::vec3(0.3f, 0.2f, 0.1f));
+    const Bounced all = bounce(room.transport, room.albedo, room.direct, {});
+    const Bounced expected = bounce(room.transport, room.albedo, room.direct, {}, {spot, bySpot});
+    const Bounced found =
+        RadiosityGpu(device(), room.transport).bounce(room.albedo, room.direct, {}, {spot, bySpot});
+    Apart light(0.01f);
+    Apart change(0.01f);
+    for (size_t s = 0; s < expected.irradiance.size(); ++s) {
+        light.add(found.irradiance[s], expected.irradiance[s]);
+        change.add(all.irradiance[s], expected.irradiance[s]);
+    }
+    EXPECT_LT(light.most(), 2e-3f);
+    EXPECT_GT(change.beyond(0.05f), 0.2);
+}
+
 TEST_F(GpuRadiosity, DarknessStaysDark)
 {
     const Room room(false);

@@ -10,8 +10,11 @@ void main()
 {
     const uint side = threadIndex();
     if (side >= arguments.count) return;
-    const uint from = arguments.ofClusters != 0 ? arguments.clusterOf.at[side] : side;
-    const vec3 irradiance = arguments.direct.at[side].rgb + arguments.irradiance.at[from].rgb;
+    vec3 irradiance = arguments.direct.at[side].rgb;
+    if (arguments.ofClusters != 0)
+        irradiance += arguments.irradiance.at[arguments.clusterOf.at[side]].rgb;
+    else
+        irradiance += arguments.irradiance.at[side].rgb + arguments.known.at[side].rgb;
     const vec3 albedo = arguments.albedo.at[arguments.surfel.at[side]].rgb;
     arguments.sent.at[side] = packedHalves(vec4(sentOn(albedo, irradiance), 0.0));
 }

@@ -1,6 +1,7 @@
 #include "relight/shadows.h"
 
 #include "base/parallel.h"
+#include "scan/footprints.h"
 #include "shading/sampling.shared.h"
 
 #include <algorithm>
@@ -14,38 +15,8 @@ namespace
 {
 
 constexpr float kOffSurface = 2e-3f; // m; less than things that lie on each other are apart
-constexpr size_t kOrigins = 4;       // texels of a side that look for a light
 constexpr size_t kFirstRays = 4;     // of a texel
 constexpr size_t kBatch = 256;       // rays
-
-/// A piece of a page's texels: where rays of each start.
-class Footprints
-{
-public:
-    Footprints(const Texels& texels, size_t page)
-        : texels_(texels), page_(texels.pages[page]),
-          width_(static_cast<uint32_t>(texels.scan->pages[page].image.width)),
-          isSpread_(!texels.scan->pages[page].ofVertices)
-    {}
-
-    /// A place within a texel, `u` in its unit square.
-    [[nodiscard]] TexelSite at(size_t texel, glm::vec2 u) const
-    {
-        const Facet& facet = texels_.facets.facets[page_.facet[texel]];
-        const uint32_t pixel = page_.pixel[texel];
-        const glm::vec2 off = isSpread_ ? u - 0.5f : glm::vec2(0.0f);
-        const float x = static_cast<float>(pixel % width_) + off.x - facet.pixel.x;
-        const float y = static_cast<float>(pixel / width_) + off.y - facet.pixel.y;
-        return {facet.position + x * facet.positionX + y * facet.positionY,
-                glm::normalize(facet.normal + x * facet.normalX + y * facet.normalY)};
-    }
-
-private:
-    const Texels& texels_;
-    const PageTexels& page_;
-    uint32_t width_;
-    bool isSpread_;
-};
 
 /// Rays of several texels that are traced together.
 class Batch
@@ -113,6 +84,23 @@ bool disagree(std::span<const AreaSample> sums)
     return anySeesAll && anySeesNone;
 }
 
+/// Where a thing stands on a part of a surfel, its edge crosses texels that the surfel's rays,
+/// which start beside it, know nothing of.
+void doubtPartlyBuried(const Texels& texels, std::span<Seen> states)
+{
+    for (size_t p = 0; p < texels.buried.size(); ++p) {
+        const PageTexels& page = texels.pages[p];
+        for (size_t run = 0; run + 1 < page.runs.size(); ++run) {
+            Seen& state = states[page.runs[run].surfel];
+            if (state != Seen::all) continue;
+            const auto texelsOfRun =
+                std::span(texels.buried[p])
+                    .subspan(page.runs[run].begin, page.runs[run + 1].begin - page.runs[run].begin);
+            if (std::ranges::find(texelsOfRun, uint8_t{1}) != texelsOfRun.end()) state = Seen::some;
+        }
+    }
+}
+
 /// Of a share that `rays` rays told; 0 and 1 are not sure either.
 float varianceOf(float share, size_t rays)
 {
@@ -124,31 +112,32 @@ float varianceOf(float share, size_t rays)
 } // namespace
 
 std::vector<AreaSample> directOfSides(const Texels& texels, const Obstacles& obstacles,
-                                      const LightSource& light, std::span<const Side> sides)
+                                      const LightSource& light, std::span<const Side> sides,
+                                      size_t origins)
 {
     const SurfelSites sites(texels);
+    const auto perSide = static_cast<float>(origins);
     std::vector<AreaSample> direct(sides.size());
-    forEachChunk(sides.size(), kBatch / kOrigins, [&](size_t begin, size_t end) {
+    forEachChunk(sides.size(), kBatch / origins, [&](size_t begin, size_t end) {
         Ray rays[kBatch];
         float gains[kBatch];
         size_t owner[kBatch];
         size_t count = 0;
         for (size_t i = begin; i < end; ++i)
-            for (size_t k = 0; k < kOrigins; ++k) {
+            for (size_t k = 0; k < origins; ++k) {
                 const uint32_t index = sides[i].index;
                 const TexelSite site = sites.at(sides[i].surfel(), k);
                 const glm::vec3 normal = sides[i].isBack() ? -site.normal : site.normal;
-                const float share =
-                    (static_cast<float>(k) + hashedShift(index, 0)) / static_cast<float>(kOrigins);
+                const float share = (static_cast<float>(k) + hashedShift(index, 0)) / perSide;
                 const glm::vec2 u = evenPoint(
                     static_cast<float>(k), glm::vec2(hashedShift(index, 1), hashedShift(index, 2)));
                 const glm::vec3 origin = site.position + kOffSurface * normal;
                 const Look look = light.look(origin, normal, share, u);
                 if (look.irradiance <= 0.0f) continue;
-                direct[i].open += look.irradiance / kOrigins;
+                direct[i].open += look.irradiance / perSide;
                 rays[count] = {
                     .origin = origin, .direction = look.direction, .farthest = look.distance};
-                gains[count] = look.irradiance / kOrigins;
+                gains[count] = look.irradiance / perSide;
                 owner[count++] = i;
             }
         uint8_t blocked[kBatch];
@@ -163,7 +152,8 @@ Shadows::Shadows(const Texels& texels, const Obstacles& obstacles, const LightSo
                  std::span<const AreaSample> coarse, size_t rays)
     : texels_(texels)
 {
-    const std::vector<Seen> states = seenBySurfels(texels_.surfels, coarse);
+    std::vector<Seen> states = seenBySurfels(texels_.surfels, coarse);
+    doubtPartlyBuried(texels_, states);
     for (size_t p = 0; p < texels.pages.size(); ++p)
         pages_.push_back(look(p, states, obstacles, light, rays));
     // The shadow of a point has no penumbra: what varies in it is where its edge lies.

@@ -15,9 +15,10 @@ namespace relamp
 {
 
 /// Irradiance from one light at emission 1 on the sides that `sides` name: a few rays each, from
-/// places all over a side.
+/// `origins` places all over a side.
 std::vector<AreaSample> directOfSides(const Texels& texels, const Obstacles& obstacles,
-                                      const LightSource& light, std::span<const Side> sides);
+                                      const LightSource& light, std::span<const Side> sides,
+                                      size_t origins = 4);
 
 /// What share of a light every texel sees.
 ///

@@ -16,7 +16,7 @@ namespace
 
 static_assert(std::endian::native == std::endian::little, "transport.bin holds memory as it is");
 
-constexpr uint64_t kMagic = 0x31'54'50'4d'41'4c'45'52; // "RELAMPT1": another version, another digit
+constexpr uint64_t kMagic = 0x32'54'50'4d'41'4c'45'52; // "RELAMPT2": another version, another digit
 
 struct PatchRecord
 {

@@ -1,6 +1,7 @@
 #include "shading/buried.h"
 
 #include "base/parallel.h"
+#include "scan/footprints.h"
 #include "shading/hit_lists.h"
 #include "shading/sampling.shared.h"
 
@@ -39,10 +40,14 @@ std::vector<uint8_t> suspects(const Texels& texels, const RayScene& scene)
     return isSuspect;
 }
 
-bool isBuried(const RayScene& scene, const TexelSite& site, uint32_t salt)
+/// From all over a texel: where an edge of what lies on it crosses it, it is not buried, and rays
+/// to lights tell how much of it is.
+bool isBuried(const RayScene& scene, const Footprints& prints, uint32_t texel)
 {
-    const glm::vec2 shift(hashedShift(salt, 8), hashedShift(salt, 9));
+    const glm::vec2 shift(hashedShift(texel, 8), hashedShift(texel, 9));
+    const glm::vec2 within(hashedShift(texel, 10), hashedShift(texel, 11));
     for (size_t i = 0; i < kRaysOfTexel; ++i) {
+        const TexelSite site = prints.at(texel, evenPoint(static_cast<float>(i), within));
         const Ray ray{.origin = site.position + kOffSurface * site.normal,
                       .direction =
                           cosineDirection(site.normal, evenPoint(static_cast<float>(i), shift))};
@@ -70,12 +75,13 @@ std::vector<std::vector<uint8_t>> findBuried(const Texels& texels, const RayScen
     std::vector<std::vector<uint8_t>> buried;
     for (size_t p = 0; p < texels.pages.size(); ++p) {
         const PageTexels& page = texels.pages[p];
+        const Footprints prints(texels, p);
         std::vector<uint8_t>& ofPage = buried.emplace_back(page.count(), uint8_t{0});
         forEachChunk(page.runs.size() - 1, 64, [&](size_t begin, size_t end) {
             for (size_t run = begin; run < end; ++run) {
                 if (isSuspect[page.runs[run].surfel] == 0) continue;
                 for (uint32_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i)
-                    ofPage[i] = isBuried(scene, texels.siteOf(p, i), i) ? 1 : 0;
+                    ofPage[i] = isBuried(scene, prints, i) ? 1 : 0;
             }
         });
         stage.advance();
