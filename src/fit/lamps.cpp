@@ -109,8 +109,8 @@ private:
     Progress::Stage stage_;
     std::vector<uint32_t> places_;        // surfels, which are also the lists of their fronts
     std::vector<ClippedPatch> burntOut_;  // of the last of these, which are
-    std::vector<uint32_t> around_;        // surfels around places, ascending
-    std::vector<uint32_t> placeInAround_; // [surfel]; only of those
+    std::vector<uint32_t> placeInAround_; // [surfel]: its number among those around places
+    SettlingGather settling_;             // by these
     std::map<size_t, std::vector<MaterialPair>> pairs_; // by how many a place
     std::vector<Suspect> suspects_;
     std::vector<std::string> warnings_;
@@ -232,15 +232,16 @@ void forEachAround(const Surfels& surfels, uint32_t place, const Visit& visit)
 
 void LampSearch::findAround()
 {
-    constexpr uint32_t kSome = 1;
+    std::vector<uint32_t> around; // surfels, ascending
     placeInAround_.assign(texels_.surfels.count(), 0);
     for (const uint32_t place : places_)
-        forEachAround(texels_.surfels, place, [&](uint32_t n) { placeInAround_[n] = kSome; });
+        forEachAround(texels_.surfels, place, [&](uint32_t n) { placeInAround_[n] = 1; });
     for (uint32_t s = 0; s < placeInAround_.size(); ++s) {
-        if (placeInAround_[s] != kSome) continue;
-        placeInAround_[s] = static_cast<uint32_t>(around_.size());
-        around_.push_back(s);
+        if (placeInAround_[s] == 0) continue;
+        placeInAround_[s] = static_cast<uint32_t>(around.size());
+        around.push_back(s);
     }
+    settling_ = SettlingGather(hits_, field_, around); // a front's list is its surfel's
 }
 
 /// Mean over the surfels around a place: bounce light changes slowly, its few rays are noisy.
@@ -262,7 +263,7 @@ FitData LampSearch::dataFor() const
 {
     FitData data;
     data.lamps = suspects_.size();
-    const Gathered gathered = gather(hits_, field_, around_); // a front's list is its surfel's
+    const Gathered gathered = settling_.gather(field_);
     const size_t measured = places_.size() - burntOut_.size();
     for (size_t i = 0; i < places_.size(); ++i) {
         if (i >= measured) {

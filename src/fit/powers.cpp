@@ -1,6 +1,7 @@
 #include "fit/powers.h"
 
 #include "base/parallel.h"
+#include "fit/squares.h"
 #include "lights/expand.shared.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 
+#include <Eigen/Cholesky>
 #include <ceres/ceres.h>
 
 namespace relamp
@@ -21,6 +23,10 @@ constexpr double kLeastIrradiance = 1e-3; // what no measured place falls below
 constexpr double kSmallest = -4.0;        // log radiance
 constexpr double kLargest = 8.5;
 
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+using Squares = Eigen::Map<RowMajor>; // lower triangles count
+
 double medianOf(std::vector<double> values)
 {
     if (values.empty()) return 0.0;
@@ -29,84 +35,14 @@ double medianOf(std::vector<double> values)
     return *middle;
 }
 
-/// One channel of the data, and what every evaluation of the fit shares: the irradiance of all
-/// places.
-class Channel : public ceres::EvaluationCallback
+/// What a fit is of: a channel, or luminance where it is < 0; by what is burnt out, too, where that
+/// bounds it.
+struct Fitted
 {
-public:
-    /// `white`: log radiance of each lamp without evidence of its colour.
-    Channel(const FitData& data, int c, std::span<const double> white)
-        : data_(data), c_(c), unknowns_(data.lamps + 1), wanted_(white.begin(), white.end())
-    {
-        wanted_.resize(data.lamps, 0.0);
-        for (size_t i = 0; i < data.radiance.size(); ++i) {
-            logRadiance_.push_back(std::log(std::max(pick(data.radiance[i]), 1e-4)));
-            gathered_.push_back(pick(data.gathered[i]));
-        }
-        const auto end = logRadiance_.begin() + static_cast<ptrdiff_t>(data_.places());
-        wanted_.push_back(medianOf({logRadiance_.begin(), end}));
-        log_ = wanted_;
-        logIrradiance_.resize(data.radiance.size());
-        share_.resize(data.radiance.size() * unknowns_);
-    }
-
-    void PrepareForEvaluation(bool, bool) override
-    {
-        std::vector<double> value(unknowns_);
-        for (size_t f = 0; f < unknowns_; ++f) value[f] = std::exp(log_[f]);
-        forEachChunk(logRadiance_.size(), 512, [&](size_t begin, size_t end) {
-            for (size_t i = begin; i < end; ++i) evaluate(i, value);
-        });
-    }
-
-    [[nodiscard]] double pick(glm::vec3 rgb) const
-    {
-        return static_cast<double>(c_ < 0 ? luminance(rgb) : rgb[c_]);
-    }
-    [[nodiscard]] double* unknowns() { return log_.data(); }
-    [[nodiscard]] size_t count() const { return unknowns_; }
-    /// Where the unknowns are without evidence; what lies behind holes is as bright as the room.
-    [[nodiscard]] const std::vector<double>& wanted() const { return wanted_; }
-    [[nodiscard]] double residual(MaterialPair pair) const
-    {
-        return logRadiance_[pair.p] - logRadiance_[pair.q] - logIrradiance_[pair.p] +
-               logIrradiance_[pair.q];
-    }
-    /// How much too dark a burnt-out place is even as the brightest paper; 0 where it is not.
-    [[nodiscard]] double lack(size_t burntOut) const
-    {
-        const size_t place = data_.places() + burntOut;
-        const double least = logRadiance_[place] + std::log(kPi / kBrightestPaper);
-        return std::max(least - logIrradiance_[place], 0.0);
-    }
-    /// d log E / d unknown at a place: the share of the irradiance that comes from it.
-    [[nodiscard]] const double* shares(uint32_t place) const { return &share_[place * unknowns_]; }
-    [[nodiscard]] const double* sharesBurntOut(size_t place) const
-    {
-        return &share_[(data_.places() + place) * unknowns_];
-    }
-
-private:
-    void evaluate(size_t i, const std::vector<double>& value)
-    {
-        double* share = &share_[i * unknowns_];
-        double sum = gathered_[i] + kLeastIrradiance;
-        for (size_t f = 0; f < data_.lamps; ++f)
-            sum += share[f] = value[f] * static_cast<double>(data_.direct[i * data_.lamps + f]);
-        sum += share[data_.lamps] = value[data_.lamps] * static_cast<double>(data_.missed[i]);
-        logIrradiance_[i] = std::log(sum);
-        for (size_t f = 0; f < unknowns_; ++f) share[f] /= sum;
-    }
-
-    const FitData& data_;
-    int c_; // < 0: luminance
-    size_t unknowns_;
-    std::vector<double> wanted_; // of lamps, then of ambient
-    std::vector<double> log_;    // likewise
-    std::vector<double> logRadiance_;
-    std::vector<double> gathered_;
-    std::vector<double> logIrradiance_;
-    std::vector<double> share_;
+    int channel = -1;
+    bool isBounded = false;
+    std::span<const double> white{}; // log radiance of each lamp without evidence of its colour;
+                                     // empty: the texture's
 };
 
 /// A residual with the Cauchy loss already in it: sign(r) sqrt(b log(1 + r^2 / b)), b = scale^2.
@@ -123,139 +59,222 @@ struct Robust
     }
 };
 
-/// log (L_p / L_q) - log (E_p / E_q) of all pairs. One block of residuals, as there is one of
-/// unknowns; a block a pair would take Ceres longer than the sums in it.
-class PairsCost : public ceres::CostFunction
+/// One channel of the data, and all residuals of its fit: of pairs, of what is burnt out, of lamps
+/// that look alike, and of the prior. There are many more of them than unknowns, so their squares
+/// are summed once a point, and Ceres gets the few residuals that have the same sums.
+class Channel : public ceres::EvaluationCallback
 {
 public:
-    PairsCost(const Channel& channel, std::span<const MaterialPair> pairs, double scale)
-        : channel_(channel), pairs_(pairs), b_(scale * scale)
-    {
-        set_num_residuals(static_cast<int>(pairs.size()));
-        mutable_parameter_block_sizes()->push_back(static_cast<int32_t>(channel.count()));
-    }
+    Channel(const FitData& data, std::span<const MaterialPair> pairs, const PowersOptions& options,
+            const Fitted& what);
 
-    bool Evaluate(double const* const*, double* residuals, double** jacobians) const override
+    void setScale(double scale);
+    void PrepareForEvaluation(bool, bool) override;
+
+    [[nodiscard]] double* unknowns() { return log_.data(); }
+    [[nodiscard]] size_t count() const { return log_.size(); }
+    [[nodiscard]] double prior() const { return prior_; }
+    /// Of a pair: log (L_p / L_q) - log (E_p / E_q).
+    [[nodiscard]] double residual(MaterialPair pair) const
     {
-        double* jacobian = jacobians == nullptr ? nullptr : jacobians[0];
-        forEachChunk(pairs_.size(), 2048, [&](size_t begin, size_t end) {
-            for (size_t i = begin; i < end; ++i) evaluate(i, residuals, jacobian);
-        });
-        return true;
+        return logRadiance_[pair.p] - logRadiance_[pair.q] - logIrradiance_[pair.p] +
+               logIrradiance_[pair.q];
     }
+    /// d log E / d unknown at every place: the share of the irradiance that comes from it.
+    [[nodiscard]] const PlaceTable& shares() const { return shares_; }
+    /// As few residuals, one more than unknowns, as have the squares of all; and their Jacobian.
+    [[nodiscard]] const Eigen::VectorXd& residuals() const { return residuals_; }
+    [[nodiscard]] const RowMajor& jacobian() const { return jacobian_; }
 
 private:
-    void evaluate(size_t i, double* residuals, double* jacobian) const
+    [[nodiscard]] double pick(glm::vec3 rgb) const
     {
-        const Robust robust(channel_.residual(pairs_[i]), b_);
-        residuals[i] = robust.value;
-        if (jacobian == nullptr) return;
-        const double* p = channel_.shares(pairs_[i].p);
-        const double* q = channel_.shares(pairs_[i].q);
-        double* row = jacobian + i * channel_.count();
-        for (size_t f = 0; f < channel_.count(); ++f) row[f] = robust.slope * (q[f] - p[f]);
+        return static_cast<double>(c_ < 0 ? luminance(rgb) : rgb[c_]);
     }
+    void findShares(size_t place, std::span<const float> value);
+    [[nodiscard]] double lack(size_t place) const;
+    double weighResiduals();
+    void addAlike(Squares& squares) const;
+    void addPrior(Squares& squares) const;
+    void condense(const Squares& squares);
 
-    const Channel& channel_;
+    const FitData& data_;
     std::span<const MaterialPair> pairs_;
-    double b_;
+    const PowersOptions& options_;
+    int c_; // < 0: luminance
+    double pairsAPlace_;
+    double prior_;
+    double b_ = 0.0;              // scale^2
+    std::vector<double> wanted_;  // of lamps, then of ambient: where they are without evidence
+    std::vector<double> log_;     // likewise: the unknowns
+    std::vector<double> knownAt_; // unknowns that all below belongs to
+    std::vector<double> logRadiance_;
+    std::vector<double> gathered_;
+    std::vector<double> logIrradiance_;
+    PlaceTable shares_;                 // and a row of zeros
+    std::vector<PairResidual> weighed_; // of pairs; then of burnt-out places beside that row
+    Eigen::VectorXd residuals_;
+    RowMajor jacobian_;
 };
 
-/// What is burnt out and no lamp must get the light for it. Robust, for a highlight on polish gets
-/// less.
-class BurntOutCost : public ceres::CostFunction
+Channel::Channel(const FitData& data, std::span<const MaterialPair> pairs,
+                 const PowersOptions& options, const Fitted& what)
+    : data_(data), pairs_(pairs), options_(options), c_(what.channel),
+      pairsAPlace_(static_cast<double>(pairs.size()) /
+                   static_cast<double>(std::max<size_t>(data.places(), 1))),
+      prior_(std::sqrt(options.priorWeight * pairsAPlace_)),
+      wanted_(what.white.begin(), what.white.end()), logIrradiance_(data.radiance.size()),
+      shares_(data.radiance.size() + 1, data.lamps + 1)
 {
-public:
-    BurntOutCost(const Channel& channel, size_t places, double scale, double weight)
-        : channel_(channel), places_(places), b_(scale * scale), weight_(weight)
-    {
-        set_num_residuals(static_cast<int>(places));
-        mutable_parameter_block_sizes()->push_back(static_cast<int32_t>(channel.count()));
+    for (size_t i = 0; i < data.radiance.size(); ++i) {
+        logRadiance_.push_back(std::log(std::max(pick(data.radiance[i]), 1e-4)));
+        gathered_.push_back(pick(data.gathered[i]));
     }
+    wanted_.resize(data.lamps, 0.0);
+    const auto end = logRadiance_.begin() + static_cast<ptrdiff_t>(data.places());
+    wanted_.push_back(medianOf({logRadiance_.begin(), end})); // behind holes it is as in the room
+    log_ = wanted_;
+    for (size_t f = 0; f < options.start.size(); ++f)
+        log_[f] = std::log(std::max(pick(options.start[f]), 1e-2));
+    for (const MaterialPair pair : pairs) weighed_.push_back({pair, 0.0f, 0.0f});
+    const auto zeros = static_cast<uint32_t>(data.radiance.size());
+    if (what.isBounded && !pairs.empty())
+        for (auto i = static_cast<uint32_t>(data.places()); i < zeros; ++i)
+            weighed_.push_back({{i, zeros}, 0.0f, 0.0f});
+}
 
-    bool Evaluate(double const* const*, double* residuals, double** jacobians) const override
-    {
-        double* jacobian = jacobians == nullptr ? nullptr : jacobians[0];
-        for (size_t i = 0; i < places_; ++i) {
-            const double lack = channel_.lack(i);
-            const Robust robust(lack, b_);
-            residuals[i] = weight_ * robust.value;
-            if (jacobian == nullptr) continue;
-            const double slope = lack > 0.0 ? weight_ * robust.slope : 0.0;
-            const double* shares = channel_.sharesBurntOut(i);
-            for (size_t f = 0; f < channel_.count(); ++f)
-                jacobian[i * channel_.count() + f] = -slope * shares[f];
+void Channel::setScale(double scale)
+{
+    b_ = scale * scale;
+    knownAt_.clear();
+}
+
+/// Ceres asks for a point again, with and without a Jacobian.
+void Channel::PrepareForEvaluation(bool, bool)
+{
+    if (knownAt_ == log_) return;
+    knownAt_ = log_;
+    std::vector<float> value;
+    for (const double log : log_) value.push_back(static_cast<float>(std::exp(log)));
+    forEachChunk(logRadiance_.size(), 512, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) findShares(i, value);
+    });
+    const double sum = weighResiduals();
+    std::vector<double> ofWeighed = squaresOf(shares_, weighed_);
+    const auto size = static_cast<Eigen::Index>(count() + 1);
+    Eigen::Map<RowMajor> squares(ofWeighed.data(), size, size);
+    squares(size - 1, size - 1) = sum; // in double precision
+    addAlike(squares);
+    addPrior(squares);
+    condense(squares);
+}
+
+void Channel::findShares(size_t i, std::span<const float> value)
+{
+    float* share = shares_.row(i);
+    const float* direct = data_.direct.data() + i * data_.lamps;
+    for (size_t f = 0; f < data_.lamps; ++f) share[f] = value[f] * direct[f];
+    share[data_.lamps] = value[data_.lamps] * data_.missed[i];
+    float sums[kLanes] = {}; // rows are padded by zeros
+    for (size_t f = 0; f < shares_.stride(); f += kLanes) RELAMP_KEEP_LOOP
+    for (size_t lane = 0; lane < kLanes; ++lane) sums[lane] += share[f + lane];
+    double sum = gathered_[i] + kLeastIrradiance;
+    for (const float part : sums) sum += static_cast<double>(part);
+    logIrradiance_[i] = std::log(sum);
+    const auto perSum = static_cast<float>(1.0 / sum);
+    for (size_t f = 0; f < value.size(); ++f) share[f] *= perSum;
+}
+
+/// How much too dark a burnt-out place is even as the brightest paper; 0 where it is not.
+double Channel::lack(size_t place) const
+{
+    const double least = logRadiance_[place] + std::log(kPi / kBrightestPaper);
+    return std::max(least - logIrradiance_[place], 0.0);
+}
+
+/// Pairs; and what is burnt out and no lamp, which must get the light for it. Robust, for pairs may
+/// be of two materials, and a highlight on polish gets less. Gives the sum of all squares.
+double Channel::weighResiduals()
+{
+    constexpr size_t kChunk = 1024;
+    const double weight = std::sqrt(pairsAPlace_);
+    std::vector<double> sums((weighed_.size() + kChunk - 1) / kChunk, 0.0);
+    forEachChunk(weighed_.size(), kChunk, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            PairResidual& weighed = weighed_[i];
+            const bool isPair = i < pairs_.size();
+            const double r = isPair ? residual(weighed.pair) : lack(weighed.pair.p);
+            const Robust robust(r, b_);
+            const double scale = isPair ? 1.0 : r > 0.0 ? weight : 0.0;
+            weighed.slope = static_cast<float>(scale * robust.slope);
+            weighed.value = static_cast<float>(scale * robust.value);
+            sums[begin / kChunk] += scale * scale * robust.value * robust.value;
         }
-        return true;
-    }
-
-private:
-    const Channel& channel_;
-    size_t places_;
-    double b_;
-    double weight_;
-};
+    });
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
 
 /// Pulls lamps that look alike towards one radiance.
-class AlikeCost : public ceres::CostFunction
+void Channel::addAlike(Squares& squares) const
 {
-public:
-    AlikeCost(const std::vector<std::pair<uint32_t, uint32_t>>& alike, size_t count, double weight)
-        : alike_(alike), count_(count), weight_(weight)
-    {
-        set_num_residuals(static_cast<int>(alike.size()));
-        mutable_parameter_block_sizes()->push_back(static_cast<int32_t>(count));
+    const double weight = options_.alikeWeight * static_cast<double>(pairs_.size());
+    const Eigen::Index last = squares.rows() - 1;
+    for (const auto& [a, b] : options_.alike) {
+        const double step = log_[a] - log_[b];
+        squares(a, a) += weight;
+        squares(b, b) += weight;
+        squares(std::max(a, b), std::min(a, b)) -= weight;
+        squares(last, a) += weight * step;
+        squares(last, b) -= weight * step;
+        squares(last, last) += weight * step * step;
     }
-
-    bool Evaluate(double const* const* parameters, double* residuals,
-                  double** jacobians) const override
-    {
-        const double* log = parameters[0];
-        double* jacobian = jacobians == nullptr ? nullptr : jacobians[0];
-        if (jacobian != nullptr) std::fill_n(jacobian, alike_.size() * count_, 0.0);
-        for (size_t i = 0; i < alike_.size(); ++i) {
-            const auto [a, b] = alike_[i];
-            residuals[i] = weight_ * (log[a] - log[b]);
-            if (jacobian == nullptr) continue;
-            jacobian[i * count_ + a] = weight_;
-            jacobian[i * count_ + b] = -weight_;
-        }
-        return true;
-    }
-
-private:
-    const std::vector<std::pair<uint32_t, uint32_t>>& alike_;
-    size_t count_;
-    double weight_;
-};
+}
 
 /// Pulls every unknown a little towards where it is without evidence.
-class PriorCost : public ceres::CostFunction
+void Channel::addPrior(Squares& squares) const
+{
+    const double weight = prior_ * prior_;
+    const Eigen::Index last = squares.rows() - 1;
+    for (Eigen::Index f = 0; f < last; ++f) {
+        const double step = log_[static_cast<size_t>(f)] - wanted_[static_cast<size_t>(f)];
+        squares(f, f) += weight;
+        squares(last, f) += weight * step;
+        squares(last, last) += weight * step * step;
+    }
+}
+
+/// Of squares P^T L D L^T P, by their lower triangle, the rows of D^1/2 L^T P have just these.
+void Channel::condense(const Squares& squares)
+{
+    const Eigen::LDLT<Eigen::MatrixXd> factors(squares);
+    RowMajor rows = RowMajor::Identity(squares.rows(), squares.cols());
+    rows = factors.transpositionsP() * rows;
+    rows = factors.matrixU() * rows;
+    rows = factors.vectorD().cwiseMax(0.0).cwiseSqrt().asDiagonal() * rows;
+    residuals_ = rows.rightCols<1>();
+    jacobian_ = rows.leftCols(rows.cols() - 1);
+}
+
+/// A channel's residuals, as Ceres wants them.
+class ChannelCost : public ceres::CostFunction
 {
 public:
-    PriorCost(std::vector<double> wanted, double weight)
-        : wanted_(std::move(wanted)), count_(wanted_.size()), weight_(weight)
+    explicit ChannelCost(const Channel& channel) : channel_(channel)
     {
-        const size_t count = count_;
-        set_num_residuals(static_cast<int>(count));
-        mutable_parameter_block_sizes()->push_back(static_cast<int32_t>(count));
+        set_num_residuals(static_cast<int>(channel.count()) + 1);
+        mutable_parameter_block_sizes()->push_back(static_cast<int32_t>(channel.count()));
     }
 
-    bool Evaluate(double const* const* parameters, double* residuals,
-                  double** jacobians) const override
+    bool Evaluate(double const* const*, double* residuals, double** jacobians) const override
     {
-        for (size_t f = 0; f < count_; ++f)
-            residuals[f] = weight_ * (parameters[0][f] - wanted_[f]);
-        if (jacobians == nullptr || jacobians[0] == nullptr) return true;
-        std::fill_n(jacobians[0], count_ * count_, 0.0);
-        for (size_t f = 0; f < count_; ++f) jacobians[0][f * count_ + f] = weight_;
+        std::copy_n(channel_.residuals().data(), channel_.residuals().size(), residuals);
+        if (jacobians != nullptr && jacobians[0] != nullptr)
+            std::copy_n(channel_.jacobian().data(), channel_.jacobian().size(), jacobians[0]);
         return true;
     }
 
 private:
-    std::vector<double> wanted_;
-    size_t count_;
-    double weight_;
+    const Channel& channel_;
 };
 
 struct ChannelFit
@@ -272,42 +291,27 @@ std::vector<double> errorsOf(const Channel& channel, std::span<const MaterialPai
                              double scale, double prior)
 {
     const auto n = static_cast<Eigen::Index>(channel.count());
-    Eigen::MatrixXd information = Eigen::MatrixXd::Identity(n, n) * prior * prior;
-    for (const MaterialPair& pair : pairs) {
-        const double r = channel.residual(pair);
-        const double weight = 1.0 / (1.0 + r * r / (scale * scale));
-        const Eigen::Map<const Eigen::VectorXd> p(channel.shares(pair.p), n);
-        const Eigen::Map<const Eigen::VectorXd> q(channel.shares(pair.q), n);
-        const Eigen::VectorXd step = q - p;
-        information.selfadjointView<Eigen::Lower>().rankUpdate(step, weight);
+    std::vector<PairResidual> weighed;
+    for (const MaterialPair pair : pairs) {
+        const double r = channel.residual(pair) / scale;
+        weighed.push_back({pair, static_cast<float>(1.0 / std::sqrt(1.0 + r * r)), 0.0f});
     }
-    const Eigen::MatrixXd covariance =
-        information.selfadjointView<Eigen::Lower>().llt().solve(Eigen::MatrixXd::Identity(n, n));
+    const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(n, n);
+    std::vector<double> squares = squaresOf(channel.shares(), weighed);
+    const Eigen::MatrixXd information =
+        prior * prior * identity + Squares(squares.data(), n + 1, n + 1).topLeftCorner(n, n);
+    const Eigen::MatrixXd covariance = information.llt().solve(identity);
     std::vector<double> errors(channel.count());
     for (Eigen::Index f = 0; f < n; ++f)
         errors[static_cast<size_t>(f)] = scale * std::sqrt(covariance(f, f));
     return errors;
 }
 
-/// What a fit is of: a channel, or luminance where it is < 0; by what is burnt out, too, where that
-/// bounds it.
-struct Fitted
+/// Finds the unknowns, from a wide loss to a narrow one.
+void solve(Channel& channel, const PowersOptions& options)
 {
-    int channel = -1;
-    bool isBounded = false;
-    std::span<const double> white{}; // see Channel; empty: the texture's
-};
-
-ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs,
-                      const PowersOptions& options, const Fitted& what)
-{
-    Channel channel(data, what.channel, what.white);
-    for (size_t f = 0; f < options.start.size(); ++f)
-        channel.unknowns()[f] = std::log(std::max(channel.pick(options.start[f]), 1e-2));
-    const double pairsAPlace =
-        static_cast<double>(pairs.size()) / static_cast<double>(std::max<size_t>(data.places(), 1));
-    const double prior = std::sqrt(options.priorWeight * pairsAPlace);
     for (double scale = options.firstScale;; scale = std::max(0.5 * scale, options.lastScale)) {
+        channel.setScale(scale);
         ceres::Problem::Options ownership;
         ownership.evaluation_callback = &channel;
         ceres::Problem problem(ownership);
@@ -316,20 +320,7 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs,
             problem.SetParameterLowerBound(channel.unknowns(), f, kSmallest);
             problem.SetParameterUpperBound(channel.unknowns(), f, kLargest);
         }
-        if (!pairs.empty())
-            problem.AddResidualBlock(new PairsCost(channel, pairs, scale), nullptr,
-                                     channel.unknowns());
-        if (what.isBounded && data.burntOut > 0 && !pairs.empty())
-            problem.AddResidualBlock(
-                new BurntOutCost(channel, data.burntOut, scale, std::sqrt(pairsAPlace)), nullptr,
-                channel.unknowns());
-        if (!options.alike.empty())
-            problem.AddResidualBlock(
-                new AlikeCost(options.alike, channel.count(),
-                              std::sqrt(options.alikeWeight * static_cast<double>(pairs.size()))),
-                nullptr, channel.unknowns());
-        problem.AddResidualBlock(new PriorCost(channel.wanted(), prior), nullptr,
-                                 channel.unknowns());
+        problem.AddResidualBlock(new ChannelCost(channel), nullptr, channel.unknowns());
         ceres::Solver::Options solver;
         solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
         solver.max_num_iterations = 25;
@@ -340,9 +331,16 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs,
         if (scale <= options.lastScale) break;
     }
     channel.PrepareForEvaluation(false, true);
+}
+
+ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs,
+                      const PowersOptions& options, const Fitted& what)
+{
+    Channel channel(data, pairs, options, what);
+    solve(channel, options);
     ChannelFit fit;
     fit.log.assign(channel.unknowns(), channel.unknowns() + channel.count());
-    const double known = std::max(prior, 1e-3);
+    const double known = std::max(channel.prior(), 1e-3);
     fit.error = errorsOf(channel, pairs, options.lastScale, known);
     for (const double error : fit.error) {
         const double left = error * known / options.lastScale; // of the prior's own error

@@ -119,12 +119,33 @@ Places placesOf(const Texels& texels, const SurfelRadiance& radiance, const Texe
     return places;
 }
 
-/// Octaves by which the shading at each knot is too high, up to a common constant.
-Row octavesOf(const Places& places, std::span<const MaterialPair> pairs)
+/// What two places of a pair say: `row` * octaves is about -`apart`.
+struct Equation
+{
+    Row row;
+    double apart; // octaves by which p's albedo is above q's
+};
+
+std::vector<Equation> equationsOf(const Places& places, std::span<const MaterialPair> pairs)
 {
     const auto logOf = [](float value) {
         return std::log2(static_cast<double>(std::max(value, kDarkest)));
     };
+    std::vector<Row> knots;
+    std::vector<double> albedo;
+    for (size_t i = 0; i < places.shading.size(); ++i) {
+        knots.push_back(knotsAt(places.shading[i]));
+        albedo.push_back(logOf(luminance(places.seen.radiance[i])) - logOf(places.shading[i]));
+    }
+    std::vector<Equation> equations;
+    for (const auto [p, q] : pairs)
+        equations.push_back({knots[p] - knots[q], albedo[p] - albedo[q]});
+    return equations;
+}
+
+/// Octaves by which the shading at each knot is too high, up to a common constant.
+Row octavesOf(const std::vector<Equation>& equations)
+{
     Eigen::Matrix<double, StrayLight::kKnots, StrayLight::kKnots> stiffness;
     stiffness.setIdentity();
     for (int k = 1; k + 1 < StrayLight::kKnots; ++k) {
@@ -132,16 +153,12 @@ Row octavesOf(const Places& places, std::span<const MaterialPair> pairs)
         bend.segment<3>(k - 1) << 1.0, -2.0, 1.0;
         stiffness += bend * bend.transpose();
     }
-    stiffness *= kStiffness * static_cast<double>(pairs.size());
+    stiffness *= kStiffness * static_cast<double>(equations.size());
     Row octaves = Row::Zero();
     for (int round = 0; round < kRounds; ++round) {
         auto left = stiffness;
         Row right = Row::Zero();
-        for (const auto [p, q] : pairs) {
-            const double apart = logOf(luminance(places.seen.radiance[p])) -
-                                 logOf(luminance(places.seen.radiance[q])) -
-                                 logOf(places.shading[p]) + logOf(places.shading[q]);
-            const Row row = knotsAt(places.shading[p]) - knotsAt(places.shading[q]);
+        for (const auto& [row, apart] : equations) {
             const double residual = (apart + row.dot(octaves)) / kScale;
             const double weight = 1.0 / (1.0 + residual * residual);
             left += weight * row * row.transpose();
@@ -167,7 +184,7 @@ StrayLight fitStray(const Texels& texels, const SurfelRadiance& radiance, const 
     const std::vector<MaterialPair> pairs =
         drawPairs(places.seen, places.surfels, texels.surfels, kPairs);
     if (pairs.empty()) return StrayLight();
-    const Row octaves = octavesOf(places, pairs);
+    const Row octaves = octavesOf(equationsOf(places, pairs));
     const auto middle = places.shading.begin() + static_cast<ptrdiff_t>(places.shading.size() / 2);
     std::nth_element(places.shading.begin(), middle, places.shading.end());
     const double right = knotsAt(*middle).dot(octaves);

@@ -37,12 +37,14 @@ std::vector<uint8_t> srgbBytes(const std::vector<uint16_t>& half)
     return bytes;
 }
 
-void addInto(std::vector<uint16_t>& sum, const std::vector<uint16_t>& other)
+std::vector<uint16_t> sumOf(const std::vector<uint16_t>& a, const std::vector<uint16_t>& b)
 {
+    std::vector<uint16_t> sum(a.size());
     forEachChunk(sum.size(), size_t{1} << 18, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
-            sum[i] = halfFromFloat(floatFromHalf(sum[i]) + floatFromHalf(other[i]));
+            sum[i] = halfFromFloat(floatFromHalf(a[i]) + floatFromHalf(b[i]));
     });
+    return sum;
 }
 
 std::vector<float> floatsFrom(const std::vector<uint16_t>& half)
@@ -80,9 +82,11 @@ public:
     [[nodiscard]] const std::array<double, kDoubts>& area() const { return area_; }
 
 private:
-    void writePage(size_t page, PageLayers layers);
+    void writePage(size_t page, const PageLayers& layers);
     void writeAlbedo(size_t page, const PageLayers& layers);
-    PreviewPicture preview();
+    void writeDoubts(size_t page, const PageLayers& layers);
+    void writePreview();
+    void writeScan();
     [[nodiscard]] std::filesystem::path file(const char* layer, size_t page,
                                              const char* ending) const
     {
@@ -120,34 +124,31 @@ void ResultWriter::writeAlbedo(size_t page, const PageLayers& layers)
                                 : EncodedImage{encodePng(layers.emission, size, 3), "image/png"};
 }
 
-void ResultWriter::writePage(size_t page, PageLayers layers)
+void ResultWriter::writePage(size_t page, const PageLayers& layers)
 {
     const Size size{layers.width, layers.height};
     Progress::Stage stage(progress_, "write", 5);
     previews_.push_back(previewOf(scan_.pages[page], layers));
     for (size_t d = 0; d < kDoubts; ++d) area_[d] += layers.area[d];
-    stage.advance();
+    const std::vector<uint16_t> shading = sumOf(layers.direct, layers.indirect);
+    const auto write = [&](const char* layer, const std::vector<uint16_t>& rgb) {
+        writeExr(file(layer, page, "exr"), rgb, size);
+        stage.advance();
+    };
     tbb::parallel_invoke(
-        [&] {
-            writeAlbedo(page, layers);
-            stage.advance();
-        },
-        [&] {
-            writeExr(file("albedo", page, "exr"), layers.albedo, size);
-            const auto png = encodePng(layers.confidence, size, 1);
-            writeFile(file("confidence", page, "png"), std::as_bytes(std::span(png)));
-            const auto why = encodePng(pictureOf(layers.doubt), size, 3);
-            writeFile(file("reasons", page, "png"), std::as_bytes(std::span(why)));
-            stage.advance();
-        },
-        [&] {
-            writeExr(file("direct", page, "exr"), layers.direct, size);
-            stage.advance();
-        },
-        [&] { writeExr(file("indirect", page, "exr"), layers.indirect, size); });
-    addInto(layers.direct, layers.indirect); // now it is the whole shading
-    writeExr(file("shading", page, "exr"), layers.direct, size);
+        [&] { writeAlbedo(page, layers); }, [&] { writeDoubts(page, layers); },
+        [&] { write("albedo", layers.albedo); }, [&] { write("shading", shading); },
+        [&] { write("direct", layers.direct); }, [&] { write("indirect", layers.indirect); });
     stage.advance();
+}
+
+void ResultWriter::writeDoubts(size_t page, const PageLayers& layers)
+{
+    const Size size{layers.width, layers.height};
+    const auto png = encodePng(layers.confidence, size, 1);
+    writeFile(file("confidence", page, "png"), std::as_bytes(std::span(png)));
+    const auto why = encodePng(pictureOf(layers.doubt), size, 3);
+    writeFile(file("reasons", page, "png"), std::as_bytes(std::span(why)));
 }
 
 void ResultWriter::writePages()
@@ -156,29 +157,31 @@ void ResultWriter::writePages()
         writePage(page, result_.layers(page, progress_));
 }
 
-PreviewPicture ResultWriter::preview()
+void ResultWriter::writePreview()
 {
     const Progress::Stage stage(progress_, "preview");
     const Decomposition::State& state = result_.state();
     const bool isDraft = result_.optionsInForce().gather.quality == Quality::draft;
     const std::vector<Camera> cameras =
         chooseViewpoints(scan_, state.scene, isDraft ? kViewpointsOfDraft : kViewpoints);
-    return renderPreview(state.texels, state.scene, previews_, cameras, progress_);
-}
-
-void ResultWriter::writeWhole()
-{
-    const PreviewPicture picture = preview();
-    Progress::Stage stage(progress_, "write", 2);
+    const PreviewPicture picture =
+        renderPreview(state.texels, state.scene, previews_, cameras, progress_);
     const auto png = encodePng(picture.rgb, picture.size, 3);
     writeFile(folder_ / "preview.png", std::as_bytes(std::span(png)));
-    stage.advance();
+}
+
+void ResultWriter::writeScan()
+{
     Lights lights; // that a GLB can hold
     lights.points = result_.mergedLights();
     lights.sun = result_.lights().sun;
     writeFile(folder_ / (scan_.name + ".glb"), writeGlb(scan_, relit_, lights));
     writeFile(folder_ / "lights.json", lightsAsJson(result_.lights()));
-    stage.advance();
+}
+
+void ResultWriter::writeWhole()
+{
+    tbb::parallel_invoke([&] { writePreview(); }, [&] { writeScan(); });
 }
 
 } // namespace

@@ -18,6 +18,11 @@ glm::vec3 radianceAt(const RadianceField& field, HitTarget target)
     return field.shines[surfel] != 0 ? glm::vec3(0.0f) : field.clipped[surfel];
 }
 
+bool isPlain(HitTarget target)
+{
+    return !target.isNothing() && !target.side().isBack() && !target.isClipped();
+}
+
 } // namespace
 
 RadianceField fieldOf(const SurfelRadiance& radiance)
@@ -57,6 +62,56 @@ Gathered gather(const HitLists& hits, const RadianceField& field, std::span<cons
             result.noise[i] = noiseOfRays(luminance(sum), squares, rays);
             result.irradiance[i] = irradiancePerRay(rays) * sum;
             result.missed[i] = irradiancePerRay(rays) * missed;
+        }
+    });
+    return result;
+}
+
+SettlingGather::SettlingGather(const HitLists& hits, const RadianceField& field,
+                               std::span<const uint32_t> lists)
+{
+    constexpr size_t kChunk = 256;
+    const size_t count = lists.empty() ? hits.sideOfList.size() : lists.size();
+    plain_.irradiance.resize(count);
+    plain_.missed.resize(count);
+    perRay_.resize(count);
+    std::vector<uint32_t> others(count);
+    std::vector<std::vector<HitTarget>> ofChunk((count + kChunk - 1) / kChunk);
+    forEachChunk(count, kChunk, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            const std::span targets = hits.targetsOf(lists.empty() ? i : lists[i]);
+            glm::vec3 sum(0.0f);
+            size_t missed = 0;
+            for (const HitTarget target : targets) {
+                if (isPlain(target))
+                    sum += field.plain[target.side().surfel()];
+                else if (target.isNothing())
+                    ++missed;
+                else {
+                    ofChunk[begin / kChunk].push_back(target);
+                    ++others[i];
+                }
+            }
+            perRay_[i] = irradiancePerRay(static_cast<float>(targets.size()));
+            plain_.irradiance[i] = perRay_[i] * sum;
+            plain_.missed[i] = perRay_[i] * static_cast<float>(missed);
+        }
+    });
+    for (const uint32_t of : others) firstOther_.push_back(firstOther_.back() + of);
+    others_.reserve(firstOther_.back());
+    for (const auto& targets : ofChunk)
+        others_.insert(others_.end(), targets.begin(), targets.end());
+}
+
+Gathered SettlingGather::gather(const RadianceField& field) const
+{
+    Gathered result = plain_;
+    forEachChunk(result.irradiance.size(), 1024, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            glm::vec3 sum(0.0f);
+            for (uint32_t k = firstOther_[i]; k < firstOther_[i + 1]; ++k)
+                sum += radianceAt(field, others_[k]);
+            result.irradiance[i] += perRay_[i] * sum;
         }
     });
     return result;

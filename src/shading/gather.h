@@ -37,4 +37,24 @@ struct Gathered
 Gathered gather(const HitLists& hits, const RadianceField& field,
                 std::span<const uint32_t> lists = {});
 
+/// Gathers a field again and again while its light settles. Plain fronts stay as they are, so they
+/// are summed once; of the others there are few.
+class SettlingGather
+{
+public:
+    SettlingGather() = default;
+    /// `lists` as above.
+    SettlingGather(const HitLists& hits, const RadianceField& field,
+                   std::span<const uint32_t> lists = {});
+
+    /// `field` as the first but for all that is not plain. Without noise.
+    [[nodiscard]] Gathered gather(const RadianceField& field) const;
+
+private:
+    Gathered plain_;
+    std::vector<uint32_t> firstOther_{0}; // of lists, and one more
+    std::vector<HitTarget> others_;       // burnt-out texels and backs
+    std::vector<float> perRay_;           // of lists
+};
+
 } // namespace relamp

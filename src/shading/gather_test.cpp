@@ -110,4 +110,32 @@ TEST(Gather, SomeListsGiveWhatAllGive)
     }
 }
 
+// Only what is not plain changes while light settles.
+TEST(Gather, SettlingGivesWhatTheWholeGives)
+{
+    std::vector<scenes::Panel> walls = scenes::wallsOf(kRoom);
+    walls.push_back(
+        {{0.5f, 0.7f, 0.5f}, {0.0f, 0.0f, 1.0f}, {1.0f, 0.0f, 0.0f}}); // seen from below
+    walls.erase(walls.begin() + 2);
+    Scan scan = scenes::panels(walls, 32, [](glm::vec3, glm::vec3 n) {
+        return n.y < -0.5f ? glm::vec3(1.0f) : glm::vec3(0.3f, 0.4f, 0.5f);
+    });
+    scan.pages[0].image.clipsAtWhite = true;
+    const scenes::Surfaces box(std::move(scan));
+    const HitLists hits = scenes::hitListsOf(box, 32);
+    RadianceField field = fieldOf(box.radiance);
+    const SettlingGather settling(hits, field);
+    field.clipped.assign(field.clipped.size(), glm::vec3(2.0f, 3.0f, 4.0f));
+    field.back.assign(field.back.size(), glm::vec3(0.1f, 0.2f, 0.3f));
+    for (size_t s = 0; s < field.shines.size(); s += 2) field.shines[s] = 1;
+    const Gathered whole = gather(hits, field);
+    const Gathered settled = settling.gather(field);
+    EXPECT_THAT(whole.missed, testing::Contains(testing::Gt(0.0f)));
+    ASSERT_EQ(settled.irradiance.size(), whole.irradiance.size());
+    for (size_t i = 0; i < whole.irradiance.size(); ++i) {
+        EXPECT_LT(glm::distance(settled.irradiance[i], whole.irradiance[i]), 1e-4f);
+        EXPECT_FLOAT_EQ(settled.missed[i], whole.missed[i]);
+    }
+}
+
 } // namespace relamp

@@ -17,6 +17,7 @@ constexpr float kOffSurface = 2e-3f; // m; less than things that lie on each oth
 constexpr size_t kMoreRays = 4;
 constexpr float kNoisy = 0.25f;        // of the mean; what neighbours average away again
 constexpr float kBlack = 0.01f;        // radiance
+constexpr size_t kFewerOfBacks = 2;    // few rays meet a back, and their mean is all that matters
 constexpr int kGenerationsOfBacks = 2; // backs seen by backs seen by fronts; beyond is dark anyway
 
 class Caster
@@ -166,7 +167,7 @@ void castSides(const Caster& caster, std::span<const Side> sides, size_t rays, H
         for (size_t i = begin; i < end; ++i) {
             const std::span out(lists.targets.data() + lists.firstTarget[first + i], counts[i]);
             std::copy_n(ofList(i).begin(), rays, out.begin());
-            caster.cast(sides[i], rays, out.subspan(rays));
+            if (counts[i] > rays) caster.cast(sides[i], rays, out.subspan(rays));
         }
         stage.advance(end - begin);
     });
@@ -201,7 +202,8 @@ HitLists castHitLists(const Texels& texels, const RayScene& scene, const SurfelR
     Progress::Stage stage(progress, "rays", 3 * size_t{surfels}); // backs are about half as many
     for (int generation = 0; generation <= kGenerationsOfBacks && !sides.empty(); ++generation) {
         const size_t first = lists.sideOfList.size();
-        castSides(caster, sides, rays, lists, stage);
+        const size_t ofSide = generation == 0 ? rays : std::max<size_t>(rays / kFewerOfBacks, 1);
+        castSides(caster, sides, ofSide, lists, stage);
         sides = newBacks(lists, first);
     }
     return lists;

@@ -125,8 +125,9 @@ LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadi
     sides.field.shines.assign(shines.begin(), shines.end());
     const std::vector<glm::vec3> least = sides.field.clipped;
     sides.direct = std::move(direct);
+    const SettlingGather settling(hits, sides.field);
     for (int round = 0; round < kLitSidesRounds; ++round) {
-        sides.gathered = gather(hits, sides.field);
+        sides.gathered = settling.gather(sides.field);
         std::vector<glm::vec3> irradiance(sides.direct.size());
         for (size_t i = 0; i < irradiance.size(); ++i)
             irradiance[i] =

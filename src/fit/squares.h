@@ -1,0 +1,46 @@
+#pragma once
+
+#include "base/instruction_set.h"
+#include "base/lanes.h"
+#include "fit/fit_data.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace relamp
+{
+
+/// A row of numbers a place, each padded by zeros to whole groups of lanes.
+class PlaceTable
+{
+public:
+    PlaceTable(size_t places, size_t columns)
+        : columns_(columns), stride_(paddedToLanes(columns + 1)), values_(places * stride_, 0.0f)
+    {}
+
+    [[nodiscard]] float* row(size_t place) { return &values_[place * stride_]; }
+    [[nodiscard]] const float* row(size_t place) const { return &values_[place * stride_]; }
+    [[nodiscard]] size_t columns() const { return columns_; }
+    [[nodiscard]] size_t stride() const { return stride_; } // > columns
+
+private:
+    size_t columns_;
+    size_t stride_;
+    std::vector<float> values_;
+};
+
+/// The residual of two places; its Jacobian is slope * (row of q - row of p).
+struct PairResidual
+{
+    MaterialPair pair;
+    float slope;
+    float value;
+};
+
+/// All that least squares need to know of many residuals r with the Jacobian J: the sum of v v^T of
+/// v = (row of J, r), row after row, columns + 1 square. The same on any number of threads.
+std::vector<double> squaresOf(const PlaceTable& table, std::span<const PairResidual> residuals,
+                              InstructionSet set = bestInstructionSet());
+
+} // namespace relamp
