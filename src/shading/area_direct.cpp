@@ -13,7 +13,6 @@ namespace
 {
 
 constexpr float kOffSurface = 2e-3f; // m, at the lit end
-constexpr size_t kStepsAPatch = 8;   // of the table of shares: a search hardly ever goes on from it
 constexpr float kOffLamp = 0.015f;   // m, at the lamp's: its surface is as uneven as any of a scan
 
 struct OpenArgs
@@ -56,9 +55,9 @@ AreaLight::AreaLight(std::vector<ClippedPatch> patches) : patches_(std::move(pat
         centre_ += patch.area * patch.position;
     }
     centre_ /= area;
-    firstOfShare_.resize(kStepsAPatch * patches_.size());
-    for (size_t step = 0, first = 0; step < firstOfShare_.size(); ++step) {
-        const float share = static_cast<float>(step) / static_cast<float>(firstOfShare_.size());
+    firstOfShare_.resize(patches_.size());
+    for (size_t step = 0, first = 0; step < patches_.size(); ++step) {
+        const float share = static_cast<float>(step) / static_cast<float>(patches_.size());
         while (first + 1 < patches_.size() && areaUpTo_[first] < share * area) ++first;
         firstOfShare_[step] = static_cast<uint32_t>(first);
     }

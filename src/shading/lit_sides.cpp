@@ -14,7 +14,8 @@ namespace
 {
 
 constexpr float kPi = 3.14159265f;
-constexpr size_t kOrigins = 4; // texels of a surfel that a lamp is looked for from
+constexpr size_t kOrigins = 4;       // texels of a surfel that a lamp is looked for from
+constexpr size_t kOriginsOfBack = 2; // of which only the mean of many counts
 
 std::vector<glm::vec3> meanOfNeighbors(const Surfels& surfels, std::span<const glm::vec3> values)
 {
@@ -95,9 +96,12 @@ std::vector<std::vector<AreaSample>> directOfLists(const Texels& texels, const R
         }
         for (size_t l = 0; l < lamps.size(); ++l) {
             AreaSampler sampler(scene, lamps[l].light);
-            for (size_t i = begin; i < end; ++i)
-                sampler.add(origins[i - begin], lamps[l].raysPerOrigin,
-                            hashedShift(sides[i - begin].index, 0), direct[l][i]);
+            for (size_t i = begin; i < end; ++i) {
+                const Side side = sides[i - begin];
+                const size_t from = side.isBack() ? kOriginsOfBack : kOrigins;
+                sampler.add({origins[i - begin], from}, lamps[l].raysPerOrigin,
+                            hashedShift(side.index, 0), direct[l][i]);
+            }
             sampler.finish();
         }
     });

@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/common.hpp>
-
 namespace relamp
 {
 namespace
@@ -60,17 +58,6 @@ void shareKernel(const ShareArgs& args)
     }
 }
 
-/// Whether all of them that could see the lamp see all of it, or all of them nothing.
-bool agree(std::span<const AreaSample> samples)
-{
-    AreaSample all;
-    for (const AreaSample& sample : samples) {
-        all.open += sample.open;
-        all.visible += sample.visible;
-    }
-    return all.visible <= 0.0f || seesAll(all);
-}
-
 } // namespace
 
 Visibility::Visibility(const Texels& texels, const RayScene& scene,
@@ -115,34 +102,21 @@ void Visibility::placeProbes()
     });
 }
 
-/// Half of the rays first, and the others where those of a surfel do not agree: most surfels lie
-/// beside a penumbra, not in it.
 std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const Seen> states,
                                       const RayScene& scene, size_t rays) const
 {
     std::vector<uint8_t> shares(x_.size(), kUnknown);
-    const size_t half = (rays + 1) / 2;
     forEachChunk(states.size(), 64, [&](size_t begin, size_t end) {
         const uint32_t firstProbe = firstProbe_[begin];
         std::vector<AreaSample> samples(firstProbe_[end] - firstProbe);
-        const auto samplesOf = [&](uint32_t s) {
-            return std::span(samples).subspan(firstProbe_[s] - firstProbe,
-                                              firstProbe_[s + 1] - firstProbe_[s]);
-        };
         AreaSampler sampler(scene, lamp);
-        const auto cast = [&](uint32_t s, size_t count, float shift) {
+        for (auto s = static_cast<uint32_t>(begin); s < end; ++s) {
+            if (states[s] != Seen::some) continue;
             for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {
                 const TexelSite site = sites_.at(s, probe - firstProbe_[s]);
-                sampler.add({&site, 1}, count, glm::fract(hashedShift(probe, 0) + shift),
-                            samples[probe - firstProbe]);
+                sampler.add({&site, 1}, rays, hashedShift(probe, 0), samples[probe - firstProbe]);
             }
-        };
-        for (auto s = static_cast<uint32_t>(begin); s < end; ++s)
-            if (states[s] == Seen::some) cast(s, half, 0.0f);
-        sampler.finish();
-        for (auto s = static_cast<uint32_t>(begin); s < end; ++s)
-            if (states[s] == Seen::some && rays > half && !agree(samplesOf(s)))
-                cast(s, rays - half, 0.5f);
+        }
         sampler.finish();
         for (size_t i = 0; i < samples.size(); ++i)
             if (samples[i].open > 0.0f)
