@@ -7,7 +7,10 @@
 #include "lights/fixtures.h"
 #include "relamp/error.h"
 #include "scan/rays.h"
+#include "shading/buried.h"
+#include "shading/gathered_light.shared.h"
 #include "shading/thesis.h"
+#include "solve/resolve_gpu.h"
 #include "solve/thesis_gpu.h"
 
 #include <algorithm>
@@ -15,14 +18,18 @@
 #include <functional>
 #include <memory>
 #include <numeric>
+#include <span>
+#include <utility>
 
 namespace relamp
 {
 namespace
 {
 
-/// The rows, in their order; ThesisGpu marks its stages with the same names.
-constexpr const char* kRows[] = {"flatten", "direct", "RSM", "LPV", "divide", "dilate"};
+/// The rows, in their order; the GPU's classes mark their stages with the same names.
+constexpr const char* kFrameRows[] = {"flatten", "direct", "RSM", "LPV", "divide", "dilate"};
+constexpr const char* kResolveRows[] = {"gather", "shading", "divide"};
+constexpr const char* kKept[] = {"lamps"};
 
 /// All that stands before the first frame.
 struct Room
@@ -102,6 +109,15 @@ std::vector<double> frameOfCpu(const Room& room)
     return {flattening, direct, rsm, lpv, division, 0.0};
 }
 
+std::vector<double> inRows(std::span<const gpu::Timing> timings, std::span<const char* const> rows)
+{
+    std::vector<double> seconds(rows.size(), 0.0);
+    for (const gpu::Timing& timing : timings)
+        for (size_t row = 0; row < rows.size(); ++row)
+            if (timing.name == rows[row]) seconds[row] += timing.seconds;
+    return seconds;
+}
+
 /// One frame of a GPU, everything computed anew.
 std::vector<double> frameOfGpu(ThesisGpu& gpu, const Room& room)
 {
@@ -111,11 +127,7 @@ std::vector<double> frameOfGpu(ThesisGpu& gpu, const Room& room)
         const std::vector<gpu::Timing> ofPage = gpu.page(room.frame, p);
         timings.insert(timings.end(), ofPage.begin(), ofPage.end());
     }
-    std::vector<double> seconds(std::size(kRows), 0.0);
-    for (const gpu::Timing& timing : timings)
-        for (size_t row = 0; row < seconds.size(); ++row)
-            if (timing.name == kRows[row]) seconds[row] += timing.seconds;
-    return seconds;
+    return inRows(timings, kFrameRows);
 }
 
 /// The best of some rounds: that whose stages together are the fastest.
@@ -133,6 +145,18 @@ std::vector<double> best(int rounds, const Frame& frame)
     return least;
 }
 
+/// Neighbours of the texels' surfels, a texel each, `most` at most.
+double tapsOf(const Texels& texels, size_t most)
+{
+    double taps = 0.0;
+    for (const PageTexels& page : texels.pages)
+        for (size_t run = 0; run + 1 < page.runs.size(); ++run)
+            taps += static_cast<double>(
+                std::min(texels.surfels.neighborsOf(page.runs[run].surfel).size(), most) *
+                (page.runs[run + 1].begin - page.runs[run].begin));
+    return taps;
+}
+
 /// What the stages have to move and to compute on a GPU, counted by hand from the shaders.
 std::vector<double> floorsOf(const Room& room, const gpu::Peak& peak)
 {
@@ -142,15 +166,9 @@ std::vector<double> floorsOf(const Room& room, const gpu::Peak& peak)
     const auto cells =
         static_cast<double>(LpvGrid(boundsOf(*room.texels.scan), dials.lpvSize).count());
     double pixels = 0.0;
-    double taps = 0.0; // of the filter: neighbours times about two colours each
-    for (size_t p = 0; p < room.texels.pages.size(); ++p) {
-        pixels += static_cast<double>(room.texels.scan->pages[p].image.pixels());
-        const auto& runs = room.texels.pages[p].runs;
-        for (size_t run = 0; run + 1 < runs.size(); ++run)
-            taps +=
-                2.0 * static_cast<double>(room.texels.surfels.neighborsOf(runs[run].surfel).size() *
-                                          (runs[run + 1].begin - runs[run].begin));
-    }
+    for (const Page& page : room.texels.scan->pages)
+        pixels += static_cast<double>(page.image.pixels());
+    const double taps = 2.0 * tapsOf(room.texels, ~size_t{0}); // about two colours a neighbour
     const double steps = dials.lpvSteps;
     return {peak.floorSeconds(n * (8 + 16 + 8 + 4 + 4 + 4), 26.0 * taps),
             peak.floorSeconds(n * (16 + 8), n * lights * 24.0),
@@ -172,9 +190,169 @@ std::unique_ptr<gpu::Device> deviceOf(const EngineOptions& options)
     }
 }
 
+std::vector<StageTime> tableOf(std::span<const char* const> rows, std::span<const double> ofGpu,
+                               std::span<const double> floors, std::span<const double> ofCpu)
+{
+    std::vector<StageTime> stages;
+    for (size_t row = 0; row < rows.size(); ++row)
+        stages.push_back({rows[row], ofGpu.empty() ? 0.0 : ofGpu[row],
+                          floors.empty() ? 0.0 : floors[row], ofCpu[row]});
+    return stages;
+}
+
+/// What both measurements need.
+struct Bench
+{
+    const Scan& scan;
+    const gpu::Device* device; // null: none
+    gpu::Peak peak;
+    int rounds;
+};
+
+FrameTimes measureFrame(const Bench& bench, Progress& progress)
+{
+    const Room room(bench.scan, progress);
+    FrameTimes times;
+    times.texels = room.texels.count();
+    times.lights = room.frame.lights.points.size();
+    times.shadowMaps = lightsOfShadowMaps(room.frame.lights, room.frame.dials).size();
+    std::vector<double> ofGpu;
+    std::vector<double> floors;
+    if (bench.device != nullptr) {
+        const Progress::Stage stage(progress, "gpu");
+        floors = floorsOf(room, bench.peak);
+        ThesisGpu gpu(*bench.device, room.texels);
+        ofGpu = best(bench.rounds, [&] { return frameOfGpu(gpu, room); });
+    }
+    const Progress::Stage stage(progress, "cpu");
+    const std::vector<double> ofCpu = best(bench.rounds, [&] { return frameOfCpu(room); });
+    times.stages = tableOf(kFrameRows, ofGpu, floors, ofCpu);
+    return times;
+}
+
+/// All that stands before a lamp's power is changed.
+struct LampRoom
+{
+    LampRoom(const Scan& scan, Progress& progress)
+        : scene(scan), texels(rasterizeAtlas(scan, progress, surfelsOf(Quality::standard)))
+    {
+        separateBuried(texels, scene, progress);
+        solved = solvedRoom(texels, scene, findRoom(texels, scene, {}, progress));
+        powers = powersOf(solved);
+    }
+
+    /// Makes the first lamp brighter, or as it was; without any, what lies around.
+    void changePower()
+    {
+        isBrighter = !isBrighter;
+        glm::vec3& changed = powers.lamps.empty() ? powers.ambient : powers.lamps.front();
+        changed *= isBrighter ? 1.25f : 1.0f / 1.25f;
+    }
+
+    RayScene scene;
+    Texels texels;
+    SolvedRoom solved;
+    LampPowers powers;
+    bool isBrighter = false;
+};
+
+std::vector<double> resolveOfCpu(LampRoom& room)
+{
+    room.changePower();
+    const double gathering = secondsOf([&] { resolve(room.texels, room.solved, room.powers); });
+    const TexelShading shade = shadingOf(room.texels, room.solved);
+    double shading = 0.0;
+    double division = 0.0;
+    for (size_t p = 0; p < room.texels.pages.size(); ++p) {
+        const TexelLoader loader(room.texels, p);
+        shading += secondsOf([&] {
+            forEachBlock(room.texels.pages[p], [&](size_t begin, size_t count) {
+                TexelBlock block;
+                ShadingBlock out;
+                loader.loadGeometry(begin, count, block);
+                loader.loadSurfel(begin, count, block);
+                shade(p, begin, block, out);
+            });
+        });
+        division += secondsOf([&] {
+            forEachBlock(room.texels.pages[p], [&](size_t begin, size_t count) {
+                TexelBlock block;
+                const ShadingBlock light{};
+                AlbedoBlock albedo;
+                loader.loadRadiance(begin, count, block);
+                divide(block, light, AlbedoOptions{}.darkest, albedo);
+            });
+        });
+    }
+    return {gathering, shading, division};
+}
+
+std::vector<gpu::Timing> resolveOfGpu(ResolveGpu& gpu, const LampRoom& room)
+{
+    std::vector<gpu::Timing> timings = gpu.gather(room.powers);
+    for (size_t p = 0; p < room.texels.pages.size(); ++p)
+        for (gpu::Timing& timing : gpu.page(p, AlbedoOptions{}.darkest))
+            timings.push_back(std::move(timing));
+    return timings;
+}
+
+/// As floorsOf(), of a re-solve.
+std::vector<double> resolveFloorsOf(const LampRoom& room, const gpu::Peak& peak)
+{
+    const HitLists& hits = room.solved.found.hits;
+    const double n = static_cast<double>(room.texels.count());
+    const double surfels = static_cast<double>(room.texels.surfels.count());
+    const double neighbors = static_cast<double>(room.texels.surfels.neighbor.size());
+    const double lists = static_cast<double>(hits.sideOfList.size());
+    const auto others = static_cast<double>(
+        std::count_if(hits.targets.begin(), hits.targets.end(), [](HitTarget target) {
+            return !target.isNothing() && (target.side().isBack() || target.isClipped());
+        }));
+    const double raysOfFronts = static_cast<double>(hits.firstTarget[room.texels.surfels.count()]);
+    const double pairs = static_cast<double>((room.powers.lamps.size() + 1) / 2);
+    const double round =
+        others * 4 + lists * (16 + 8 + 16 + 16 + 4 + 8) + surfels * (2 * 8 + 3 * 8 + 16);
+    const double rest = raysOfFronts * 4 + surfels * (4 + 3 * 8 + 20) + // gathered without excess
+                        surfels * (48 + 3 * 32 + 52 + 40) + neighbors * 4 * 4;
+    return {peak.floorSeconds(lists * (4 * pairs + 8) + 4 * round + rest,
+                              (4 * others * 3 + raysOfFronts * 10) + neighbors * (3 * 4 + 9)),
+            peak.floorSeconds(n * (16 + 4 + 4 * pairs + 16),
+                              tapsOf(room.texels, kMostTaps) * 32 + n * pairs * 12),
+            peak.floorSeconds(n * (8 + 8 + 8 + 4 + 8), n * 20.0)};
+}
+
+ResolveTimes measureResolve(const Bench& bench, Progress& progress)
+{
+    LampRoom room(bench.scan, progress);
+    ResolveTimes times;
+    times.texels = room.texels.count();
+    times.lamps = room.powers.lamps.size();
+    times.surfels = room.texels.surfels.count();
+    times.rays = room.solved.found.hits.targets.size();
+    std::vector<double> ofGpu;
+    std::vector<double> floors;
+    if (bench.device != nullptr) {
+        const Progress::Stage stage(progress, "gpu");
+        floors = resolveFloorsOf(room, bench.peak);
+        ResolveGpu gpu(*bench.device, room.texels, room.solved);
+        times.once = inRows(resolveOfGpu(gpu, room), kKept)[0];
+        ofGpu = best(bench.rounds, [&] {
+            room.changePower();
+            const std::vector<gpu::Timing> timings = resolveOfGpu(gpu, room);
+            std::vector<double> seconds = inRows(timings, kResolveRows);
+            seconds[1] += inRows(timings, kKept)[0]; // of pages that take turns
+            return seconds;
+        });
+    }
+    const Progress::Stage stage(progress, "cpu");
+    const std::vector<double> ofCpu = best(bench.rounds, [&] { return resolveOfCpu(room); });
+    times.stages = tableOf(kResolveRows, ofGpu, floors, ofCpu);
+    return times;
+}
+
 } // namespace
 
-StageTime BenchReport::total() const
+StageTime StageTimes::total() const
 {
     StageTime sum{.stage = "total"};
     for (const StageTime& stage : stages) {
@@ -185,30 +363,20 @@ StageTime BenchReport::total() const
     return sum;
 }
 
-BenchReport measureFrame(const Scan& scan, const BenchOptions& options, Progress& progress)
+BenchReport measureStages(const Scan& scan, const BenchOptions& options, Progress& progress)
 {
     const std::unique_ptr<gpu::Device> device = deviceOf(options.engine);
-    const Room room(scan, progress);
-    BenchReport report{.texels = room.texels.count(),
-                       .lights = room.frame.lights.points.size(),
-                       .shadowMaps = lightsOfShadowMaps(room.frame.lights, room.frame.dials).size(),
-                       .cpu = cpuDevice()};
-    std::vector<double> ofGpu(std::size(kRows), 0.0);
-    std::vector<double> floors = ofGpu;
+    BenchReport report{.cpu = cpuDevice()};
+    gpu::Peak peak;
     if (device) {
-        const Progress::Stage stage(progress, "gpu");
-        const gpu::Peak peak = gpu::measurePeak(*device);
+        peak = gpu::measurePeak(*device);
         report.gpu = device->description().name;
         report.bytesPerSecond = peak.bytesPerSecond;
         report.flopsPerSecond = peak.flopsPerSecond;
-        floors = floorsOf(room, peak);
-        ThesisGpu gpu(*device, room.texels);
-        ofGpu = best(options.rounds, [&] { return frameOfGpu(gpu, room); });
     }
-    const Progress::Stage stage(progress, "cpu");
-    const std::vector<double> ofCpu = best(options.rounds, [&] { return frameOfCpu(room); });
-    for (size_t row = 0; row < std::size(kRows); ++row)
-        report.stages.push_back({kRows[row], ofGpu[row], floors[row], ofCpu[row]});
+    const Bench bench{scan, device.get(), peak, options.rounds};
+    report.frame = measureFrame(bench, progress);
+    report.resolve = measureResolve(bench, progress);
     return report;
 }
 

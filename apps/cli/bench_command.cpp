@@ -25,24 +25,39 @@ std::string cell(double seconds)
     return seconds > 0.0 ? fmt::format("{:.2f}", 1e3 * seconds) : "";
 }
 
-void print(const relamp::BenchReport& report)
+void print(const relamp::StageTimes& times)
 {
-    fmt::print("{} texels, {} lights, {} shadow maps\n", report.texels, report.lights,
-               report.shadowMaps);
-    if (!report.gpu.empty())
-        fmt::print("gpu  {}: copies {:.1f} GB/s, computes {:.0f} GFLOP/s\n", report.gpu,
-                   1e-9 * report.bytesPerSecond, 1e-9 * report.flopsPerSecond);
-    fmt::print("cpu  {}\n\n", report.cpu);
     const auto row = [](const std::string& a, const std::string& b, const std::string& c,
                         const std::string& d) {
         fmt::print("{:<9}{:>11}{:>11}{:>11}\n", a, b, c, d);
     };
     row("", "gpu, ms", "floor, ms", "cpu, ms");
-    for (const relamp::StageTime& stage : report.stages)
+    for (const relamp::StageTime& stage : times.stages)
         row(stage.stage, cell(stage.gpu), cell(stage.floor), cell(stage.cpu));
-    const relamp::StageTime total = report.total();
+    const relamp::StageTime total = times.total();
     row(total.stage, cell(total.gpu), cell(total.floor), cell(total.cpu));
+}
+
+void print(const relamp::BenchReport& report)
+{
+    if (!report.gpu.empty())
+        fmt::print("gpu  {}: copies {:.1f} GB/s, computes {:.0f} GFLOP/s\n", report.gpu,
+                   1e-9 * report.bytesPerSecond, 1e-9 * report.flopsPerSecond);
+    fmt::print("cpu  {}\n", report.cpu);
+
+    fmt::print("\nA frame of the thesis: {} texels, {} lights, {} shadow maps\n",
+               report.frame.texels, report.frame.lights, report.frame.shadowMaps);
+    print(report.frame);
     fmt::print("Choi 2018, table 1: 36.06 ms on a GTX 1080 Ti\n");
+
+    const relamp::ResolveTimes& resolve = report.resolve;
+    fmt::print("\nThe gather solver after a lamp's power changed: {} texels, {} lamps, {} surfels, "
+               "{} rays\n",
+               resolve.texels, resolve.lamps, resolve.surfels, resolve.rays);
+    print(resolve);
+    if (resolve.once > 0.0)
+        fmt::print("Before, once: {:.2f} ms on the GPU for each lamp on each texel\n",
+                   1e3 * resolve.once);
 }
 
 int run(const BenchArguments& arguments)
@@ -50,9 +65,10 @@ int run(const BenchArguments& arguments)
     relamp::Progress progress(progressDisplay(Talk::normal));
     const Interrupt interrupt(progress);
     const relamp::ThreadLimit threads(arguments.scan.threads);
+    relamp::checkDevice(arguments.options.engine);
     const relamp::Scan scan =
         relamp::readScan(arguments.scan.file, arguments.scan.options, progress);
-    const relamp::BenchReport report = relamp::measureFrame(scan, arguments.options, progress);
+    const relamp::BenchReport report = relamp::measureStages(scan, arguments.options, progress);
     endProgressDisplay(Talk::normal);
     print(report);
     return 0;
@@ -63,7 +79,8 @@ int run(const BenchArguments& arguments)
 void addBenchCommand(CLI::App& app, Run& run)
 {
     CLI::App& command = *app.add_subcommand(
-        "bench", "Time a frame of the thesis solver on a scan, stage by stage, on GPU and CPU");
+        "bench", "Time a frame of the thesis solver, and the gather solver after a lamp's power "
+                 "changed, stage by stage, on GPU and CPU");
     const auto arguments = std::make_shared<BenchArguments>();
     addScanArguments(command, arguments->scan);
     addEngineArguments(command, arguments->options.engine);

@@ -199,6 +199,7 @@ int run(DelightArguments& arguments)
     const relamp::ThreadLimit threads(arguments.scan.threads);
 
     relamp::checkOutput(arguments.scan.file, arguments.folder);
+    relamp::checkDevice(arguments.options.engine);
     std::vector<std::string> notes;
     if (!arguments.lights.empty())
         arguments.options.lights = relamp::readLights(arguments.lights, notes);

@@ -17,7 +17,7 @@ struct BenchOptions
     int rounds = 5;       // the best of which counts, >= 1
 };
 
-/// A row of Choi's table 1, in seconds.
+/// A stage, in seconds.
 struct StageTime
 {
     std::string stage;
@@ -26,25 +26,45 @@ struct StageTime
     double cpu = 0.0;
 };
 
-/// One frame of the thesis: a scan's light taken out, from texture to albedo. Reading, rasterising
-/// and finding the lights come before it.
-struct BenchReport
+struct StageTimes
 {
     size_t texels = 0;
-    size_t lights = 0;
-    size_t shadowMaps = 0;
-    std::string gpu;             // empty: none
-    double bytesPerSecond = 0.0; // that the GPU copies, measured
-    double flopsPerSecond = 0.0; // of its multiply-adds, measured
-    std::string cpu;
     std::vector<StageTime> stages;
 
     [[nodiscard]] RELAMP_API StageTime total() const;
 };
 
+/// One frame of the thesis, as Choi's table 1: a scan's light taken out, from texture to albedo.
+/// Reading, rasterising and finding the lights come before it.
+struct FrameTimes : StageTimes
+{
+    size_t lights = 0;
+    size_t shadowMaps = 0;
+};
+
+/// The gather solver after the power of a lamp changed, from powers to albedo. Finding the lamps,
+/// rays and shadows come before it.
+struct ResolveTimes : StageTimes
+{
+    size_t lamps = 0; // the sun is one
+    size_t surfels = 0;
+    size_t rays = 0;   // that were cast and are kept
+    double once = 0.0; // what the GPU takes for what it keeps of lamps on texels, before
+};
+
+struct BenchReport
+{
+    std::string gpu;             // empty: none
+    double bytesPerSecond = 0.0; // that the GPU copies, measured
+    double flopsPerSecond = 0.0; // of its multiply-adds, measured
+    std::string cpu;
+    FrameTimes frame;
+    ResolveTimes resolve;
+};
+
 /// Throws Error(device) where a GPU is asked for that is not there, Error(unsupported) where
 /// delight() would.
-RELAMP_API BenchReport measureFrame(const Scan& scan, const BenchOptions& options,
-                                    Progress& progress);
+RELAMP_API BenchReport measureStages(const Scan& scan, const BenchOptions& options,
+                                     Progress& progress);
 
 } // namespace relamp

@@ -42,4 +42,8 @@ struct EngineOptions
     std::string gpu; // index or a part of the name, as gpuDevices() tells them; empty: the best
 };
 
+/// Throws Error(device) where the options ask for a GPU that is not there: to be told before long
+/// work begins.
+RELAMP_API void checkDevice(const EngineOptions& options);
+
 } // namespace relamp

@@ -36,8 +36,7 @@ struct Between
 Between knotsAround(float shading)
 {
     constexpr int kLast = StrayLight::kKnots - 1;
-    const float at = std::clamp(std::log2(std::max(shading, kDarkest)) - StrayLight::kFirst, 0.0f,
-                                static_cast<float>(kLast));
+    const float at = amongStrayKnots(shading);
     const int knot = std::min(static_cast<int>(at), kLast - 1);
     return {knot, at - static_cast<float>(knot)};
 }
@@ -176,7 +175,7 @@ float StrayLight::kept(float shading) const
 {
     const auto [knot, share] = knotsAround(shading);
     const auto k = static_cast<size_t>(knot);
-    return std::exp2(-(octaves_[k] + share * (octaves_[k + 1] - octaves_[k])));
+    return keptOfStray(octaves_[k], octaves_[k + 1], share);
 }
 
 StrayLight fitStray(const Texels& texels, const SurfelRadiance& radiance, const TexelShading& shade)

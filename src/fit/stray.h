@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit/stray.shared.h"
 #include "lights/surfel_radiance.h"
 #include "scan/texels.h"
 #include "shading/texel_shading.h"
@@ -17,14 +18,15 @@ namespace relamp
 class StrayLight
 {
 public:
-    static constexpr int kKnots = 8;       // octaves of shading, from 2^-5
-    static constexpr float kFirst = -5.0f; // log2 of shading
+    static constexpr int kKnots = kStrayKnots;
+    static constexpr float kFirst = kFirstStrayKnot;
 
     /// `octaves[i]` >= 0: by how many octaves shading of 2^(kFirst + i) is too high.
     explicit StrayLight(const std::array<float, kKnots>& octaves = {}) : octaves_(octaves) {}
 
     /// What is left of this shading (luminance of irradiance / pi) without its stray share: 0..1.
     [[nodiscard]] float kept(float shading) const;
+    [[nodiscard]] const std::array<float, kKnots>& octaves() const { return octaves_; }
     [[nodiscard]] bool isNone() const { return octaves_ == std::array<float, kKnots>{}; }
 
 private:

@@ -34,6 +34,16 @@ std::optional<uint32_t> memoryType(const Device& device, uint32_t allowed,
     return std::nullopt;
 }
 
+/// Throws where the driver takes no buffer so large, however much memory there is.
+void checkSize(const Device& device, size_t size)
+{
+    VkPhysicalDeviceMaintenance3Properties limits{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES};
+    VkPhysicalDeviceProperties2 all{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &limits};
+    vkGetPhysicalDeviceProperties2(device.physical(), &all);
+    if (size > limits.maxMemoryAllocationSize) check(VK_ERROR_OUT_OF_DEVICE_MEMORY, tried(size));
+}
+
 uint32_t memoryTypeFor(const Device& device, uint32_t allowed, Buffer::Place place)
 {
     constexpr VkMemoryPropertyFlags kMapped =
@@ -51,6 +61,7 @@ uint32_t memoryTypeFor(const Device& device, uint32_t allowed, Buffer::Place pla
 Buffer::Buffer(const Device& device, size_t size, Place place) : device_(&device), size_(size)
 {
     assert(size > 0);
+    checkSize(device, size);
     VkBufferCreateInfo create{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
     create.size = size;
     create.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |

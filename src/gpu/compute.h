@@ -5,12 +5,26 @@
 
 #ifdef __cplusplus
 
+#include "base/half.h"
 #include "base/shared.h"
 
 #include <cstdint>
 
 namespace relamp
 {
+/// Four half floats, not negative, as the functions of the same names below pack and unpack them.
+inline glm::uvec2 packedHalves(glm::vec4 values)
+{
+    const auto bits = [&](int i) { return uint32_t{halfFromFloat(values[i])}; };
+    return {bits(0) | bits(1) << 16, bits(2) | bits(3) << 16};
+}
+inline glm::vec4 halves(glm::uvec2 packed)
+{
+    const auto value = [](uint32_t bits) { return floatFromHalf(static_cast<uint16_t>(bits)); };
+    return {value(packed.x & 0xffffu), value(packed.x >> 16), value(packed.y & 0xffffu),
+            value(packed.y >> 16)};
+}
+
 /// Address of an array on the device.
 template<class T>
 struct ArrayRef
@@ -74,5 +88,15 @@ SHARED_ARRAY(Uvec4s, uvec4)
 SHARED_ARRAY(Vec4s, vec4)
 
 SHARED_END
+
+#ifndef __cplusplus
+
+// Of an array of bytes, four in a number.
+uint byteAt(Uints bytes, uint i)
+{
+    return bytes.at[i >> 2] >> 8 * (i & 3) & 255u;
+}
+
+#endif
 
 #endif

@@ -69,3 +69,14 @@ std::unique_ptr<Device> deviceFor(const EngineOptions& options)
 }
 
 } // namespace relamp::gpu
+
+namespace relamp
+{
+
+void checkDevice(const EngineOptions& options)
+{
+    if (options.engine == Engine::gpu || (options.engine != Engine::cpu && !options.gpu.empty()))
+        static_cast<void>(gpu::Instance().choose(options.gpu));
+}
+
+} // namespace relamp

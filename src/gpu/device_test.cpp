@@ -66,7 +66,6 @@ TEST_F(Gpu, SaysWhatToDoWhereTheWorldIsNotAsAskedFor)
         EXPECT_EQ(error.code(), ErrorCode::device);
         EXPECT_THAT(error.what(), HasSubstr("MB"));
     }
-    forgetComplaints(); // the layer says that so much is not to be had
 }
 
 TEST_F(Gpu, IsChosenByIndexAndByAPartOfItsName)

@@ -2,9 +2,10 @@
 
 #include "base/parallel.h"
 #include "lights/expand.shared.h"
+#include "relight/follow_bounces.h"
+#include "relight/radiosity.shared.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <glm/vec4.hpp>
@@ -15,16 +16,7 @@ namespace
 {
 
 constexpr float kPi = 3.14159265f;
-constexpr size_t kMostBounces = 64;
-constexpr size_t kFewestBounces = 3; // before their series can be told
-constexpr float kUnseen = 0.01f;     // of all light
-constexpr float kSlowest = 0.95f;    // ratio of a series that is believed
 constexpr size_t kChunk = 1024;
-
-/// Of their rays, one that clusters ask in the first bounces and all later ones: what is to come
-/// is ever less, and ever more even.
-constexpr std::array<size_t, 3> kStepOfBounces{1, 2, 4};
-constexpr size_t kStepOfSides = 4; // and one that is asked what a side sends on
 
 /// The fourth is the square of the luminance, which gathering sums up along with the colours.
 glm::vec4 withSquare(glm::vec3 radiance)
@@ -45,7 +37,7 @@ public:
 
 private:
     [[nodiscard]] float meanSent() const;
-    float bounceOnce(size_t step, float weight = 1.0f);
+    float bounceOnce(size_t step, float weight);
     /// What a side shows of its direct light to rays that are to meet it.
     [[nodiscard]] glm::vec3 metDirect(size_t side) const
     {
@@ -79,7 +71,7 @@ Bouncer::Bouncer(const Transport& transport, std::span<const glm::vec3> albedo,
         const uint32_t cluster = transport.clusterOf[i];
         const glm::vec3 share = transport.weight[i] * albedo[transport.sides[i].surfel()];
         albedo_[cluster] += share;
-        sent_[cluster] += glm::vec4(share * direct[i] / kPi, 0.0f);
+        sent_[cluster] += glm::vec4(sentOn(share, direct[i]), 0.0f);
     }
     for (size_t bin = 0; bin < sky.size(); ++bin)
         sent_[transport.clusters() + bin] = glm::vec4(sky[bin], 0.0f);
@@ -104,7 +96,7 @@ float Bouncer::bounceOnce(size_t step, float weight)
     forEachChunk(clusters, kChunk, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             const glm::vec3 arriving(arriving_[i]);
-            const glm::vec3 sent = albedo_[i] * arriving / kPi;
+            const glm::vec3 sent = sentOn(albedo_[i], arriving);
             irradiance_[i] += weight * arriving;
             sent_[i] = glm::vec4(sent, 0.0f);
         }
@@ -121,8 +113,8 @@ std::vector<glm::vec4> Bouncer::radianceOfSides()
     std::vector<glm::vec4> radiance(sides + Transport::radiancesBeyond(), glm::vec4(0.0f));
     forEachChunk(sides, kChunk, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
-            radiance[i] = withSquare(albedoOfSurfels_[transport_.sides[i].surfel()] *
-                                     (metDirect(i) + irradiance_[transport_.clusterOf[i]]) / kPi);
+            radiance[i] = withSquare(sentOn(albedoOfSurfels_[transport_.sides[i].surfel()],
+                                            metDirect(i) + irradiance_[transport_.clusterOf[i]]));
     });
     for (size_t bin = 0; bin < sky_.size(); ++bin) radiance[sides + bin] = withSquare(sky_[bin]);
 
@@ -133,7 +125,7 @@ std::vector<glm::vec4> Bouncer::radianceOfSides()
         for (size_t i = begin; i < end; ++i) {
             glm::vec3 received = metDirect(i) + glm::vec3(irradiance[i]);
             if (!known_.irradiance.empty()) received += known_.irradiance[i];
-            radiance[i] = withSquare(albedoOfSurfels_[i] * received / kPi);
+            radiance[i] = withSquare(sentOn(albedoOfSurfels_[i], received));
         }
     });
     return radiance;
@@ -160,21 +152,8 @@ void Bouncer::arrive(Bounced& bounced)
 Bounced Bouncer::run()
 {
     Bounced bounced;
-    float last = meanSent();
-    float all = last;
-    for (size_t i = 0; i < kMostBounces && (i == 0 || last > 0.0f); ++i) {
-        const size_t step = kStepOfBounces[std::min(i, kStepOfBounces.size() - 1)];
-        const float sent = bounceOnce(step);
-        const float ratio = std::min(sent / last, kSlowest);
-        const float rest = sent * ratio / (1.0f - ratio);
-        last = sent;
-        all += sent;
-        ++bounced.bounces;
-        if (bounced.bounces < kFewestBounces || rest > kUnseen * all) continue;
-        // What is to come is the next again and again, each time a ratio of it.
-        bounceOnce(step, 1.0f / (1.0f - ratio));
-        break;
-    }
+    bounced.bounces = followBounces(
+        meanSent(), [&](size_t step, float weight) { return bounceOnce(step, weight); });
     arrive(bounced);
     return bounced;
 }

@@ -2,16 +2,12 @@
 
 #include "base/parallel.h"
 #include "lights/expand.shared.h"
-
-#include <algorithm>
-#include <cmath>
+#include "shading/gather.shared.h"
 
 namespace relamp
 {
 namespace
 {
-
-constexpr float kPi = 3.14159265f;
 
 /// Radiance that a ray meets; nothing from lamps, whose light is direct.
 glm::vec3 radianceAt(const RadianceField& field, HitTarget target)
@@ -63,11 +59,9 @@ Gathered gather(const HitLists& hits, const RadianceField& field, std::span<cons
                 squares += luminance(radiance) * luminance(radiance);
             }
             const auto rays = static_cast<float>(targets.size());
-            const float perRay = kPi / rays; // cosine-distributed
-            const float mean = luminance(sum) / rays;
-            result.noise[i] = kPi * std::sqrt(std::max(squares / rays - mean * mean, 0.0f) / rays);
-            result.irradiance[i] = perRay * sum;
-            result.missed[i] = perRay * missed;
+            result.noise[i] = noiseOfRays(luminance(sum), squares, rays);
+            result.irradiance[i] = irradiancePerRay(rays) * sum;
+            result.missed[i] = irradiancePerRay(rays) * missed;
         }
     });
     return result;
@@ -98,7 +92,7 @@ SettlingGather::SettlingGather(const HitLists& hits, const RadianceField& field,
                     ++others[i];
                 }
             }
-            perRay_[i] = kPi / static_cast<float>(targets.size());
+            perRay_[i] = irradiancePerRay(static_cast<float>(targets.size()));
             plain_.irradiance[i] = perRay_[i] * sum;
             plain_.missed[i] = perRay_[i] * static_cast<float>(missed);
         }

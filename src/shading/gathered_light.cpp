@@ -3,8 +3,8 @@
 #include "base/instruction_set.h"
 #include "base/lanes.h"
 #include "base/parallel.h"
-#include "flatten/flatten.shared.h"
 #include "lights/expand.shared.h"
+#include "shading/gathered_light.shared.h"
 
 #include <algorithm>
 
@@ -14,13 +14,12 @@ namespace
 {
 
 constexpr float kPi = 3.14159265f;
-constexpr float kReach = 1.5f;   // of the interpolation, in surfel sizes
 constexpr float kMatters = 0.2f; // share of all light at a place
 
 /// Surfels around a run of texels, as structure of arrays.
 struct Taps
 {
-    static constexpr size_t kMost = 128;
+    static constexpr size_t kMost = kMostTaps;
 
     float x[kMost], y[kMost], z[kMost];
     float nx[kMost], ny[kMost], nz[kMost];
@@ -68,11 +67,9 @@ void interpolateKernel(const InterpolateArgs& args)
                 const glm::vec3 way = glm::vec3(taps.x[t], taps.y[t], taps.z[t]) -
                                       glm::vec3(block.x[i], block.y[i], block.z[i]);
                 const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
-                const float facing =
-                    max(dot(normal, glm::vec3(taps.nx[t], taps.ny[t], taps.nz[t])), 0.0f);
-                const float w = biweight(dot(way, way) * args.perReachSquared) * facing * facing *
-                                    facing * facing +
-                                1e-9f; // some weight, however far
+                const float w =
+                    tapWeight(way, normal, glm::vec3(taps.nx[t], taps.ny[t], taps.nz[t]),
+                              args.perReachSquared);
                 r[lane] += w * taps.r[t];
                 g[lane] += w * taps.g[t];
                 b[lane] += w * taps.b[t];
@@ -127,7 +124,7 @@ void interpolate(const Texels& texels, std::span<const glm::vec3> irradiance, si
                  size_t begin, const TexelBlock& block, RgbBlock& out)
 {
     const Surfels& surfels = texels.surfels;
-    const float reach = kReach * surfels.size;
+    const float reach = kInterpolationReach * surfels.size;
     forEachRunOf(texels.pages[page], begin, block, [&](uint32_t surfel, size_t first, size_t end) {
         Taps taps;
         for (const uint32_t s : surfels.neighborsOf(surfel)) taps.add(surfels, s, irradiance[s]);

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "lights/expand.shared.h"
+#include "shading/lit_sides.shared.h"
 #include "shading/sampling.shared.h"
 
 #include <algorithm>
@@ -15,18 +16,6 @@ namespace
 constexpr float kPi = 3.14159265f;
 constexpr size_t kOrigins = 4;       // texels of a surfel that a lamp is looked for from
 constexpr size_t kOriginsOfBack = 2; // of which only the mean of many counts
-constexpr int kRounds = 4;
-constexpr int kSmoothings = 3;
-constexpr float kLeastIrradiance = 1e-4f;
-constexpr float kDarkestAlbedo = 0.02f;
-constexpr float kBrightestAlbedo = 0.95f;
-constexpr float kAlbedoOfTheUnknown = 0.7f; // of a surfel that is burnt out all over
-constexpr float kMostRadiance = 10.0f;      // of a wall beside a lamp
-
-bool isKnown(const SurfelRadiance& radiance, size_t surfel)
-{
-    return radiance.plainArea[surfel] > 0.1f * radiance.clippedArea[surfel];
-}
 
 std::vector<glm::vec3> meanOfNeighbors(const Surfels& surfels, std::span<const glm::vec3> values)
 {
@@ -44,15 +33,18 @@ std::vector<glm::vec3> meanOfNeighbors(const Surfels& surfels, std::span<const g
 
 } // namespace
 
+bool knowsItsAlbedo(const SurfelRadiance& radiance, size_t surfel)
+{
+    return radiance.plainArea[surfel] > 0.1f * radiance.clippedArea[surfel];
+}
+
 std::vector<glm::vec3> withoutNoise(const Surfels& surfels, std::span<const glm::vec3> values,
                                     std::span<const float> noise)
 {
     std::vector<glm::vec3> result = meanOfNeighbors(surfels, values);
     for (size_t s = 0; s < result.size(); ++s) {
         const float step = luminance(result[s]) - luminance(values[s]);
-        const float variance = noise[s] * noise[s];
-        const float share = variance / std::max(step * step, variance + 1e-12f);
-        result[s] = values[s] + share * (result[s] - values[s]);
+        result[s] = values[s] + shareOfNoise(step, noise[s]) * (result[s] - values[s]);
     }
     return result;
 }
@@ -62,9 +54,7 @@ std::vector<glm::vec3> albedoOf(const Texels& texels, const SurfelRadiance& radi
 {
     std::vector<glm::vec3> albedo(texels.surfels.count());
     for (size_t s = 0; s < albedo.size(); ++s)
-        albedo[s] = glm::clamp(kPi * radiance.plain[s] /
-                                   glm::max(irradiance[s], glm::vec3(kLeastIrradiance)),
-                               kDarkestAlbedo, kBrightestAlbedo);
+        albedo[s] = albedoUnder(irradiance[s], radiance.plain[s]);
     guessBurntOut(texels, radiance, albedo);
     return albedo;
 }
@@ -73,11 +63,11 @@ void guessBurntOut(const Texels& texels, const SurfelRadiance& radiance,
                    std::span<glm::vec3> albedo)
 {
     for (size_t s = 0; s < albedo.size(); ++s) {
-        if (isKnown(radiance, s)) continue;
+        if (knowsItsAlbedo(radiance, s)) continue;
         glm::vec3 sum(0.0f);
         float count = 0.0f;
         for (const uint32_t n : texels.surfels.neighborsOf(s)) {
-            if (!isKnown(radiance, n)) continue;
+            if (!knowsItsAlbedo(radiance, n)) continue;
             sum += albedo[n];
             count += 1.0f;
         }
@@ -140,7 +130,7 @@ LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadi
     const std::vector<glm::vec3> least = sides.field.clipped;
     sides.direct = std::move(direct);
     const SettlingGather settling(hits, sides.field);
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kLitSidesRounds; ++round) {
         sides.gathered = settling.gather(sides.field);
         std::vector<glm::vec3> irradiance(sides.direct.size());
         for (size_t i = 0; i < irradiance.size(); ++i)
@@ -149,8 +139,7 @@ LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadi
         sides.albedo = albedoOf(texels, radiance, irradiance);
         for (size_t s = 0; s < sides.albedo.size(); ++s) {
             const glm::vec3 front = irradiance[static_cast<size_t>(hits.listOfSide[2 * s])];
-            sides.field.clipped[s] =
-                glm::clamp(sides.albedo[s] * front / kPi, least[s], glm::vec3(kMostRadiance));
+            sides.field.clipped[s] = burntOutRadiance(sides.albedo[s], front, least[s]);
             if (const int32_t back = hits.listOfSide[2 * s + 1]; back != HitLists::kNoList)
                 sides.field.back[s] = sides.albedo[s] * irradiance[static_cast<size_t>(back)] / kPi;
         }
@@ -167,7 +156,7 @@ std::vector<glm::vec3> indirectOfFronts(const Surfels& surfels, const HitLists& 
     std::vector<glm::vec3> excess(surfels.count());
     for (size_t s = 0; s < excess.size(); ++s)
         excess[s] = sides.gathered.irradiance[s] - even.irradiance[s];
-    for (int pass = 0; pass < kSmoothings; ++pass) excess = meanOfNeighbors(surfels, excess);
+    for (int pass = 0; pass < kExcessSmoothings; ++pass) excess = meanOfNeighbors(surfels, excess);
     std::vector<glm::vec3> indirect(surfels.count());
     for (size_t s = 0; s < indirect.size(); ++s)
         indirect[s] = even.irradiance[s] + ambient * even.missed[s];

@@ -59,6 +59,9 @@ std::vector<glm::vec3> indirectOfFronts(const Surfels& surfels, const HitLists& 
 std::vector<glm::vec3> albedoOf(const Texels& texels, const SurfelRadiance& radiance,
                                 std::span<const glm::vec3> irradiance);
 
+/// Whether enough of a surfel is not burnt out.
+bool knowsItsAlbedo(const SurfelRadiance& radiance, size_t surfel);
+
 /// Gives surfels that are burnt out nearly all over the mean albedo of their neighbours.
 void guessBurntOut(const Texels& texels, const SurfelRadiance& radiance,
                    std::span<glm::vec3> albedo);

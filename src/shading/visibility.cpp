@@ -2,7 +2,6 @@
 
 #include "base/lanes.h"
 #include "base/parallel.h"
-#include "flatten/flatten.shared.h"
 #include "shading/sampling.shared.h"
 
 #include <algorithm>
@@ -15,13 +14,13 @@ namespace
 
 constexpr size_t kProbes = 16;      // of a surfel, at most
 constexpr float kProbeReach = 1.6f; // steps between probes
-constexpr uint8_t kAll = 250;
-constexpr uint8_t kUnknown = 255;
+constexpr auto kAll = static_cast<uint8_t>(kShareOfAll);
+constexpr auto kUnknown = static_cast<uint8_t>(kShareUnknown);
 
 /// Probes around a run of texels.
 struct Taps
 {
-    static constexpr size_t kMost = 256;
+    static constexpr size_t kMost = kMostProbes;
 
     float x[kMost], y[kMost], z[kMost];
     float share[kMost];
@@ -50,7 +49,7 @@ void shareKernel(const ShareArgs& args)
                 const size_t i = first + lane;
                 const glm::vec3 way = glm::vec3(taps.x[t], taps.y[t], taps.z[t]) -
                                       glm::vec3(block.x[i], block.y[i], block.z[i]);
-                const float w = biweight(dot(way, way) * args.perReachSquared) + 1e-6f;
+                const float w = probeWeight(way, args.perReachSquared);
                 sum[lane] += w * taps.share[t];
                 weight[lane] += w;
             }

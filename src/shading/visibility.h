@@ -5,6 +5,7 @@
 #include "scan/texels.h"
 #include "shading/area_direct.h"
 #include "shading/seen.h"
+#include "shading/visibility.shared.h"
 
 #include <cstdint>
 #include <span>
@@ -46,6 +47,19 @@ public:
     {
         return states_[lamp][surfel] == Seen::some;
     }
+
+    /// Where probes are, and how far the word of each surfel's goes.
+    struct Probes
+    {
+        std::span<const uint32_t> first; // of surfels, and one more
+        std::span<const float> x, y, z;
+        std::span<const float> reach; // of surfels, m
+    };
+    [[nodiscard]] Probes probes() const { return {firstProbe_, x_, y_, z_, reach_}; }
+    /// What a surfel and those around it see of a lamp.
+    [[nodiscard]] Seen seen(size_t lamp, uint32_t surfel) const { return states_[lamp][surfel]; }
+    /// What each probe sees of a lamp, of kShareOfAll; or kShareUnknown.
+    [[nodiscard]] std::span<const uint8_t> sharesOf(size_t lamp) const { return shares_[lamp]; }
 
 private:
     void placeProbes();

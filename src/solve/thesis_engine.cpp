@@ -1,6 +1,6 @@
 #include "solve/thesis_engine.h"
 
-#include "base/half.h"
+#include "gpu/compute.h"
 #include "shading/thesis.shared.h"
 
 #include <fmt/format.h>
@@ -13,12 +13,6 @@ namespace
 ThesisFrame frameOf(const ThesisShading& shading, const Lights& lights)
 {
     return {.lights = lights, .dials = shading.dials, .ambient = shading.ambient};
-}
-
-glm::vec3 rgbOf(glm::uvec2 halves)
-{
-    const auto value = [](uint32_t bits) { return floatFromHalf(static_cast<uint16_t>(bits)); };
-    return {value(halves.x & 0xffffu), value(halves.x >> 16), value(halves.y & 0xffffu)};
 }
 
 void store(glm::vec3 rgb, RgbBlock& block, size_t i)
@@ -110,8 +104,8 @@ bool ThesisEngine::irradianceOnGpu(const ThesisShading& shading, const Lights& l
         return false;
     }
     for (size_t i = 0; i < count; ++i) {
-        store(rgbOf(gpu_->direct[at.begin + i]), out.direct, i);
-        store(rgbOf(gpu_->indirect[at.begin + i]), out.indirect, i);
+        store(glm::vec3(halves(gpu_->direct[at.begin + i])), out.direct, i);
+        store(glm::vec3(halves(gpu_->indirect[at.begin + i])), out.indirect, i);
     }
     return true;
 }

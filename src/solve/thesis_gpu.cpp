@@ -9,9 +9,6 @@ namespace relamp
 namespace
 {
 
-/// Of the device's memory; the rest is for the room itself, and for others.
-constexpr double kShareOfMemory = 0.8;
-
 /// All numbers of lights that a stage may depend on.
 std::vector<double> numbersOf(std::span<const PointLight> lights)
 {
@@ -76,50 +73,36 @@ struct ThesisGpu::Page
 };
 
 ThesisGpu::ThesisGpu(const gpu::Device& device, const Texels& texels, uint64_t budget)
-    : device_(device), texels_(texels),
-      budget_(budget != 0 ? budget
-                          : static_cast<uint64_t>(
-                                kShareOfMemory * static_cast<double>(device.description().memory))),
-      flatten_(device, texels.surfels.count()), direct_(device), maps_(device), volume_(device),
-      grid_(boundsOf(*texels.scan), ThesisOptions{}.lpvSize), divide_(device), gutter_(device),
-      surfels_(device, texels.surfels), surface_(device, *texels.scan), pages_(texels.pages.size())
+    : device_(device), texels_(texels), flatten_(device, texels.surfels.count()), direct_(device),
+      maps_(device), volume_(device), grid_(boundsOf(*texels.scan), ThesisOptions{}.lpvSize),
+      divide_(device), gutter_(device), surfels_(device, texels.surfels),
+      surface_(device, *texels.scan),
+      pages_(
+          device, texels.pages.size(), budget,
+          [&texels](size_t page) { return Page::bytesOf(texels, page); },
+          [&](size_t page) { return std::make_unique<Page>(device, texels, page); })
 {}
 
 ThesisGpu::~ThesisGpu() = default;
-
-ThesisGpu::Page& ThesisGpu::resident(size_t page)
-{
-    if (pages_[page]) return *pages_[page];
-    uint64_t bytes = Page::bytesOf(texels_, page);
-    for (size_t p = 0; p < pages_.size(); ++p)
-        if (pages_[p]) bytes += Page::bytesOf(texels_, p);
-    for (size_t p = 0; p < pages_.size() && bytes > budget_; ++p) {
-        if (!pages_[p]) continue;
-        bytes -= Page::bytesOf(texels_, p);
-        pages_[p].reset();
-    }
-    pages_[page] = std::make_unique<Page>(device_, texels_, page);
-    return *pages_[page];
-}
 
 void ThesisGpu::flattenPages(const ThesisOptions& dials, bool colorsAgain,
                              std::vector<gpu::Timing>& timings)
 {
     const bool gathers = cells_.change({});
-    for (size_t p = 0; gathers && p < pages_.size(); ++p) {
-        const Page& page = resident(p);
+    for (size_t p = 0; gathers && p < pages_.count(); ++p) {
+        const Page& page = pages_[p];
         gpu::Commands commands(device_);
         commands.mark("flatten");
         if (p == 0) flatten_.begin(commands);
         flatten_.gather(commands, page.texels);
-        if (p + 1 == pages_.size()) flatten_.finish(commands);
+        if (p + 1 == pages_.count()) flatten_.finish(commands);
         runAndTime(commands, timings);
     }
     colorsAgain = colors_.change({cells_.version(), static_cast<double>(dials.flattenReach),
                                   static_cast<double>(dials.flattenRange)}) ||
                   colorsAgain;
-    for (size_t p = 0; colorsAgain && p < pages_.size(); ++p) {
-        Page& page = resident(p);
+    for (size_t p = 0; colorsAgain && p < pages_.count(); ++p) {
+        Page& page = pages_[p];
         gpu::Commands commands(device_);
         if (page.flattenedOf.change({colors_.version()})) {
             commands.mark("flatten");
@@ -171,7 +154,7 @@ std::vector<gpu::Timing> ThesisGpu::bounce(const ThesisFrame& frame)
 
 std::vector<gpu::Timing> ThesisGpu::page(const ThesisFrame& frame, size_t index)
 {
-    Page& page = resident(index);
+    Page& page = pages_[index];
     last_ = index;
     const glm::vec3 k = frame.dials.attenuation.value_or(glm::vec3(0.0f, 0.0f, 1.0f));
     gpu::Commands commands(device_);
@@ -220,22 +203,22 @@ std::shared_ptr<const Lpv> ThesisGpu::volume() const
 
 std::vector<glm::uvec2> ThesisGpu::direct() const
 {
-    return pages_[last_]->direct.download();
+    return pages_[last_].direct.download();
 }
 
 std::vector<glm::uvec2> ThesisGpu::indirect() const
 {
-    return pages_[last_]->indirect.download();
+    return pages_[last_].indirect.download();
 }
 
 std::vector<glm::uvec2> ThesisGpu::albedo() const
 {
-    return pages_[last_]->albedo.pixels().download();
+    return pages_[last_].albedo.pixels().download();
 }
 
 std::vector<uint32_t> ThesisGpu::flattened() const
 {
-    return pages_[last_]->flattened.download();
+    return pages_[last_].flattened.download();
 }
 
 } // namespace relamp

@@ -9,6 +9,7 @@
 #include "shading/direct_gpu.h"
 #include "shading/lpv_gpu.h"
 #include "shading/rsm_gpu.h"
+#include "solve/resident_pages.h"
 #include "solve/stage_inputs.h"
 
 #include <memory>
@@ -58,13 +59,11 @@ public:
 private:
     struct Page;
 
-    Page& resident(size_t page);
     void flattenPages(const ThesisOptions& dials, bool colorsAgain,
                       std::vector<gpu::Timing>& timings);
 
     const gpu::Device& device_;
     const Texels& texels_;
-    uint64_t budget_;
 
     FlattenGpu flatten_;
     DirectGpu direct_;
@@ -76,8 +75,8 @@ private:
 
     GpuSurfels surfels_;
     GpuSurface surface_;
-    std::vector<std::unique_ptr<Page>> pages_; // null: not on the device
-    size_t last_ = 0;                          // page()
+    ResidentPages<Page> pages_;
+    size_t last_ = 0; // page()
 
     StageInputs cells_, lights_, views_, colors_, blocking_, spreading_;
 };

@@ -7,6 +7,7 @@
 #include "lights/emitters.h"
 #include "lights/fixtures.h"
 #include "scan/rays.h"
+#include "scenes/apart.h"
 #include "scenes/gpu_scene.h"
 #include "scenes/scenes.h"
 #include "shading/thesis.h"
@@ -25,6 +26,7 @@ namespace relamp
 namespace
 {
 
+using scenes::Apart;
 using ::testing::ElementsAre;
 
 glm::vec3 rgbOf(glm::uvec2 packed)
@@ -178,31 +180,6 @@ std::map<std::string, std::unique_ptr<Twins>> GpuThesis::rooms_;
 
 INSTANTIATE_TEST_SUITE_P(Rooms, GpuThesis, testing::Values("TwoPages", "Vertices", "Sample"),
                          [](const auto& room) { return std::string(room.param); });
-
-/// How far the engines are apart, as shares of the CPU's values; halves round at 1/2048.
-class Apart
-{
-public:
-    explicit Apart(float least) : least_(least) {}
-
-    void add(glm::vec3 ofGpu, glm::vec3 ofCpu)
-    {
-        for (int c = 0; c < 3; ++c)
-            shares_.push_back(std::abs(ofGpu[c] - ofCpu[c]) / std::max(ofCpu[c], least_));
-    }
-    [[nodiscard]] float most() const { return *std::max_element(shares_.begin(), shares_.end()); }
-    /// Share of values that are further apart than `far`.
-    [[nodiscard]] double beyond(float far) const
-    {
-        const auto count =
-            std::count_if(shares_.begin(), shares_.end(), [&](float s) { return s > far; });
-        return static_cast<double>(count) / static_cast<double>(shares_.size());
-    }
-
-private:
-    float least_; // smaller values are compared as if they were this
-    std::vector<float> shares_;
-};
 
 glm::vec3 at(const RgbBlock& block, size_t i)
 {

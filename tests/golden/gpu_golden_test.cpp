@@ -64,11 +64,13 @@ TEST(GpuProgram, GivesTheAlbedoThatTheCpuGives)
     EXPECT_NE(reportOf(folder / "gpu")["options"]["engine"], "cpu");
 }
 
-TEST(GpuProgram, TimesAFrameStageByStage)
+// Two tables: a frame of the thesis, and the gather solver after a lamp's power changed.
+TEST(GpuProgram, TimesBothSolversStageByStage)
 {
     const Outcome run = runRelamp({"bench", kScan, "--engine", "gpu", "--rounds", "1"});
     EXPECT_EQ(run.exitCode, 0) << run.err;
-    for (const char* row : {"\nflatten ", "\ndirect ", "\nRSM ", "\nLPV ", "\ndivide ", "\ntotal "})
+    for (const char* row : {"\nflatten ", "\ndirect ", "\nRSM ", "\nLPV ", "\ndivide ", "\ntotal ",
+                            "\ngather ", "\nshading "})
         EXPECT_THAT(run.out, HasSubstr(row));
 }
 
@@ -80,6 +82,11 @@ TEST(GpuProgram, SaysWhatIsMissingAndTheWayOut)
     EXPECT_EQ(unknown.exitCode, 1);
     EXPECT_THAT(unknown.err,
                 HasSubstr("no device is called \"abacus\" (relamp devices lists them)"));
+    for (const char* command : {"delight", "bench"}) { // before the scan is read
+        std::vector<std::string> line{command, folder / "none.glb", "--gpu", "abacus"};
+        if (line[0] == "delight") line.insert(line.end(), {"-o", folder / "out"});
+        EXPECT_THAT(runRelamp(line).err, HasSubstr("abacus"));
+    }
     const Outcome other = runRelamp({"delight", kScan, "-o", folder / "out", "--engine", "gpu"});
     EXPECT_EQ(other.exitCode, 1);
     EXPECT_THAT(other.err, HasSubstr("--solver thesis"));

@@ -23,9 +23,4 @@ void GpuTest::TearDown()
     for (; heard_ < complaints.size(); ++heard_) ADD_FAILURE() << complaints[heard_];
 }
 
-void GpuTest::forgetComplaints()
-{
-    heard_ = device_->instance().complaints().size();
-}
-
 } // namespace relamp::scenes

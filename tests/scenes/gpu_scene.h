@@ -19,8 +19,6 @@ protected:
     void TearDown() override;
 
     static const gpu::Device& device() { return *device_; }
-    /// After a test that provokes them.
-    static void forgetComplaints();
 
 private:
     static std::unique_ptr<gpu::Device> device_; // a suite's

@@ -1,0 +1,18 @@
+#ifndef RELAMP_RADIOSITY_SHARED_H
+#define RELAMP_RADIOSITY_SHARED_H
+
+#include "base/shared.h"
+
+SHARED_BEGIN
+
+const int kStepOfSides = 4; // of their rays, one that is asked what a side sends on
+
+// Radiance that a matte surface sends on of what it receives.
+SHARED_FN vec3 sentOn(vec3 albedo, vec3 irradiance)
+{
+    return albedo * irradiance / 3.14159265f;
+}
+
+SHARED_END
+
+#endif

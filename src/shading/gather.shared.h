@@ -1,0 +1,24 @@
+#ifndef RELAMP_GATHER_SHARED_H
+#define RELAMP_GATHER_SHARED_H
+
+#include "base/shared.h"
+
+SHARED_BEGIN
+
+// Of `rays` cosine-distributed rays each one's part of the irradiance, at radiance 1.
+SHARED_FN float irradiancePerRay(float rays)
+{
+    return 3.14159265f / rays;
+}
+
+// Standard error of the luminance of an irradiance by that many rays. `sum` is of the luminance of
+// what they met, `squares` of its squares.
+SHARED_FN float noiseOfRays(float sum, float squares, float rays)
+{
+    const float mean = sum / rays;
+    return 3.14159265f * sqrt(max(squares / rays - mean * mean, 0.0f) / rays);
+}
+
+SHARED_END
+
+#endif

@@ -1,0 +1,65 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+#include "scan/texels.gpu.h"
+#include "shading/area_direct.shared.h"
+#include "shading/lamp_terms.gpu.h"
+#include "shading/visibility.shared.h"
+
+ARGUMENTS(LampTermsArguments)
+
+// Share of the lamp that a place of a surfel sees, by the probes around it.
+float shareSeen(uint surfel, vec3 place)
+{
+    const uint seen = byteAt(arguments.seen, surfel);
+    if (seen != kSeesSome) return seen == kSeesAll ? 1.0 : 0.0;
+    const vec3 middle = arguments.position.at[surfel].xyz;
+    const uvec2 own = arguments.probesOf.at[surfel];
+    const float reach = uintBitsToFloat(own.y);
+    const float far = arguments.surfelSize + reach;
+    float sum = 0.0;
+    float weights = 0.0;
+    uint taken = 0;
+    const uint end = arguments.firstNeighbor.at[surfel + 1];
+    for (uint i = arguments.firstNeighbor.at[surfel]; i < end; ++i) {
+        const uint other = arguments.neighbor.at[i];
+        if (byteAt(arguments.seen, other) != kSeesSome) continue;
+        const uvec2 first = arguments.probesOf.at[other];
+        const uvec2 last = arguments.probesOf.at[other + 1];
+        for (uint p = first.x; p < last.x && taken < kMostProbes; ++p) {
+            const uint share = byteAt(arguments.shares, p);
+            if (share == kShareUnknown) continue;
+            const vec3 probe = arguments.probes.at[p].xyz;
+            const vec3 off = probe - middle;
+            if (other != surfel && dot(off, off) > far * far) continue;
+            const float w = probeWeight(probe - place, 1.0 / (reach * reach));
+            sum += w * float(share) / float(kShareOfAll);
+            weights += w;
+            ++taken;
+        }
+    }
+    return taken > 0 ? sum / weights : 0.0;
+}
+
+float openIrradiance(vec3 place, vec3 normal)
+{
+    float sum = 0.0;
+    for (uint i = 0; i < arguments.patchCount; ++i)
+        sum += patchFormFactor(arguments.patches.at[2 * i].xyz - place, normal,
+                               arguments.patches.at[2 * i + 1].xyz, arguments.patchArea);
+    return sum * arguments.patchArea;
+}
+
+void main()
+{
+    const uint i = threadIndex();
+    if (i >= arguments.count) return;
+    const uvec4 site = arguments.site.at[i];
+    const vec3 place = positionOf(site);
+    const float share = shareSeen(arguments.surfel.at[i], place);
+    const float term =
+        share > 0.0 ? arguments.scale * share * openIrradiance(place, normalOf(site)) : 0.0;
+    const uint bits = packHalf2x16(vec2(min(term, 65504.0), 0.0));
+    const uint at = arguments.lamp / 2 * arguments.count + i;
+    arguments.terms.at[at] = arguments.lamp % 2 == 0 ? bits : arguments.terms.at[at] | bits << 16;
+}

@@ -1,0 +1,35 @@
+#ifndef RELAMP_LIT_SIDES_SHARED_H
+#define RELAMP_LIT_SIDES_SHARED_H
+
+#include "base/shared.h"
+
+SHARED_BEGIN
+
+const int kLitSidesRounds = 4;           // until what is burnt out and backs are settled
+const int kExcessSmoothings = 3;         // of light from what sends more than white
+SHARED_CONST kMostRadiance = 10.0f;      // of a wall beside a lamp
+SHARED_CONST kAlbedoOfTheUnknown = 0.7f; // of a surfel that is burnt out all over
+
+// Albedo of what shows `radiance` under this irradiance.
+SHARED_FN vec3 albedoUnder(vec3 irradiance, vec3 radiance)
+{
+    return clamp(3.14159265f * radiance / max(irradiance, vec3(1e-4f)), 0.02f, 0.95f);
+}
+
+// What a burnt-out wall sends: not less than the texture shows.
+SHARED_FN vec3 burntOutRadiance(vec3 albedo, vec3 irradiance, vec3 least)
+{
+    return clamp(albedo * irradiance / 3.14159265f, least, vec3(kMostRadiance));
+}
+
+// How far a value is drawn towards the mean around it, `step` away in luminance: all the way where
+// that may be its noise.
+SHARED_FN float shareOfNoise(float step, float noise)
+{
+    const float variance = noise * noise;
+    return variance / max(step * step, variance + 1e-12f);
+}
+
+SHARED_END
+
+#endif

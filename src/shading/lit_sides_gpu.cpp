@@ -1,0 +1,134 @@
+#include "shading/lit_sides_gpu.h"
+
+#include "shading/lit_sides.comp.h"
+#include "shading/lit_sides.gpu.h"
+#include "shading/lit_sides.shared.h"
+#include "shading/lit_sides_excess.comp.h"
+#include "shading/lit_sides_indirect.comp.h"
+#include "shading/lit_sides_mean.comp.h"
+
+namespace relamp
+{
+namespace
+{
+
+std::vector<int32_t> backsOf(const HitLists& hits, size_t surfels)
+{
+    std::vector<int32_t> backs;
+    for (size_t s = 0; s < surfels; ++s)
+        backs.push_back(hits.listOfSide[2 * s + 1]); // HitLists::kNoList is -1 there, too
+    return backs;
+}
+
+std::vector<glm::uvec2> burntOutOf(const SurfelRadiance& radiance)
+{
+    std::vector<glm::uvec2> burntOut;
+    for (const glm::vec3 least : fieldOf(radiance).clipped)
+        burntOut.push_back(packedHalves(glm::vec4(least, 0.0f)));
+    return burntOut;
+}
+
+std::vector<uint32_t> traitsOf(const SurfelRadiance& radiance, std::span<const uint8_t> shines)
+{
+    std::vector<uint32_t> traits;
+    for (size_t s = 0; s < shines.size(); ++s)
+        traits.push_back((knowsItsAlbedo(radiance, s) ? kKnowsItsAlbedo : 0u) |
+                         (shines[s] != 0 ? kShines : 0u));
+    return traits;
+}
+
+std::vector<glm::uvec2> startOf(const SurfelRadiance& radiance, std::span<const uint8_t> shines)
+{
+    RadianceField field = fieldOf(radiance);
+    field.shines.assign(shines.begin(), shines.end());
+    return fieldOnGpu(field);
+}
+
+/// Plain fronts alone.
+std::vector<glm::uvec2> plainOf(const SurfelRadiance& radiance)
+{
+    RadianceField field = fieldOf(radiance);
+    field.shines.assign(field.shines.size(), 1);
+    return fieldOnGpu(field);
+}
+
+std::vector<float> litOf(std::span<const float> lit, size_t surfels)
+{
+    if (lit.empty()) return std::vector<float>(surfels, 1.0f);
+    return {lit.begin(), lit.end()};
+}
+
+} // namespace
+
+LitSidesGpu::LitSidesGpu(const gpu::Device& device, const HitLists& hits,
+                         const SurfelRadiance& radiance, const SurfelTraits& traits)
+    : surfels_(traits.shines.size()), gather_(device), litSides_(device, kLitSidesSpirv),
+      excess_(device, kLitSidesExcessSpirv), mean_(device, kLitSidesMeanSpirv),
+      indirectOf_(device, kLitSidesIndirectSpirv), lists_(device, hits, surfels_),
+      backOf_(device, backsOf(hits, surfels_)), burntOut_(device, burntOutOf(radiance)),
+      traits_(device, traitsOf(radiance, traits.shines)), lit_(device, litOf(traits.lit, surfels_)),
+      start_(device, startOf(radiance, traits.shines)), field_(device, start_.count()),
+      evenField_(device, startOf(radiance, traits.shines)),
+      settling_(device, hits, lists_, gather_, {device, plainOf(radiance)}),
+      gathered_(device, lists_.count),
+      even_(device, surfels_), work_{{device, surfels_}, {device, surfels_}},
+      indirect_(device, surfels_)
+{}
+
+void LitSidesGpu::settle(gpu::Commands& commands, const GpuSurfels& surfels,
+                         const gpu::Array<glm::uvec2>& direct, glm::vec3 ambient) const
+{
+    LitSidesArguments arguments{.gathered = gathered_.ref(),
+                                .missed = settling_.missed().ref(),
+                                .direct = direct.ref(),
+                                .backOf = backOf_.ref(),
+                                .burntOut = burntOut_.ref(),
+                                .traits = traits_.ref(),
+                                .firstNeighbor = surfels.firstNeighbor.ref(),
+                                .neighbor = surfels.neighbor.ref(),
+                                .plain = field_.ref(),
+                                .field = field_.ref(),
+                                .ambient = ambient,
+                                .mostBurntOut = kMostRadiance,
+                                .count = static_cast<uint32_t>(surfels_)};
+    for (int round = 0; round < kLitSidesRounds; ++round) {
+        settling_.gather(commands, field_, gathered_);
+        if (round + 1 == kLitSidesRounds) {
+            arguments.field = evenField_.ref();
+            arguments.mostBurntOut = 1.0f;
+        }
+        commands.dispatch(litSides_, surfels_, arguments);
+        commands.barrier();
+    }
+}
+
+void LitSidesGpu::light(gpu::Commands& commands, const GpuSurfels& surfels,
+                        const gpu::Array<glm::uvec2>& direct, glm::vec3 ambient) const
+{
+    const auto count = static_cast<uint32_t>(surfels_);
+    const auto first = surfels.firstNeighbor.ref();
+    const auto neighbor = surfels.neighbor.ref();
+    // Every time from what the texture shows: the same light gives the same bits.
+    commands.copy(start_.buffer(), 0, field_.buffer(), 0, start_.buffer().size());
+    commands.barrier();
+    settle(commands, surfels, direct, ambient);
+    gather_.gather(commands, lists_, evenField_, even_, surfels_);
+    commands.dispatch(
+        excess_, surfels_,
+        ExcessArguments{gathered_.ref(), even_.irradiance.ref(), work_[0].ref(), count});
+    commands.barrier();
+    for (int pass = 0; pass < kExcessSmoothings; ++pass) {
+        commands.dispatch(mean_, surfels_,
+                          LitSidesMeanArguments{work_[pass % 2].ref(), first, neighbor,
+                                                work_[1 - pass % 2].ref(), count});
+        commands.barrier();
+    }
+    const int last = kExcessSmoothings % 2;
+    commands.dispatch(indirectOf_, surfels_,
+                      IndirectArguments{even_.irradiance.ref(), even_.missed.ref(),
+                                        work_[last].ref(), first, neighbor, lit_.ref(),
+                                        indirect_.ref(), ambient, count});
+    commands.barrier();
+}
+
+} // namespace relamp

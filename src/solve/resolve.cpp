@@ -1,0 +1,98 @@
+#include "solve/resolve.h"
+
+#include "fit/lamp_groups.h"
+#include "fit/shade.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <tbb/parallel_invoke.h>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr size_t kPatchesOfLamp = 32;
+constexpr size_t kPatchesInGroup = 8; // of each of its lamps, at least
+
+std::vector<glm::vec3> indirectOf(const Texels& texels, const SolvedRoom& room)
+{
+    const FoundRoom& found = room.found;
+    return indirectOfFronts(texels.surfels, found.hits, found.sides, found.found.ambient);
+}
+
+std::shared_ptr<GatheredLight> lightOf(const Texels& texels, const RayScene& scene,
+                                       const FoundRoom& room, std::vector<glm::vec3> indirect)
+{
+    std::vector<LitLamp> lamps;
+    const auto rays = static_cast<size_t>(room.options.shadowRays);
+    Visibility visibility(texels, scene, {}, {}, {});
+    for (const FoundLamp& lamp : room.found.lamps) {
+        const AreaLight area(lamp.patches);
+        const size_t singles = singlesOf(lamp).size();
+        const size_t patches = std::max(kPatchesOfLamp, kPatchesInGroup * singles);
+        lamps.push_back({LampPatches(area, patches), lamp.radiance});
+        visibility.add(scene, area, lamp.onSides, rays * raysToGroup(singles));
+    }
+    if (const auto& sun = room.sun) {
+        lamps.push_back({LampPatches(sun->disc, kPatchesOfLamp), sunRadiance(sun->sun)});
+        visibility.add(*sun->outside, sun->disc, sun->onSides, rays);
+    }
+    return std::make_shared<GatheredLight>(
+        GatheredLight{std::move(lamps), std::move(visibility), std::move(indirect)});
+}
+
+} // namespace
+
+SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom found,
+                      const std::function<void(const SolvedRoom&)>& meanwhile)
+{
+    SolvedRoom room{.found = std::move(found)};
+    room.light = lightOf(texels, scene, room.found, indirectOf(texels, room));
+    room.stray = fitStray(texels, room.found.radiance, shadingOf(texels, room.light));
+    room.lighting = lightOnSurfels(texels.surfels, *room.light);
+    std::vector<float> lit;
+    tbb::parallel_invoke(
+        [&] {
+            lit = findShade(texels.surfels, room.found.radiance,
+                            withoutStray(room.lighting.irradiance, room.stray));
+        },
+        [&] { meanwhile(room); });
+    room.lit = std::move(lit);
+    return room;
+}
+
+std::span<const AreaSample> onSidesOf(const SolvedRoom& room, size_t lamp)
+{
+    const std::vector<FoundLamp>& lamps = room.found.found.lamps;
+    return lamp < lamps.size() ? lamps[lamp].onSides : room.found.sun->onSides;
+}
+
+LampPowers powersOf(const SolvedRoom& room)
+{
+    LampPowers powers{.ambient = room.found.found.ambient};
+    for (const LitLamp& lamp : room.light->lamps) powers.lamps.push_back(lamp.radiance);
+    return powers;
+}
+
+void resolve(const Texels& texels, SolvedRoom& room, const LampPowers& powers)
+{
+    FoundRoom& found = room.found;
+    std::vector<glm::vec3> direct(found.hits.sideOfList.size(), glm::vec3(0.0f));
+    for (size_t l = 0; l < powers.lamps.size(); ++l) {
+        room.light->lamps[l].radiance = powers.lamps[l];
+        addDirect(onSidesOf(room, l), powers.lamps[l], direct);
+    }
+    found.found.ambient = powers.ambient;
+    found.sides = lightSides(texels, found.hits, found.radiance, std::move(direct), found.shines,
+                             powers.ambient);
+    room.light->indirect = indirectOf(texels, room);
+}
+
+TexelShading shadingOf(const Texels& texels, const SolvedRoom& room)
+{
+    return withShade(texels, withoutStray(shadingOf(texels, room.light), room.stray), room.lit);
+}
+
+} // namespace relamp

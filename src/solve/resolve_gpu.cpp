@@ -1,0 +1,166 @@
+#include "solve/resolve_gpu.h"
+
+#include "shading/gathered_light.shared.h"
+#include "solve/resolve.comp.h"
+#include "solve/resolve.gpu.h"
+
+#include <algorithm>
+
+namespace relamp
+{
+namespace
+{
+
+std::vector<double> numbersOf(std::span<const glm::vec3> values)
+{
+    std::vector<double> numbers;
+    for (const glm::vec3 value : values)
+        for (int c = 0; c < 3; ++c) numbers.push_back(static_cast<double>(value[c]));
+    return numbers;
+}
+
+/// Scales that take the most of every lamp's light to 1, where halves are finest.
+std::vector<float> scalesOf(const SolvedRoom& room)
+{
+    std::vector<float> scales;
+    for (size_t l = 0; l < room.light->lamps.size(); ++l) {
+        float most = 0.0f;
+        for (const AreaSample& sample : onSidesOf(room, l)) most = std::max(most, sample.open);
+        scales.push_back(most > 0.0f ? 1.0f / most : 1.0f);
+    }
+    return scales;
+}
+
+std::vector<std::vector<float>> onListsOf(const SolvedRoom& room)
+{
+    std::vector<std::vector<float>> onLists;
+    for (size_t l = 0; l < room.light->lamps.size(); ++l) {
+        std::vector<float>& ofLamp = onLists.emplace_back();
+        for (const AreaSample& sample : onSidesOf(room, l)) ofLamp.push_back(sample.visible);
+    }
+    return onLists;
+}
+
+} // namespace
+
+/// A page on the device, what was computed of it, and from what.
+struct ResolveGpu::Page
+{
+    Page(const gpu::Device& device, const Texels& all, size_t page, size_t lamps)
+        : texels(device, all, page), terms(device, LampTermsGpu::termsOf(lamps, texels.count)),
+          direct(device, texels.count), indirect(device, texels.count),
+          albedo(device, texels.width, texels.height)
+    {}
+
+    static uint64_t bytesOf(const Texels& all, size_t page, size_t lamps)
+    {
+        const size_t count = all.pages[page].count();
+        return GpuTexels::bytesOf(all, page) +
+               sizeof(uint32_t) * LampTermsGpu::termsOf(lamps, count) +
+               2 * sizeof(glm::uvec2) * count +
+               GpuPicture::bytesOf(all.scan->pages[page].image.pixels());
+    }
+
+    GpuTexels texels;
+    gpu::Array<uint32_t> terms;
+    gpu::Array<glm::uvec2> direct;
+    gpu::Array<glm::uvec2> indirect;
+    GpuPicture albedo;
+    StageInputs termsOf, shadingOf, albedoOf;
+};
+
+ResolveGpu::ResolveGpu(const gpu::Device& device, const Texels& texels, const SolvedRoom& room,
+                       uint64_t budget)
+    : device_(device), shade_(device, kResolveSpirv), surfels_(device, texels.surfels),
+      sides_(device, room.found.hits, room.found.radiance, {room.found.shines, room.lit}),
+      lamps_(device, texels.surfels, *room.light, scalesOf(room)), divide_(device),
+      termsOfLists_(lamps_.keep(onListsOf(room), sides_.lists())),
+      directOfLists_(device, sides_.lists()),
+      stray_(device, {room.stray.octaves().begin(), room.stray.octaves().end()}),
+      pages_(
+          device, texels.pages.size(), budget,
+          [&texels, lamps = room.light->lamps.size()](size_t page) {
+              return Page::bytesOf(texels, page, lamps);
+          },
+          [&device, &texels, lamps = room.light->lamps.size()](size_t page) {
+              return std::make_unique<Page>(device, texels, page, lamps);
+          })
+{}
+
+ResolveGpu::~ResolveGpu() = default;
+
+std::vector<gpu::Timing> ResolveGpu::gather(const LampPowers& powers)
+{
+    const bool areNew = powers_.change(numbersOf(powers.lamps));
+    std::vector<double> inputs = numbersOf({&powers.ambient, 1});
+    inputs.push_back(powers_.version());
+    if (!gathered_.change(std::move(inputs))) return {};
+    gpu::Commands commands(device_);
+    commands.mark("gather");
+    if (areNew) {
+        lamps_.setPowers(commands, powers.lamps);
+        lamps_.sum(commands, termsOfLists_, directOfLists_);
+    }
+    sides_.light(commands, surfels_, directOfLists_, powers.ambient);
+    commands.run();
+    return commands.timings();
+}
+
+std::vector<gpu::Timing> ResolveGpu::page(size_t index, float darkest)
+{
+    Page& page = pages_[index];
+    last_ = index;
+    gpu::Commands commands(device_);
+    if (page.termsOf.change({})) {
+        commands.mark("lamps");
+        lamps_.keep(commands, page.texels, surfels_, page.terms);
+    }
+    if (page.shadingOf.change({gathered_.version()})) {
+        commands.mark("shading");
+        const float reach = kInterpolationReach * surfels_.size;
+        commands.dispatch(shade_, page.texels.count,
+                          ResolveArguments{.site = page.texels.site.ref(),
+                                           .surfel = page.texels.surfel.ref(),
+                                           .position = surfels_.position.ref(),
+                                           .normal = surfels_.normal.ref(),
+                                           .firstNeighbor = surfels_.firstNeighbor.ref(),
+                                           .neighbor = surfels_.neighbor.ref(),
+                                           .indirect = sides_.indirect().ref(),
+                                           .stray = stray_.ref(),
+                                           .lamps = lamps_.lit(page.terms, page.texels.count),
+                                           .directOut = page.direct.ref(),
+                                           .indirectOut = page.indirect.ref(),
+                                           .perReachSquared = 1.0f / (reach * reach)});
+        commands.barrier();
+    }
+    if (page.albedoOf.change({page.shadingOf.version(), static_cast<double>(darkest)})) {
+        commands.mark("divide");
+        divide_.divide(commands, page.texels, page.direct, page.indirect,
+                       {.power = 1.0f, .ambient = glm::vec3(0.0f), .darkest = darkest},
+                       page.albedo);
+    }
+    commands.run();
+    return commands.timings();
+}
+
+std::vector<glm::vec4> ResolveGpu::indirectOnSurfels() const
+{
+    return sides_.indirect().download();
+}
+
+std::vector<glm::uvec2> ResolveGpu::direct() const
+{
+    return pages_[last_].direct.download();
+}
+
+std::vector<glm::uvec2> ResolveGpu::indirect() const
+{
+    return pages_[last_].indirect.download();
+}
+
+std::vector<glm::uvec2> ResolveGpu::albedo() const
+{
+    return pages_[last_].albedo.pixels().download();
+}
+
+} // namespace relamp

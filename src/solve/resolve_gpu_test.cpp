@@ -1,0 +1,245 @@
+#include "solve/resolve_gpu.h"
+
+#include "albedo/divide.h"
+#include "scenes/apart.h"
+#include "scenes/gpu_scene.h"
+#include "scenes/lit_room.h"
+#include "scenes/scenes.h"
+#include "scenes/solved.h"
+#include "scenes/sun_room.h"
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include <gmock/gmock.h>
+
+namespace relamp
+{
+namespace
+{
+
+using scenes::Apart;
+using ::testing::ElementsAre;
+
+constexpr float kPi = 3.14159265f;
+constexpr float kDarkest = 0.02f;
+
+/// The lit room, and a table top in it that has a page of its own.
+Scan roomOfTwoPages()
+{
+    Scan scan = scenes::LitRoom().scan;
+    Scan top = scenes::square(1.2f, 64, scenes::plain(glm::vec3(0.6f, 0.5f, 0.4f)));
+    for (glm::vec3& position : top.meshes[0].positions) position += glm::vec3(1.0f, 0.8f, 1.5f);
+    top.meshes[0].page = 1;
+    scan.meshes.push_back(top.meshes[0]);
+    scan.pages.push_back(top.pages[0]);
+    return scan;
+}
+
+/// Open above, so that it is lit from outside.
+Scan roomWithoutLamps()
+{
+    std::vector<scenes::Panel> walls = scenes::wallsOf({4.0f, 2.5f, 5.0f});
+    walls.erase(walls.begin() + 1);
+    return scenes::panels(walls, 96, [](glm::vec3 p, glm::vec3 n) {
+        return glm::vec3(0.4f, 0.3f, 0.2f) + 0.1f * n + 0.02f * p;
+    });
+}
+
+/// Other powers than those that were found.
+LampPowers others(LampPowers powers)
+{
+    for (size_t l = 0; l < powers.lamps.size(); ++l)
+        powers.lamps[l] *= glm::vec3(1.7f, 1.5f, 1.2f - 0.3f * static_cast<float>(l % 2));
+    powers.ambient += glm::vec3(0.02f, 0.03f, 0.05f);
+    return powers;
+}
+
+/// A room that both engines have solved again under other powers.
+struct Twins
+{
+    Twins(const gpu::Device& device, Scan scan)
+        : room(std::move(scan)), found(powersOf(room.solved)), powers(others(found)),
+          gpu(device, room.texels, room.solved)
+    {
+        gpu.gather(found); // that it has to change
+        resolve(room.texels, room.solved, powers);
+        gpu.gather(powers);
+    }
+
+    [[nodiscard]] size_t pages() const { return room.texels.pages.size(); }
+
+    /// Calls `visit(block, shading, begin)` for the texels of a page, shaded by the CPU.
+    template<class Visit>
+    void forEachShaded(size_t page, const Visit& visit) const
+    {
+        const TexelShading shade = shadingOf(room.texels, room.solved);
+        const TexelLoader loader(room.texels, page);
+        TexelBlock block;
+        ShadingBlock shading;
+        const size_t count = room.texels.pages[page].count();
+        for (size_t begin = 0; begin < count; begin += TexelBlock::kCapacity) {
+            const size_t size = std::min(TexelBlock::kCapacity, count - begin);
+            loader.load(begin, size, block);
+            loader.loadSurfel(begin, size, block);
+            shade(page, begin, block, shading);
+            visit(block, shading, begin);
+        }
+    }
+
+    scenes::Solved room;
+    LampPowers found;
+    LampPowers powers;
+    ResolveGpu gpu;
+};
+
+/// Every test runs on each of these; they are made once.
+class GpuResolve : public scenes::GpuTest, public testing::WithParamInterface<const char*>
+{
+protected:
+    static void TearDownTestSuite()
+    {
+        rooms_.clear();
+        scenes::GpuTest::TearDownTestSuite();
+    }
+
+    static Twins& twins()
+    {
+        const std::string name = GetParam();
+        std::unique_ptr<Twins>& room = rooms_[name];
+        if (room) return *room;
+        Progress progress;
+        if (name == "TwoPages")
+            room = std::make_unique<Twins>(device(), roomOfTwoPages());
+        else if (name == "Sun")
+            room = std::make_unique<Twins>(device(), scenes::SunRoom(glm::vec3(3.0f)).scan);
+        else if (name == "NoLamp")
+            room = std::make_unique<Twins>(device(), roomWithoutLamps());
+        else
+            room = std::make_unique<Twins>(
+                device(), readScan(RELAMP_SAMPLES "/bedroom/scan.glb", {}, progress));
+        return *room;
+    }
+
+private:
+    static std::map<std::string, std::unique_ptr<Twins>> rooms_;
+};
+
+std::map<std::string, std::unique_ptr<Twins>> GpuResolve::rooms_;
+
+INSTANTIATE_TEST_SUITE_P(Rooms, GpuResolve, testing::Values("TwoPages", "Sun", "NoLamp", "Sample"),
+                         [](const auto& room) { return std::string(room.param); });
+
+glm::vec3 at(const RgbBlock& block, size_t i)
+{
+    return {block.r[i], block.g[i], block.b[i]};
+}
+
+std::vector<std::string> ran(const std::vector<gpu::Timing>& timings)
+{
+    std::vector<std::string> names;
+    for (const gpu::Timing& timing : timings) names.push_back(timing.name);
+    return names;
+}
+
+} // namespace
+
+// The whole of the light on surfels, from powers: sums of lamps, four rounds, smoothing.
+TEST_P(GpuResolve, LightsSurfelsAsTheCpuDoes)
+{
+    const Twins& room = twins();
+    ASSERT_EQ(room.powers.lamps.empty(), GetParam() == std::string("NoLamp"));
+    ASSERT_EQ(room.room.solved.found.sun.has_value(), GetParam() == std::string("Sun"));
+    const std::vector<glm::vec4> found = room.gpu.indirectOnSurfels();
+    Apart indirect(0.02f);
+    Apart lit(0.02f);
+    for (size_t s = 0; s < found.size(); ++s) {
+        indirect.add(glm::vec3(found[s]), room.room.solved.light->indirect[s]);
+        lit.add(glm::vec3(found[s].w), glm::vec3(room.room.solved.lit[s]));
+    }
+    EXPECT_LT(indirect.beyond(2e-3f), 1e-3);
+    EXPECT_LT(indirect.most(), 0.01f);
+    EXPECT_LT(lit.most(), 1e-6f);
+}
+
+TEST_P(GpuResolve, ShadesTexelsAsTheCpuDoes)
+{
+    Twins& room = twins();
+    for (size_t p = 0; p < room.pages(); ++p) {
+        room.gpu.page(p, kDarkest);
+        const std::vector<glm::uvec2> direct = room.gpu.direct();
+        const std::vector<glm::uvec2> indirect = room.gpu.indirect();
+        Apart apartDirect(0.02f);
+        Apart apartIndirect(0.02f);
+        room.forEachShaded(p, [&](const TexelBlock& block, const ShadingBlock& shading, size_t b) {
+            for (size_t i = 0; i < block.count; ++i) {
+                apartDirect.add(glm::vec3(halves(direct[b + i])) / kPi, at(shading.direct, i));
+                apartIndirect.add(glm::vec3(halves(indirect[b + i])) / kPi,
+                                  at(shading.indirect, i));
+            }
+        });
+        EXPECT_LT(apartDirect.beyond(3e-3f), 1e-3);
+        EXPECT_LT(apartDirect.most(), 0.02f);
+        EXPECT_LT(apartIndirect.beyond(3e-3f), 1e-3);
+        EXPECT_LT(apartIndirect.most(), 0.02f);
+    }
+}
+
+// The whole chain, from powers to albedo.
+TEST_P(GpuResolve, EndsInTheAlbedoOfTheCpu)
+{
+    Twins& room = twins();
+    for (size_t p = 0; p < room.pages(); ++p) {
+        room.gpu.page(p, kDarkest);
+        const std::vector<glm::uvec2> found = room.gpu.albedo();
+        Apart apart(0.02f);
+        room.forEachShaded(p, [&](const TexelBlock& block, const ShadingBlock& shading, size_t b) {
+            AlbedoBlock expected;
+            divide(block, shading, kDarkest, expected);
+            for (size_t i = 0; i < block.count; ++i)
+                apart.add(glm::vec3(halves(found[room.room.texels.pages[p].pixel[b + i]])),
+                          {floatFromHalf(expected.r[i]), floatFromHalf(expected.g[i]),
+                           floatFromHalf(expected.b[i])});
+        });
+        EXPECT_LT(apart.beyond(5e-3f), 1e-3);
+        EXPECT_LT(apart.most(), 0.02f);
+    }
+}
+
+TEST_P(GpuResolve, ComputesAgainOnlyWhatChanged)
+{
+    Twins& room = twins();
+    room.gpu.gather(room.powers);
+    room.gpu.page(0, kDarkest);
+    const std::vector<glm::uvec2> before = room.gpu.albedo();
+    EXPECT_THAT(ran(room.gpu.gather(room.powers)), ElementsAre());
+    EXPECT_THAT(ran(room.gpu.page(0, kDarkest)), ElementsAre());
+    EXPECT_THAT(ran(room.gpu.page(0, 0.1f)), ElementsAre("divide"));
+
+    EXPECT_THAT(ran(room.gpu.gather(room.found)), ElementsAre("gather"));
+    EXPECT_THAT(ran(room.gpu.page(0, kDarkest)), ElementsAre("shading", "divide"));
+    EXPECT_NE(room.gpu.albedo(), before);
+
+    // And back again, to the same bits.
+    room.gpu.gather(room.powers);
+    room.gpu.page(0, kDarkest);
+    EXPECT_EQ(room.gpu.albedo(), before);
+}
+
+using GpuResolvePages = scenes::GpuTest;
+
+TEST_F(GpuResolvePages, TakeTurnsWhereMemoryIsShort)
+{
+    Twins room(device(), roomOfTwoPages());
+    ResolveGpu oneAtATime(device(), room.room.texels, room.room.solved, 1);
+    oneAtATime.gather(room.powers);
+    for (const size_t p : {0u, 1u, 0u}) {
+        room.gpu.page(p, kDarkest);
+        EXPECT_THAT(ran(oneAtATime.page(p, kDarkest)), ElementsAre("lamps", "shading", "divide"));
+        EXPECT_EQ(oneAtATime.direct(), room.gpu.direct());
+        EXPECT_EQ(oneAtATime.indirect(), room.gpu.indirect());
+    }
+}
+
+} // namespace relamp
