@@ -67,12 +67,6 @@ void sumSurfels(Texels& texels, std::span<const uint8_t> isWanted)
     }
 }
 
-void findNeighbors(Surfels& surfels)
-{
-    surfels.cells = SurfelCells(surfels.key);
-    connectNeighbors(surfels);
-}
-
 /// Brings the marked texels of a run behind the others; where they begin.
 uint32_t sortRun(PageTexels& page, const std::vector<uint8_t>& marks, uint32_t begin, uint32_t end)
 {
@@ -163,6 +157,12 @@ std::vector<float> cutsOf(const Texels& texels)
 
 } // namespace
 
+void findNeighbors(Surfels& surfels)
+{
+    surfels.cells = SurfelCells(surfels.key);
+    connectNeighbors(surfels);
+}
+
 void sumSurfels(Texels& texels)
 {
     const size_t count = texels.surfels.key.size();
@@ -198,16 +198,12 @@ void splitSurfels(Texels& texels, const TexelMarks& marks, SurfelPart part)
     for (size_t p = 0; p < texels.pages.size(); ++p)
         splitRuns(texels.pages[p], marks[p], partsOf, first);
     sumSurfels(texels, isNew);
-    findNeighbors(surfels);
 }
 
 void separateLayers(Texels& texels)
 {
     const std::vector<float> cuts = cutsOf(texels);
-    if (std::all_of(cuts.begin(), cuts.end(), [](float cut) { return cut == kFar; })) {
-        findNeighbors(texels.surfels);
-        return;
-    }
+    if (std::all_of(cuts.begin(), cuts.end(), [](float cut) { return cut == kFar; })) return;
     TexelMarks isUpper;
     for (const PageTexels& page : texels.pages) isUpper.emplace_back(page.count(), uint8_t{0});
     forEachRun(texels, [&](size_t p, const PageTexels::Run& run, uint32_t end) {

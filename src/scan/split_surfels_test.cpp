@@ -15,7 +15,7 @@ namespace
 Texels rasterize(const Scan& scan)
 {
     Progress progress;
-    return rasterizeAtlas(scan, progress);
+    return rasterizeAtlas(scan, progress, {.layered = true});
 }
 
 /// Two squares of one metre that face up, one `apart` metres over the other.
@@ -94,6 +94,7 @@ TEST(SplitSurfels, MarkedTexelsLeaveTheirSurfelsAndKeepTheirArea)
             marked.insert(page.pixel[i]);
         }
     splitSurfels(texels, marks, SurfelPart::buried);
+    findNeighbors(texels.surfels);
     EXPECT_GT(texels.surfels.count(), before); // the cells that x = 0.49 m runs through
     double area = 0.0;
     for (size_t s = 0; s < texels.surfels.count(); ++s) {

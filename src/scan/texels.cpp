@@ -212,7 +212,8 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions&
     }
     texels.surfels.key = std::move(surfelKeys);
     sumSurfels(texels);
-    separateLayers(texels);
+    if (surfels.layered) separateLayers(texels);
+    findNeighbors(texels.surfels);
 
     const auto covered = static_cast<double>(texels.count());
     texels.overlapShare = covered > 0.0 ? std::min(1.0, ambiguous / covered) : 0.0;

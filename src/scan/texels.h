@@ -85,6 +85,7 @@ struct SurfelOptions
     double texelsAcross = 4.0; // of a mean texel's width in a surfel, >= 1
     double smallest = 0.03;    // m
     double largest = 0.12;     // m
+    bool layered = false;      // one surfel a layer: see separateLayers
 };
 
 /// Rasterises the atlas once and sorts its texels into surfels.

@@ -158,7 +158,9 @@ TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress& pro
 void separateBuried(Texels& texels, const RayScene& scene, Progress& progress, BuriedWhen when)
 {
     const TexelMarks buried = findBuried(texels, scene, progress, when);
-    if (!buried.empty()) splitSurfels(texels, buried, SurfelPart::buried);
+    if (buried.empty()) return;
+    splitSurfels(texels, buried, SurfelPart::buried);
+    findNeighbors(texels.surfels);
 }
 
 TexelShading withRims(const Texels& texels, TexelShading shade, const SurfelRadiance& radiance,

@@ -138,7 +138,7 @@ void settle(const FoundLamps& all, const Texels& texels, const RayScene& scene,
 
 SurfelOptions surfelsOf(Quality quality)
 {
-    return {.texelsAcross = quality == Quality::draft ? 4.0 : 2.0};
+    return {.texelsAcross = quality == Quality::draft ? 4.0 : 2.0, .layered = true};
 }
 
 FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOptions& options,
