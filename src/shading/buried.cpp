@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "lights/expand.shared.h"
 #include "scan/footprints.h"
+#include "scan/split_surfels.h"
 #include "shading/hit_lists.h"
 #include "shading/sampling.shared.h"
 
@@ -129,12 +130,10 @@ double shareOf(const Texels& texels, const TexelMarks& buried)
     return static_cast<double>(count) / static_cast<double>(texels.count());
 }
 
-} // namespace
-
-TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress& progress,
+/// Marks the texels that something stands on or lies on; nothing where most are.
+TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress::Stage& stage,
                       BuriedWhen when)
 {
-    Progress::Stage stage(progress, "buried", texels.pages.size() + 1);
     const std::vector<uint8_t> isSuspect = suspects(texels, scene);
     stage.advance();
     TexelMarks buried;
@@ -155,12 +154,16 @@ TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress& pro
     return buried;
 }
 
+} // namespace
+
 void separateBuried(Texels& texels, const RayScene& scene, Progress& progress, BuriedWhen when)
 {
-    const TexelMarks buried = findBuried(texels, scene, progress, when);
+    Progress::Stage stage(progress, "buried", texels.pages.size() + 2);
+    const TexelMarks buried = findBuried(texels, scene, stage, when);
     if (buried.empty()) return;
     splitSurfels(texels, buried, SurfelPart::buried);
     findNeighbors(texels.surfels);
+    stage.advance();
 }
 
 TexelShading withRims(const Texels& texels, TexelShading shade, const SurfelRadiance& radiance,

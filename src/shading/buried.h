@@ -3,7 +3,6 @@
 #include "lights/surfel_radiance.h"
 #include "relamp/progress.h"
 #include "scan/rays.h"
-#include "scan/split_surfels.h"
 #include "scan/texels.h"
 #include "shading/texel_shading.h"
 
@@ -20,14 +19,10 @@ namespace relamp
 /// texture tells how much of them is open (withRims); or none, where rays to lights have to tell.
 enum class BuriedWhen { middle, whole };
 
-/// Marks the texels that something stands on or lies on: every ray from them meets a surface from
-/// behind, as inside a solid. A modelled room has many, a scanned one hardly any. Nothing where
-/// most are, for then the scan is inside out.
-TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress& progress,
-                      BuriedWhen when);
-
-/// Makes these surfels of their own: where a rug lies on a floor, that floor would send and get the
-/// mean of light and darkness.
+/// Makes texels that something stands on or lies on surfels of their own: every ray from them meets
+/// a surface from behind, as inside a solid. Where a rug lies on a floor, that floor would else
+/// send and get the mean of light and darkness. A modelled room has many, a scanned one hardly any.
+/// None where most are, for then the scan is inside out.
 void separateBuried(Texels& texels, const RayScene& scene, Progress& progress,
                     BuriedWhen when = BuriedWhen::middle);
 
