@@ -17,24 +17,72 @@ namespace
 {
 
 using testing::HasSubstr;
+using testing::Not;
 
 const std::filesystem::path kBedroom = std::filesystem::path(RELAMP_SAMPLES) / "bedroom";
 constexpr const char* kCamera = "set camera 0.35 1.65 -0.45 3 0.8 -2.9 80\n";
-
-Outcome view(const std::vector<std::string>& arguments, const std::string& script)
-{
-    const scenes::TemporaryFolder home;
-    setenv("XDG_CONFIG_HOME", home.path().c_str(), 1);
-    std::vector<std::string> all{"view", "--size", "480x270"};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    all.insert(all.end(), {"--script", home.write("script.txt", script).string()});
-    return runRelamp(all);
-}
 
 std::string textOf(const std::filesystem::path& file)
 {
     std::ifstream in(file);
     return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Vulkan's validation layer looks over every call of the programs that are started while this
+/// lives: the loader puts it there, the programs know nothing of it.
+class Validation
+{
+public:
+    Validation()
+    {
+        folder_.write("vk_layer_settings.txt",
+                      "khronos_validation.debug_action = VK_DBG_LAYER_ACTION_LOG_MSG\n"
+                      "khronos_validation.report_flags = error,warn,perf,info\n"
+                      "khronos_validation.enables = "
+                      "VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT\n"
+                      "khronos_validation.log_filename = " +
+                          log().string() + "\n");
+        setenv("VK_LAYER_SETTINGS_PATH", folder_.path().c_str(), 1);
+        setenv("VK_INSTANCE_LAYERS", "VK_LAYER_KHRONOS_validation", 1);
+    }
+    ~Validation()
+    {
+        unsetenv("VK_LAYER_SETTINGS_PATH");
+        unsetenv("VK_INSTANCE_LAYERS");
+    }
+    Validation(const Validation&) = delete;
+    Validation& operator=(const Validation&) = delete;
+
+    /// Its complaints are failures, and so is a layer that was not there to complain.
+    void expectClean() const
+    {
+        const std::string said = textOf(log());
+        EXPECT_THAT(said, HasSubstr("Khronos Validation Layer Active"))
+            << "is vulkan-validationlayers installed?";
+        for (const char* complaint : {"(ERROR", "(WARN", "(PERF"})
+            EXPECT_THAT(said, Not(HasSubstr(complaint)));
+    }
+
+private:
+    [[nodiscard]] std::filesystem::path log() const { return folder_ / "log.txt"; }
+
+    scenes::TemporaryFolder folder_;
+};
+
+enum class Display { there, missing };
+
+Outcome view(const std::vector<std::string>& arguments, const std::string& script,
+             Display display = Display::there)
+{
+    const scenes::TemporaryFolder home;
+    const Validation validation;
+    setenv("XDG_CONFIG_HOME", home.path().c_str(), 1);
+    std::vector<std::string> all{"view", "--size", "480x270"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    all.insert(all.end(), {"--script", home.write("script.txt", script).string()});
+    Outcome outcome = runRelamp(all);
+    if (display == Display::there) validation.expectClean();
+    return outcome;
 }
 
 glm::vec3 meanOf(const Image& image)
@@ -132,7 +180,7 @@ TEST(ViewerProgram, SaysThatThereIsNoDisplay)
     const char* display = std::getenv("DISPLAY");
     const std::string before = display == nullptr ? "" : display;
     unsetenv("DISPLAY");
-    const Outcome outcome = view({}, "quit\n");
+    const Outcome outcome = view({}, "quit\n", Display::missing);
     setenv("DISPLAY", before.c_str(), 1);
 
     EXPECT_EQ(outcome.exitCode, 1);
