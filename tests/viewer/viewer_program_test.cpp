@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <gmock/gmock.h>
 
 namespace relamp::golden
@@ -21,6 +22,7 @@ using testing::Not;
 
 const std::filesystem::path kBedroom = std::filesystem::path(RELAMP_SAMPLES) / "bedroom";
 constexpr const char* kCamera = "set camera 0.35 1.65 -0.45 3 0.8 -2.9 80\n";
+constexpr const char* kOutside = "set camera 9 4 6 20 8 12 60\n";
 
 std::string textOf(const std::filesystem::path& file)
 {
@@ -105,8 +107,8 @@ double likeness(const Image& a, const Image& b, float tolerance)
     return static_cast<double>(alike) / static_cast<double>(a.pixels());
 }
 
-/// The scan as the library's own rays see it.
-Image photograph()
+/// The scan as the library's own rays see it from kCamera or, past the room, from kOutside.
+Image photograph(const Sky& sky = {})
 {
     Progress progress;
     DelitRoom room;
@@ -115,9 +117,27 @@ Image photograph()
     for (const Page& page : room.scan.pages) pages.push_back(page.image);
     room.albedo = pages;
     std::vector<std::string> warnings;
-    const Camera camera = cameraFor((kBedroom / "camera.json").string(), room.scan, warnings);
+    Camera camera = cameraFor((kBedroom / "camera.json").string(), room.scan, warnings);
+    if (sky.environment)
+        camera = {{9.0f, 4.0f, 6.0f},
+                  glm::normalize(glm::vec3(11.0f, 4.0f, 6.0f)),
+                  {0, 1, 0},
+                  glm::radians(60.0f)};
     return Photographer(room, progress)
-        .take(pages, camera, {.width = 480, .height = 270}, progress);
+        .take(pages, camera, {.width = 480, .height = 270, .sky = sky}, progress);
+}
+
+/// Another colour in every direction.
+Image colouredSky()
+{
+    Image sky;
+    sky.width = 64;
+    sky.height = 32;
+    for (int y = 0; y < sky.height; ++y)
+        for (int x = 0; x < sky.width; ++x)
+            for (const int value : {4 * x, 8 * y, 255 - 4 * x})
+                sky.encoded.push_back(static_cast<uint8_t>(value));
+    return sky;
 }
 
 // One run of the program, for a room is solved but once.
@@ -125,6 +145,13 @@ TEST(ViewerProgram, ShowsARoomTakesItApartAndLightsItAnew)
 {
     const scenes::TemporaryFolder out;
     const auto file = [&](const char* name) { return (out / name).string(); };
+    const Sky sky{.radiance = glm::vec3(0.5f, 1.0f, 2.0f),
+                  .environment = std::make_shared<const Image>(colouredSky()),
+                  .turn = glm::radians(30.0f)};
+    Progress progress;
+    writeImage(*sky.environment, file("sky.png"), progress);
+    const auto light = out.write(
+        "sky.json", R"({"sky": {"environment": "sky.png", "radiance": [0.5, 1, 2], "turn": 30}})");
     const Outcome outcome = view(
         {},
         "set quality draft\nset panels off\nopen " + (kBedroom / "scan.glb").string() +
@@ -136,7 +163,8 @@ TEST(ViewerProgram, ShowsARoomTakesItApartAndLightsItAnew)
             " view\nwait relit\nscreenshot " + file("bulb.exr") + " view\nsave lights " +
             file("bulb.json") + "\npress ctrl+z\npress ctrl+z\npress ctrl+z\npress ctrl+z\n" +
             "save lights " + file("undone.json") + "\npress ctrl+y\npress ctrl+y\npress ctrl+y\n" +
-            "press ctrl+y\nsave lights " + file("redone.json") + "\nquit\n");
+            "press ctrl+y\nsave lights " + file("redone.json") + "\nset lights " + light.string() +
+            "\n" + kOutside + "screenshot " + file("sky.exr") + " view\nquit\n");
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
 
     const Image scan = readImage(file("scan.exr"));
@@ -154,6 +182,7 @@ TEST(ViewerProgram, ShowsARoomTakesItApartAndLightsItAnew)
     EXPECT_EQ(textOf(file("undone.json")), textOf(file("found.json")));
     EXPECT_EQ(textOf(file("redone.json")), textOf(file("bulb.json")));
     EXPECT_NE(textOf(file("bulb.json")), textOf(file("found.json")));
+    EXPECT_GT(likeness(readImage(file("sky.exr")), photograph(sky), 0.05f), 0.95);
 }
 
 TEST(ViewerProgram, OutlivesWhateverIsDoneToIt)
