@@ -265,6 +265,7 @@ void Studio::sendLight()
         return say(error.what()); // as by a picture of the sky that is gone
     }
     drawing_.setLamps(lampShapes(lighting.lights));
+    drawing_.setSky(lighting.sky);
     isGlanced_ = isRelit_ = false;
     relighting_.setLight(std::move(lighting));
 }
