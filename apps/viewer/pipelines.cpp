@@ -2,9 +2,11 @@
 
 #include "room_mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
+#include <tuple>
 
 namespace
 {
@@ -13,6 +15,8 @@ namespace
 #include "lamp_vert.h"
 #include "room_frag.h"
 #include "room_vert.h"
+#include "sky_frag.h"
+#include "sky_vert.h"
 
 OwnedShader shader(const Device& device, std::span<const uint32_t> words)
 {
@@ -24,7 +28,7 @@ OwnedShader shader(const Device& device, std::span<const uint32_t> words)
     return {device.get(), made};
 }
 
-/// The shaders' constants 0 to 4.
+/// The shaders' constants 0 to 5.
 struct Constants
 {
     VkBool32 ofVertices;
@@ -32,6 +36,7 @@ struct Constants
     int32_t layer;
     int32_t view;
     VkBool32 lines;
+    VkBool32 backs;
 };
 
 /// Where vertices lie in their buffers: room ones in two, for the light changes alone.
@@ -42,8 +47,10 @@ struct VertexLayout
     VkPipelineVertexInputStateCreateInfo info{
         VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
 
-    explicit VertexLayout(bool lamp)
+    explicit VertexLayout(Subject subject)
     {
+        if (subject == Subject::sky) return; // its corners are known by their numbers
+        const bool lamp = subject == Subject::lamp;
         constexpr VkFormat kVec3 = VK_FORMAT_R32G32B32_SFLOAT;
         bindings[0] = {0, lamp ? 24u : uint32_t{sizeof(RoomVertex)}, VK_VERTEX_INPUT_RATE_VERTEX};
         bindings[1] = {1, 24, VK_VERTEX_INPUT_RATE_VERTEX};
@@ -85,7 +92,8 @@ VkPipelineRasterizationStateCreateInfo rasterOf(const Drawing& drawing)
     VkPipelineRasterizationStateCreateInfo raster{
         VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
     raster.polygonMode = VK_POLYGON_MODE_FILL;
-    raster.cullMode = drawing.lamp || drawing.atlas ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT;
+    const bool isCulled = drawing.subject == Subject::room && !drawing.atlas && !drawing.backs;
+    raster.cullMode = isCulled ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE;
     raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
     raster.lineWidth = 1.0f;
     return raster;
@@ -96,10 +104,11 @@ VkPipelineRasterizationStateCreateInfo rasterOf(const Drawing& drawing)
 Pipelines::Pipelines(const Device& device, VkDescriptorSetLayout layers)
     : device_(device), roomVertex_(shader(device, kRoomVert)),
       roomFragment_(shader(device, kRoomFrag)), lampVertex_(shader(device, kLampVert)),
-      lampFragment_(shader(device, kLampFrag))
+      lampFragment_(shader(device, kLampFrag)), skyVertex_(shader(device, kSkyVert)),
+      skyFragment_(shader(device, kSkyFrag))
 {
     const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
-                                   sizeof(Push)};
+                                   std::max(sizeof(Push), sizeof(SkyPush))};
     VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
     info.setLayoutCount = 1;
     info.pSetLayouts = &layers;
@@ -117,15 +126,29 @@ VkPipeline Pipelines::of(const Drawing& drawing, VkRenderPass pass)
     return pipeline.get();
 }
 
+std::pair<VkShaderModule, VkShaderModule> Pipelines::shadersOf(Subject subject) const
+{
+    switch (subject) {
+    case Subject::room:
+        break;
+    case Subject::lamp:
+        return {lampVertex_.get(), lampFragment_.get()};
+    case Subject::sky:
+        return {skyVertex_.get(), skyFragment_.get()};
+    }
+    return {roomVertex_.get(), roomFragment_.get()};
+}
+
 OwnedPipeline Pipelines::make(const Drawing& drawing, VkRenderPass pass) const
 {
-    const Constants constants{drawing.ofVertices, drawing.atlas, drawing.layer, drawing.view,
-                              drawing.lines};
-    const std::array<VkSpecializationMapEntry, 5> entries{{{0, offsetof(Constants, ofVertices), 4},
+    const Constants constants{drawing.ofVertices, drawing.atlas, drawing.layer,
+                              drawing.view,       drawing.lines, drawing.backs};
+    const std::array<VkSpecializationMapEntry, 6> entries{{{0, offsetof(Constants, ofVertices), 4},
                                                            {1, offsetof(Constants, atlas), 4},
                                                            {2, offsetof(Constants, layer), 4},
                                                            {3, offsetof(Constants, view), 4},
-                                                           {4, offsetof(Constants, lines), 4}}};
+                                                           {4, offsetof(Constants, lines), 4},
+                                                           {5, offsetof(Constants, backs), 4}}};
     const VkSpecializationInfo specialised{static_cast<uint32_t>(entries.size()), entries.data(),
                                            sizeof(constants), &constants};
     std::array<VkPipelineShaderStageCreateInfo, 2> stages{};
@@ -135,11 +158,10 @@ OwnedPipeline Pipelines::make(const Drawing& drawing, VkRenderPass pass) const
         stage.pSpecializationInfo = &specialised;
     }
     stages[0].stage = VK_SHADER_STAGE_VERTEX_BIT;
-    stages[0].module = (drawing.lamp ? lampVertex_ : roomVertex_).get();
     stages[1].stage = VK_SHADER_STAGE_FRAGMENT_BIT;
-    stages[1].module = (drawing.lamp ? lampFragment_ : roomFragment_).get();
+    std::tie(stages[0].module, stages[1].module) = shadersOf(drawing.subject);
 
-    const VertexLayout vertices(drawing.lamp);
+    const VertexLayout vertices(drawing.subject);
     VkPipelineInputAssemblyStateCreateInfo assembly{
         VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
     assembly.topology =
@@ -155,7 +177,8 @@ OwnedPipeline Pipelines::make(const Drawing& drawing, VkRenderPass pass) const
     VkPipelineDepthStencilStateCreateInfo depth{
         VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
     depth.depthTestEnable = VK_TRUE;
-    depth.depthWriteEnable = drawing.lines ? VK_FALSE : VK_TRUE;
+    const bool isNowhere = drawing.lines || drawing.subject == Subject::sky;
+    depth.depthWriteEnable = isNowhere ? VK_FALSE : VK_TRUE;
     depth.depthCompareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
     const VkPipelineColorBlendAttachmentState blend = blendOf(drawing);
     VkPipelineColorBlendStateCreateInfo blending{

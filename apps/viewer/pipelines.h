@@ -4,6 +4,7 @@
 
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include <glm/mat4x4.hpp>
 
@@ -14,6 +15,22 @@ struct Push
     float exposure = 1.0f; // factor on light
 };
 
+/// The same for the sky.
+struct SkyPush
+{
+    glm::mat4 worldFromClip{1.0f};
+    glm::vec3 radiance{0.0f}; // multiplies its picture
+    float turn = 0.0f;        // rad
+    float exposure = 1.0f;
+};
+
+/// What is drawn.
+enum class Subject {
+    room,
+    lamp, // the surface of a light, and no layer
+    sky   // what is seen past all else
+};
+
 /// How a piece of the picture is drawn; each way has a pipeline, made when it is first asked for.
 struct Drawing
 {
@@ -22,7 +39,8 @@ struct Drawing
     bool ofVertices = false;
     bool atlas = false;
     bool lines = false;
-    bool lamp = false; // the surface of a light, and no layer
+    bool backs = false; // of the room are black, and not looked through
+    Subject subject = Subject::room;
 
     auto operator<=>(const Drawing&) const = default;
 };
@@ -38,10 +56,12 @@ public:
     [[nodiscard]] VkPipelineLayout layout() const { return layout_.get(); }
 
 private:
+    /// That of its corners, and that of its pixels.
+    [[nodiscard]] std::pair<VkShaderModule, VkShaderModule> shadersOf(Subject subject) const;
     [[nodiscard]] OwnedPipeline make(const Drawing& drawing, VkRenderPass pass) const;
 
     const Device& device_;
-    OwnedShader roomVertex_, roomFragment_, lampVertex_, lampFragment_;
+    OwnedShader roomVertex_, roomFragment_, lampVertex_, lampFragment_, skyVertex_, skyFragment_;
     OwnedPipelineLayout layout_;
     std::map<std::pair<VkRenderPass, Drawing>, OwnedPipeline> made_;
 };

@@ -7,7 +7,8 @@
 namespace
 {
 
-constexpr int kGlance = 8; // shaders/layers.glsl
+constexpr int kGlance = 8;             // shaders/layers.glsl
+constexpr uint32_t kLargestSky = 4096; // pixels
 
 OwnedSetLayout layoutOfLayers(const Device& device)
 {
@@ -36,19 +37,27 @@ VkSamplerAddressMode addressOf(relamp::Wrap wrap)
     return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
 }
 
-TexturePixels blackPixel()
+TexturePixels greyPixel(std::byte value)
 {
     TexturePixels pixels;
     pixels.levels.push_back({1, 1, 0});
-    pixels.bytes.assign(4, std::byte{0});
+    pixels.bytes.assign(4, value);
     return pixels;
+}
+
+bool areSame(const std::shared_ptr<const relamp::Image>& a,
+             const std::shared_ptr<const relamp::Image>& b)
+{
+    if (a == b || !a || !b) return a == b;
+    return a->width == b->width && a->half == b->half && a->encoded == b->encoded;
 }
 
 } // namespace
 
 RoomDrawing::RoomDrawing(const Device& device)
     : device_(device), setLayout_(layoutOfLayers(device)), pipelines_(device, setLayout_.get()),
-      nothing_(uploaded(device, blackPixel()))
+      nothing_(uploaded(device, greyPixel(std::byte{0}))),
+      skyPicture_(uploaded(device, greyPixel(std::byte{255})))
 {}
 
 void RoomDrawing::setMesh(const RoomMesh& mesh, size_t pages)
@@ -70,8 +79,9 @@ void RoomDrawing::makePool()
 {
     constexpr uint32_t kWrapPairs = 9;
     sets_.clear();
+    skySet_ = nullptr;
     pool_ = {};
-    const auto sets = static_cast<uint32_t>(pages_.size()) * kWrapPairs + 1;
+    const auto sets = static_cast<uint32_t>(pages_.size()) * kWrapPairs + 1; // the sky's
     const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
                                     sets * static_cast<uint32_t>(kPageTextures)};
     VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
@@ -112,6 +122,20 @@ void RoomDrawing::setLamps(std::span<const LampVertex> triangles)
     device_.wait();
     lampVertices_ = static_cast<uint32_t>(triangles.size());
     if (lampVertices_ > 0) lamps_ = Buffer(device_, triangles, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+}
+
+void RoomDrawing::setSky(const relamp::Sky& sky)
+{
+    // Light that was changed anywhere has its pictures read again; they are seldom others.
+    const bool isSame = areSame(sky.environment, sky_.environment);
+    sky_ = sky;
+    if (isSame) return;
+    device_.wait();
+    skyPicture_ =
+        uploaded(device_, sky.environment ? texturePixels(*sky.environment, TexelFormat::rgb9e5,
+                                                          kLargestSky, false)
+                                          : greyPixel(std::byte{255}));
+    makePool();
 }
 
 bool RoomDrawing::hasTexture(PageTexture which) const
@@ -169,18 +193,36 @@ VkDescriptorSet RoomDrawing::setOf(int page, Wraps wraps)
 {
     VkDescriptorSet& set = sets_[{page, wraps}];
     if (set != nullptr) return set;
+    Views views{};
+    for (size_t t = 0; t < kPageTextures; ++t) {
+        const DeviceImage& image = pages_[static_cast<size_t>(page)].images[t];
+        views[t] = image ? image.view() : nothing_.view();
+    }
+    set = newSet(views, samplerOf(wraps));
+    return set;
+}
+
+VkDescriptorSet RoomDrawing::skySet()
+{
+    if (skySet_ != nullptr) return skySet_;
+    Views views{};
+    views.fill(skyPicture_.view());
+    skySet_ = newSet(views, samplerOf({relamp::Wrap::repeat, relamp::Wrap::clamp}));
+    return skySet_;
+}
+
+VkDescriptorSet RoomDrawing::newSet(const Views& views, VkSampler sampler)
+{
     VkDescriptorSetLayout layout = setLayout_.get();
     VkDescriptorSetAllocateInfo allocate{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
     allocate.descriptorPool = pool_.get();
     allocate.descriptorSetCount = 1;
     allocate.pSetLayouts = &layout;
+    VkDescriptorSet set = nullptr;
     check(vkAllocateDescriptorSets(device_.get(), &allocate, &set), "making descriptors");
     std::array<VkDescriptorImageInfo, kPageTextures> images{};
-    for (size_t t = 0; t < kPageTextures; ++t) {
-        const DeviceImage& image = pages_[static_cast<size_t>(page)].images[t];
-        images[t] = {samplerOf(wraps), image ? image.view() : nothing_.view(),
-                     VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-    }
+    for (size_t t = 0; t < kPageTextures; ++t)
+        images[t] = {sampler, views[t], VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
     VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
     write.dstSet = set;
     write.descriptorCount = kPageTextures;
@@ -188,6 +230,11 @@ VkDescriptorSet RoomDrawing::setOf(int page, Wraps wraps)
     write.pImageInfo = images.data();
     vkUpdateDescriptorSets(device_.get(), 1, &write, 0, nullptr);
     return set;
+}
+
+bool RoomDrawing::showsSky(const Scene& scene) const
+{
+    return scene.sky && !scene.atlas && sky_.radiance != glm::vec3(0.0f);
 }
 
 void RoomDrawing::draw(VkCommandBuffer commands, VkRenderPass pass, const Scene& scene)
@@ -204,6 +251,7 @@ void RoomDrawing::draw(VkCommandBuffer commands, VkRenderPass pass, const Scene&
     drawSurfaces(commands, pass, scene, false);
     if (scene.wireframe) drawSurfaces(commands, pass, scene, true);
     if (scene.lamps && !scene.atlas) drawLamps(commands, pass, scene);
+    if (showsSky(scene)) drawSky(commands, pass, scene);
 }
 
 void RoomDrawing::drawSurfaces(VkCommandBuffer commands, VkRenderPass pass, const Scene& scene,
@@ -216,7 +264,8 @@ void RoomDrawing::drawSurfaces(VkCommandBuffer commands, VkRenderPass pass, cons
     Drawing drawing{.layer = static_cast<int>(scene.layer),
                     .view = scene.linear ? 3 : static_cast<int>(scene.view.view),
                     .atlas = scene.atlas,
-                    .lines = lines};
+                    .lines = lines,
+                    .backs = scene.inside && showsSky(scene)};
     if (scene.layer == Layer::relit && !hasTexture(PageTexture::relit)) drawing.layer = kGlance;
     for (const RoomSurface& surface : surfaces_) {
         drawing.ofVertices = surface.ofVertices;
@@ -245,7 +294,7 @@ void RoomDrawing::drawLamps(VkCommandBuffer commands, VkRenderPass pass, const S
     if (lampVertices_ == 0) return;
     const Push push{scene.clip, std::exp2(scene.view.exposure)};
     const Drawing drawing{.view = scene.linear ? 3 : static_cast<int>(scene.view.view),
-                          .lamp = true};
+                          .subject = Subject::lamp};
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.of(drawing, pass));
     vkCmdPushConstants(commands, pipelines_.layout(),
                        VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(push),
@@ -254,4 +303,20 @@ void RoomDrawing::drawLamps(VkCommandBuffer commands, VkRenderPass pass, const S
     const VkDeviceSize offset = 0;
     vkCmdBindVertexBuffers(commands, 0, 1, &buffer, &offset);
     vkCmdDraw(commands, lampVertices_, 1, 0, 0);
+}
+
+void RoomDrawing::drawSky(VkCommandBuffer commands, VkRenderPass pass, const Scene& scene)
+{
+    const SkyPush push{glm::inverse(scene.clip), sky_.radiance, sky_.turn,
+                       std::exp2(scene.view.exposure)};
+    const Drawing drawing{.view = scene.linear ? 3 : static_cast<int>(scene.view.view),
+                          .subject = Subject::sky};
+    const VkDescriptorSet set = skySet();
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.of(drawing, pass));
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.layout(), 0, 1,
+                            &set, 0, nullptr);
+    vkCmdPushConstants(commands, pipelines_.layout(),
+                       VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(push),
+                       &push);
+    vkCmdDraw(commands, 3, 1, 0, 0);
 }

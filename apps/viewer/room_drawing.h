@@ -6,6 +6,7 @@
 #include "room_mesh.h"
 
 #include "relamp/light_probes.h"
+#include "relamp/relight.h"
 #include "relamp/view.h"
 
 #include <array>
@@ -31,6 +32,8 @@ struct Scene
     bool atlas = false;
     bool wireframe = false;
     bool lamps = false;  // of new lights
+    bool sky = false;    // where nothing else is, if it shines
+    bool inside = false; // the eye: backs hide what is behind them
     bool linear = false; // light itself, for EXR
     relamp::ViewOptions view;
 };
@@ -47,6 +50,7 @@ public:
     /// Light at the mesh's vertices. It is shown in the layer relit until there are textures of it.
     void setLight(std::span<const relamp::LightAtPlace> atVertices);
     void setLamps(std::span<const LampVertex> triangles);
+    void setSky(const relamp::Sky& sky);
 
     /// Whether what a layer is made of is there.
     [[nodiscard]] bool has(Layer layer) const;
@@ -65,19 +69,27 @@ private:
 
     [[nodiscard]] bool hasTexture(PageTexture which) const;
     VkDescriptorSet setOf(int page, Wraps wraps);
+    VkDescriptorSet skySet();
+    using Views = std::array<VkImageView, kPageTextures>;
+    VkDescriptorSet newSet(const Views& views, VkSampler sampler);
     VkSampler samplerOf(Wraps wraps);
     void makePool();
     void drawSurfaces(VkCommandBuffer commands, VkRenderPass pass, const Scene& scene, bool lines);
     void drawLamps(VkCommandBuffer commands, VkRenderPass pass, const Scene& scene);
+    void drawSky(VkCommandBuffer commands, VkRenderPass pass, const Scene& scene);
+    [[nodiscard]] bool showsSky(const Scene& scene) const;
 
     const Device& device_;
     OwnedSetLayout setLayout_;
     Pipelines pipelines_;
     std::map<Wraps, OwnedSampler> samplers_;
     DeviceImage nothing_; // a black pixel, for what has not come
+    relamp::Sky sky_;
+    DeviceImage skyPicture_; // a white pixel where it has none
     std::vector<PageImages> pages_;
     OwnedDescriptorPool pool_;
     std::map<std::pair<int, Wraps>, VkDescriptorSet> sets_;
+    VkDescriptorSet skySet_ = nullptr;
     std::vector<RoomSurface> surfaces_;
     Buffer vertices_, light_, indices_, edges_, lamps_;
     uint32_t lampVertices_ = 0;

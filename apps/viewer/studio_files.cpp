@@ -106,6 +106,7 @@ void Studio::seek(double part)
     relamp::Relighting lighting = timeline_->at(part);
     if (!drawing_.has(Layer::relit)) return;
     drawing_.setLamps(lampShapes(lighting.lights));
+    drawing_.setSky(lighting.sky);
     isGlanced_ = isRelit_ = false;
     relighting_.setLight(std::move(lighting));
 }

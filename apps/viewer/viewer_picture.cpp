@@ -24,7 +24,8 @@ void Viewer::drawView(VkCommandBuffer commands, VkRenderPass pass, const VkRect2
     scene.layer = available(shown.layer);
     scene.atlas = shown.atlas;
     scene.wireframe = shown.wireframe;
-    scene.lamps = scene.layer == Layer::relit;
+    scene.lamps = scene.sky = scene.layer == Layer::relit;
+    scene.inside = studio.bounds().contains(studio.camera.position());
     scene.linear = linear;
     scene.view = studio.edit.view;
     if (linear) scene.view.exposure = 0.0f;
@@ -36,7 +37,7 @@ void Viewer::drawView(VkCommandBuffer commands, VkRenderPass pass, const VkRect2
     scene.area = frame;
     scene.area.extent.width = left;
     scene.layer = available(shown.before);
-    scene.lamps = scene.layer == Layer::relit;
+    scene.lamps = scene.sky = scene.layer == Layer::relit;
     drawing_.draw(commands, pass, scene);
 }
 

@@ -1,6 +1,7 @@
 #include "relight/sky_bins.h"
 
 #include "base/parallel.h"
+#include "relight/sky_bins.shared.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,14 +46,12 @@ glm::vec3 skyRadiance(const Sky& sky, glm::vec3 direction)
     if (!sky.environment) return sky.radiance;
     const Image& image = *sky.environment;
     const Radiance picture(image);
-    // The middle of the picture lies towards -z, and what is right of it towards +x.
-    const float around = (std::atan2(direction.x, -direction.z) - sky.turn) / (2.0f * kPi) + 0.5f;
-    const float down = std::acos(std::clamp(direction.y, -1.0f, 1.0f)) / kPi;
+    const glm::vec2 place = placeInSky(direction, sky.turn);
     const auto width = static_cast<size_t>(image.width);
     const auto height = static_cast<size_t>(image.height);
     const auto column =
-        static_cast<size_t>((around - std::floor(around)) * static_cast<float>(width));
-    const auto row = static_cast<size_t>(down * static_cast<float>(height));
+        static_cast<size_t>((place.x - std::floor(place.x)) * static_cast<float>(width));
+    const auto row = static_cast<size_t>(place.y * static_cast<float>(height));
     return sky.radiance * picture[std::min(row, height - 1) * width + std::min(column, width - 1)];
 }
 

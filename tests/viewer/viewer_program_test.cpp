@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <gmock/gmock.h>
 
 namespace relamp::golden
@@ -17,24 +18,73 @@ namespace
 {
 
 using testing::HasSubstr;
+using testing::Not;
 
 const std::filesystem::path kBedroom = std::filesystem::path(RELAMP_SAMPLES) / "bedroom";
 constexpr const char* kCamera = "set camera 0.35 1.65 -0.45 3 0.8 -2.9 80\n";
-
-Outcome view(const std::vector<std::string>& arguments, const std::string& script)
-{
-    const scenes::TemporaryFolder home;
-    setenv("XDG_CONFIG_HOME", home.path().c_str(), 1);
-    std::vector<std::string> all{"view", "--size", "480x270"};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    all.insert(all.end(), {"--script", home.write("script.txt", script).string()});
-    return runRelamp(all);
-}
+constexpr const char* kOutside = "set camera 9 4 6 20 8 12 60\n";
 
 std::string textOf(const std::filesystem::path& file)
 {
     std::ifstream in(file);
     return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Vulkan's validation layer looks over every call of the programs that are started while this
+/// lives: the loader puts it there, the programs know nothing of it.
+class Validation
+{
+public:
+    Validation()
+    {
+        folder_.write("vk_layer_settings.txt",
+                      "khronos_validation.debug_action = VK_DBG_LAYER_ACTION_LOG_MSG\n"
+                      "khronos_validation.report_flags = error,warn,perf,info\n"
+                      "khronos_validation.enables = "
+                      "VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT\n"
+                      "khronos_validation.log_filename = " +
+                          log().string() + "\n");
+        setenv("VK_LAYER_SETTINGS_PATH", folder_.path().c_str(), 1);
+        setenv("VK_INSTANCE_LAYERS", "VK_LAYER_KHRONOS_validation", 1);
+    }
+    ~Validation()
+    {
+        unsetenv("VK_LAYER_SETTINGS_PATH");
+        unsetenv("VK_INSTANCE_LAYERS");
+    }
+    Validation(const Validation&) = delete;
+    Validation& operator=(const Validation&) = delete;
+
+    /// Its complaints are failures, and so is a layer that was not there to complain.
+    void expectClean() const
+    {
+        const std::string said = textOf(log());
+        EXPECT_THAT(said, HasSubstr("Khronos Validation Layer Active"))
+            << "is vulkan-validationlayers installed?";
+        for (const char* complaint : {"(ERROR", "(WARN", "(PERF"})
+            EXPECT_THAT(said, Not(HasSubstr(complaint)));
+    }
+
+private:
+    [[nodiscard]] std::filesystem::path log() const { return folder_ / "log.txt"; }
+
+    scenes::TemporaryFolder folder_;
+};
+
+enum class Display { there, missing };
+
+Outcome view(const std::vector<std::string>& arguments, const std::string& script,
+             Display display = Display::there)
+{
+    const scenes::TemporaryFolder home;
+    const Validation validation;
+    setenv("XDG_CONFIG_HOME", home.path().c_str(), 1);
+    std::vector<std::string> all{"view", "--size", "480x270"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    all.insert(all.end(), {"--script", home.write("script.txt", script).string()});
+    Outcome outcome = runRelamp(all);
+    if (display == Display::there) validation.expectClean();
+    return outcome;
 }
 
 glm::vec3 meanOf(const Image& image)
@@ -57,8 +107,8 @@ double likeness(const Image& a, const Image& b, float tolerance)
     return static_cast<double>(alike) / static_cast<double>(a.pixels());
 }
 
-/// The scan as the library's own rays see it.
-Image photograph()
+/// The scan as the library's own rays see it from kCamera or, past the room, from kOutside.
+Image photograph(const Sky& sky = {})
 {
     Progress progress;
     DelitRoom room;
@@ -67,9 +117,27 @@ Image photograph()
     for (const Page& page : room.scan.pages) pages.push_back(page.image);
     room.albedo = pages;
     std::vector<std::string> warnings;
-    const Camera camera = cameraFor((kBedroom / "camera.json").string(), room.scan, warnings);
+    Camera camera = cameraFor((kBedroom / "camera.json").string(), room.scan, warnings);
+    if (sky.environment)
+        camera = {{9.0f, 4.0f, 6.0f},
+                  glm::normalize(glm::vec3(11.0f, 4.0f, 6.0f)),
+                  {0, 1, 0},
+                  glm::radians(60.0f)};
     return Photographer(room, progress)
-        .take(pages, camera, {.width = 480, .height = 270}, progress);
+        .take(pages, camera, {.width = 480, .height = 270, .sky = sky}, progress);
+}
+
+/// Another colour in every direction.
+Image colouredSky()
+{
+    Image sky;
+    sky.width = 64;
+    sky.height = 32;
+    for (int y = 0; y < sky.height; ++y)
+        for (int x = 0; x < sky.width; ++x)
+            for (const int value : {4 * x, 8 * y, 255 - 4 * x})
+                sky.encoded.push_back(static_cast<uint8_t>(value));
+    return sky;
 }
 
 // One run of the program, for a room is solved but once.
@@ -77,6 +145,13 @@ TEST(ViewerProgram, ShowsARoomTakesItApartAndLightsItAnew)
 {
     const scenes::TemporaryFolder out;
     const auto file = [&](const char* name) { return (out / name).string(); };
+    const Sky sky{.radiance = glm::vec3(0.5f, 1.0f, 2.0f),
+                  .environment = std::make_shared<const Image>(colouredSky()),
+                  .turn = glm::radians(30.0f)};
+    Progress progress;
+    writeImage(*sky.environment, file("sky.png"), progress);
+    const auto light = out.write(
+        "sky.json", R"({"sky": {"environment": "sky.png", "radiance": [0.5, 1, 2], "turn": 30}})");
     const Outcome outcome = view(
         {},
         "set quality draft\nset panels off\nopen " + (kBedroom / "scan.glb").string() +
@@ -88,7 +163,8 @@ TEST(ViewerProgram, ShowsARoomTakesItApartAndLightsItAnew)
             " view\nwait relit\nscreenshot " + file("bulb.exr") + " view\nsave lights " +
             file("bulb.json") + "\npress ctrl+z\npress ctrl+z\npress ctrl+z\npress ctrl+z\n" +
             "save lights " + file("undone.json") + "\npress ctrl+y\npress ctrl+y\npress ctrl+y\n" +
-            "press ctrl+y\nsave lights " + file("redone.json") + "\nquit\n");
+            "press ctrl+y\nsave lights " + file("redone.json") + "\nset lights " + light.string() +
+            "\n" + kOutside + "screenshot " + file("sky.exr") + " view\nquit\n");
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
 
     const Image scan = readImage(file("scan.exr"));
@@ -106,6 +182,7 @@ TEST(ViewerProgram, ShowsARoomTakesItApartAndLightsItAnew)
     EXPECT_EQ(textOf(file("undone.json")), textOf(file("found.json")));
     EXPECT_EQ(textOf(file("redone.json")), textOf(file("bulb.json")));
     EXPECT_NE(textOf(file("bulb.json")), textOf(file("found.json")));
+    EXPECT_GT(likeness(readImage(file("sky.exr")), photograph(sky), 0.05f), 0.95);
 }
 
 TEST(ViewerProgram, OutlivesWhateverIsDoneToIt)
@@ -132,7 +209,7 @@ TEST(ViewerProgram, SaysThatThereIsNoDisplay)
     const char* display = std::getenv("DISPLAY");
     const std::string before = display == nullptr ? "" : display;
     unsetenv("DISPLAY");
-    const Outcome outcome = view({}, "quit\n");
+    const Outcome outcome = view({}, "quit\n", Display::missing);
     setenv("DISPLAY", before.c_str(), 1);
 
     EXPECT_EQ(outcome.exitCode, 1);
