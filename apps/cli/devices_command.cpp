@@ -25,7 +25,7 @@ const char* nameOf(relamp::GpuDevice::Type type)
     return "other";
 }
 
-int run()
+int printDevices()
 {
     const std::vector<relamp::GpuDevice> devices = relamp::gpuDevices();
     fmt::print("cpu  {}\n", relamp::cpuDevice());
@@ -42,5 +42,5 @@ void addDevicesCommand(CLI::App& app, Run& run)
 {
     CLI::App& command = *app.add_subcommand("devices", "List what --engine and --gpu choose from");
     command.footer("Example:\n  relamp devices");
-    command.callback([&run] { run = ::run; });
+    command.callback([&run] { run = printDevices; });
 }

@@ -1,5 +1,6 @@
 #include "command.h"
 #include "interrupt.h"
+#include "scan_arguments.h"
 #include "terminal.h"
 
 #include "relamp/threads.h"
@@ -79,11 +80,6 @@ int run(const VerifyArguments& arguments)
     else
         print(arguments, found);
     return 0;
-}
-
-CLI::Validator between(double low, double high)
-{
-    return CLI::Range(low, high).description("");
 }
 
 } // namespace

@@ -40,32 +40,47 @@ std::string bytesOf(const std::filesystem::path& file)
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// What `relamp delight --quiet` makes of the sample, made once.
+class DelightProgram : public testing::Test
+{
+protected:
+    static void SetUpTestSuite()
+    {
+        shared = new TemporaryFolder;
+        said = runRelamp({"delight", kScan, "-o", out(), "--quiet"});
+        ASSERT_EQ(said.exitCode, 0) << said.err;
+    }
+    static void TearDownTestSuite() { delete shared; }
+
+    static std::filesystem::path out() { return *shared / "out"; }
+
+    static inline TemporaryFolder* shared = nullptr;
+    static inline Outcome said;
+};
+
 } // namespace
 
-TEST(DelightProgram, WritesAllThatTheGuidePromises)
+TEST_F(DelightProgram, WritesAllThatTheGuidePromises)
 {
-    const TemporaryFolder folder;
-    const Outcome run = runRelamp({"delight", kScan, "-o", folder / "out"});
-    ASSERT_EQ(run.exitCode, 0) << run.err;
-    EXPECT_THAT(namesIn(folder / "out"),
+    EXPECT_THAT(namesIn(out()),
                 UnorderedElementsAre("albedo.exr", "albedo.png", "confidence.png", "direct.exr",
                                      "indirect.exr", "lights.json", "preview.png", "reasons.png",
                                      "report.json", "scan.glb", "shading.exr"));
-    EXPECT_THAT(namesIn(folder.path()),
+    EXPECT_THAT(namesIn(shared->path()),
                 testing::ElementsAre("out")); // and nothing half-written beside it
 
-    const auto report = nlohmann::json::parse(bytesOf(folder / "out/report.json"));
+    const auto report = nlohmann::json::parse(bytesOf(out() / "report.json"));
     EXPECT_EQ(report["scan"]["triangles"], 39855);
     EXPECT_LT(report["closedLoop"]["rmsError"], 0.1);
     double share = report["confidence"]["good"];
     for (const auto& low : report["confidence"]["low"]) share += low.get<double>();
     EXPECT_NEAR(share, 1.0, 1e-3);
     EXPECT_GT(report["confidence"]["good"], 0.7);
-    EXPECT_EQ(readPicture(folder / "out/albedo.png").width, 1024);
+    EXPECT_EQ(readPicture(out() / "albedo.png").width, 1024);
 }
 
 // The baseline's figures; the input texture itself scores 11.88 dB with a slope of 1.00.
-TEST(DelightProgram, ThesisSolverTakesSomeShadingOffTheSample)
+TEST_F(DelightProgram, ThesisSolverTakesSomeShadingOffTheSample)
 {
     const TemporaryFolder folder;
     ASSERT_EQ(
@@ -80,16 +95,14 @@ TEST(DelightProgram, ThesisSolverTakesSomeShadingOffTheSample)
 }
 
 // The default solver's musts, with what a cut in its rays would cost kept in hand.
-TEST(DelightProgram, GatherSolverTakesTheShadingOffTheSample)
+TEST_F(DelightProgram, GatherSolverTakesTheShadingOffTheSample)
 {
-    const TemporaryFolder folder;
-    ASSERT_EQ(runRelamp({"delight", kScan, "-o", folder / "out", "-q"}).exitCode, 0);
-    const Score score = scoreAlbedo(readPicture(folder / "out/albedo.exr"), kRoom);
+    const Score score = scoreAlbedo(readPicture(out() / "albedo.exr"), kRoom);
     EXPECT_GT(score.psnr, 20.5);
     EXPECT_NEAR(score.leakSlope, 0.0, 0.16);
 }
 
-TEST(DelightProgram, WritesTheSameBytesOnOneThreadAndOnEight)
+TEST_F(DelightProgram, WritesTheSameBytesOnOneThreadAndOnEight)
 {
     const TemporaryFolder folder;
     ASSERT_EQ(runRelamp({"delight", kScan, "-o", folder / "one", "--threads", "1", "-q"}).exitCode,
@@ -103,7 +116,7 @@ TEST(DelightProgram, WritesTheSameBytesOnOneThreadAndOnEight)
     }
 }
 
-TEST(DelightProgram, JsonIsAllThatJsonPrints)
+TEST_F(DelightProgram, JsonIsAllThatJsonPrints)
 {
     const TemporaryFolder folder;
     const Outcome run = runRelamp({"delight", kScan, "-o", folder / "out", "--json"});
@@ -118,42 +131,37 @@ TEST(DelightProgram, JsonIsAllThatJsonPrints)
     EXPECT_GE(seconds, 0.95 * total);
 }
 
-TEST(DelightProgram, QuietIsQuiet)
+TEST_F(DelightProgram, QuietIsQuiet)
 {
-    const TemporaryFolder folder;
-    const Outcome run = runRelamp({"delight", kScan, "-o", folder / "out", "--quiet"});
-    EXPECT_EQ(run.out + run.err, "");
+    EXPECT_EQ(said.out + said.err, "");
 }
 
-TEST(DelightProgram, GlbIsTheScanWithAlbedoAndLights)
+TEST_F(DelightProgram, GlbIsTheScanWithAlbedoAndLights)
 {
-    const TemporaryFolder folder;
-    ASSERT_EQ(runRelamp({"delight", kScan, "-o", folder / "out", "-q"}).exitCode, 0);
     Progress progress;
     const Scan before = readScan(kScan, {}, progress);
-    const Scan after = readScan(folder / "out/scan.glb", {}, progress);
+    const Scan after = readScan(out() / "scan.glb", {}, progress);
     ASSERT_EQ(after.meshes.size(), before.meshes.size());
     EXPECT_EQ(after.meshes[0].positions, before.meshes[0].positions);
     EXPECT_EQ(after.meshes[0].name, before.meshes[0].name);
     EXPECT_EQ(after.pages[0].image.width, before.pages[0].image.width);
     EXPECT_NE(after.pages[0].image.encoded, before.pages[0].image.encoded);
-    EXPECT_THAT(bytesOf(folder / "out/scan.glb"), HasSubstr("KHR_lights_punctual"));
+    EXPECT_THAT(bytesOf(out() / "scan.glb"), HasSubstr("KHR_lights_punctual"));
 }
 
-TEST(DelightProgram, ItsLightsCanBeReadAgain)
+TEST_F(DelightProgram, ItsLightsCanBeReadAgain)
 {
     const TemporaryFolder folder;
-    ASSERT_EQ(runRelamp({"delight", kScan, "-o", folder / "out", "-q"}).exitCode, 0);
     std::vector<std::string> warnings;
-    const Lights lights = readLights(folder / "out/lights.json", warnings);
+    const Lights lights = readLights(out() / "lights.json", warnings);
     EXPECT_TRUE(warnings.empty());
     EXPECT_GE(lights.fixtures.size(), 3u);
-    const Outcome again = runRelamp(
-        {"delight", kScan, "-o", folder / "again", "--lights", folder / "out/lights.json"});
+    const Outcome again =
+        runRelamp({"delight", kScan, "-o", folder / "again", "--lights", out() / "lights.json"});
     EXPECT_EQ(again.exitCode, 0) << again.err;
 }
 
-TEST(DelightProgram, CtrlCEndsItWithinASecondAndLeavesNothing)
+TEST_F(DelightProgram, CtrlCEndsItWithinASecondAndLeavesNothing)
 {
     for (const double seconds : {0.05, 0.4, 0.8}) {
         const TemporaryFolder folder;
