@@ -61,6 +61,7 @@ public:
         relamp::ScanOptions scan;
         std::filesystem::path script; // empty: a person
         std::optional<glm::ivec2> size;
+        Smooth smooth = Smooth::automatic;
     };
     explicit Viewer(const Options& options);
     ~Viewer();
