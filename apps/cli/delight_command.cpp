@@ -18,6 +18,7 @@
 namespace
 {
 
+constexpr int kDraftSide = 512; // pixels of a draft's textures, at most
 constexpr const char* kGatherGroup = "Dials of the gather solver (it needs none)";
 
 struct DelightArguments
@@ -132,8 +133,10 @@ void addGatherDials(CLI::App& command, DelightArguments& arguments)
                                                            {"standard", relamp::Quality::standard},
                                                            {"high", relamp::Quality::high}};
     command
-        .add_option("--quality", gather.quality,
-                    "draft for a first look, standard, or high: four times the rays [standard]")
+        .add_option(
+            "--quality", gather.quality,
+            "draft for a first look, on textures of 512 pixels; standard; or high: four times "
+            "the rays [standard]")
         ->transform(CLI::CheckedTransformer(qualities).description(""))
         ->type_name("NAME")
         ->group(kGatherGroup);
@@ -210,6 +213,8 @@ int run(DelightArguments& arguments)
     arguments.options.gather.lights = placesFrom(arguments.lightsAt);
     arguments.options.gather.notLights = placesFrom(arguments.notLightsAt);
 
+    if (arguments.options.gather.quality == relamp::Quality::draft)
+        arguments.scan.options.longestSide = kDraftSide;
     relamp::Scan scan = relamp::readScan(arguments.scan.file, arguments.scan.options, progress);
     scan.warnings.insert(scan.warnings.end(), notes.begin(), notes.end());
     const relamp::Decomposition result = relamp::delight(scan, arguments.options, progress);

@@ -8,40 +8,10 @@
 
 #include <fmt/format.h>
 
-#include <glm/gtc/packing.hpp>
-
 namespace
 {
 
 constexpr int kDraftLength = 1024; // pixels
-
-/// Mean light of blocks of pixels, in the format of the image.
-relamp::Image shrunk(const relamp::Image& image, int factor)
-{
-    relamp::Image small;
-    small.width = std::max(image.width / factor, 1);
-    small.height = std::max(image.height / factor, 1);
-    small.transfer = image.transfer;
-    small.clipsAtWhite = image.clipsAtWhite;
-    small.wasJpeg = image.wasJpeg;
-    const TexturePixels mean =
-        texturePixels(image, image.half.empty() ? TexelFormat::srgb8 : TexelFormat::rgb9e5,
-                      static_cast<uint32_t>(std::max(small.width, small.height)), true);
-    const auto* texels = reinterpret_cast<const uint32_t*>(mean.bytes.data());
-    if (image.half.empty())
-        small.encoded.resize(3 * small.pixels());
-    else
-        small.half.resize(3 * small.pixels());
-    small.transfer = image.half.empty() ? relamp::Transfer::srgb : image.transfer;
-    for (size_t i = 0; i < small.pixels(); ++i)
-        for (size_t c = 0; c < 3; ++c)
-            if (image.half.empty())
-                small.encoded[3 * i + c] = static_cast<uint8_t>(texels[i] >> 8 * c & 255u);
-            else
-                small.half[3 * i + c] =
-                    glm::packHalf1x16(fromRgb9e5(texels[i])[static_cast<int>(c)]);
-    return small;
-}
 
 relamp::Image imageOf(const relamp::PageLayers& layers, std::vector<uint16_t> half)
 {
@@ -115,18 +85,6 @@ std::vector<TexturePixels> pixelsOfPages(const std::vector<relamp::Image>& image
     return pixels;
 }
 
-relamp::Scan coarseOf(const relamp::Scan& scan, int longest)
-{
-    relamp::Scan coarse = scan;
-    for (relamp::Page& page : coarse.pages) {
-        int factor = 1;
-        while (!page.ofVertices && std::max(page.image.width, page.image.height) / factor > longest)
-            factor *= 2;
-        if (factor > 1) page.image = shrunk(page.image, factor);
-    }
-    return coarse;
-}
-
 void solve(const std::shared_ptr<const relamp::Scan>& scan, const relamp::DelightOptions& options,
            const std::function<void(Solved)>& deliver, relamp::Progress& progress)
 {
@@ -135,7 +93,8 @@ void solve(const std::shared_ptr<const relamp::Scan>& scan, const relamp::Deligh
         relamp::DelightOptions quick = options;
         if (options.solver == relamp::Solver::pathtrace) quick.solver = relamp::Solver::gather;
         quick.gather.quality = relamp::Quality::draft;
-        const auto coarse = std::make_shared<const relamp::Scan>(coarseOf(*scan, kDraftLength));
+        const auto coarse =
+            std::make_shared<const relamp::Scan>(relamp::coarsened(*scan, kDraftLength));
         Solved draft = solvedOf(coarse, quick, progress);
         draft.isDraft = true;
         deliver(std::move(draft));

@@ -32,9 +32,6 @@ constexpr uint32_t kLargestTexture = 4096;
 std::vector<TexturePixels> pixelsOfPages(const std::vector<relamp::Image>& images,
                                          const relamp::Scan& scan, TexelFormat format);
 
-/// The scan with its textures halved until none is longer than `longest`.
-relamp::Scan coarseOf(const relamp::Scan& scan, int longest);
-
 /// Takes the light out of a scan; calls `deliver` with a draft of it first, where the scan is large
 /// or the quality is not a draft's anyway, then with the whole.
 void solve(const std::shared_ptr<const relamp::Scan>& scan, const relamp::DelightOptions& options,

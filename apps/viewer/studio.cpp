@@ -155,7 +155,7 @@ void Studio::readScan(const std::filesystem::path& path, const relamp::ScanOptio
     mailbox_.post(
         [this, scan, mesh, textures = std::move(textures)] { adopt(scan, mesh, textures); });
     auto unlit = std::make_shared<relamp::DelitRoom>();
-    unlit->scan = coarseOf(*scan, kGlanceLength);
+    unlit->scan = relamp::coarsened(*scan, kGlanceLength);
     for (const relamp::Page& page : unlit->scan.pages) unlit->albedo.push_back(page.image);
     if (scan->cameras.empty()) find(unlit, progress);
     solve(

@@ -25,6 +25,7 @@ struct ScanOptions
     double scale = 1.0;    // metres a unit of the file, > 0
     Transfer transfer = Transfer::automatic;
     std::vector<std::string> skipMeshes; // names of meshes to leave out
+    int longestSide = 0; // pixels; longer textures are halved until they fit; 0: none is
 };
 
 /// What a texture shows outside [0, 1].
@@ -105,5 +106,9 @@ RELAMP_API Bounds boundsOf(const Scan& scan);
 /// Throws Error with a sentence on anything that is not a whole, textured or coloured surface.
 RELAMP_API Scan readScan(const std::filesystem::path& file, const ScanOptions& options,
                          Progress& progress);
+
+/// The scan with its textures halved, their light averaged, until no side of one is longer than
+/// `longestSide` pixels, >= 1.
+RELAMP_API Scan coarsened(Scan scan, int longestSide);
 
 } // namespace relamp

@@ -39,6 +39,7 @@ FormerRun runFrom(const json& report)
     run.scan.up = scan.at("up") == "z" ? UpAxis::z : UpAxis::y;
     run.scan.scale = scan.at("scale").get<double>();
     run.scan.transfer = transferNamed(scan.at("transfer").get<std::string>());
+    run.scan.longestSide = std::max(scan.value("longestSide", 0), 0);
     run.scan.skipMeshes = scan.at("skippedMeshes").get<std::vector<std::string>>();
     // Lamps are found on surfels as they were then, and so are the same.
     if (options.value("quality", "standard") == "draft") run.gather.quality = Quality::draft;

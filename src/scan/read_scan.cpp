@@ -67,7 +67,7 @@ Scan readScan(const std::filesystem::path& file, const ScanOptions& options, Pro
     const Progress::Stage stage(progress, "read");
     Scan scan = readByFormat(file, options, progress);
     scan.options = options;
-    return scan;
+    return options.longestSide > 0 ? coarsened(std::move(scan), options.longestSide) : scan;
 }
 
 } // namespace relamp

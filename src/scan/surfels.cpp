@@ -3,10 +3,10 @@
 #include "base/parallel.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -15,25 +15,6 @@ namespace relamp
 {
 namespace
 {
-
-/// Spreads 20 bits to every third.
-uint64_t spreadBits(uint64_t v)
-{
-    v &= 0xfffff;
-    v = (v | v << 32) & 0x1f00000000ffff;
-    v = (v | v << 16) & 0x1f0000ff0000ff;
-    v = (v | v << 8) & 0x100f00f00f00f00f;
-    v = (v | v << 4) & 0x10c30c30c30c30c3;
-    v = (v | v << 2) & 0x1249249249249249;
-    return v;
-}
-
-uint64_t facingOf(glm::vec3 normal)
-{
-    const glm::vec3 size = glm::abs(normal);
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    return static_cast<uint64_t>(2 * axis + (normal[axis] < 0.0f ? 1 : 0));
-}
 
 constexpr float kReach = 1.75f;   // of neighbours, in surfel sizes
 constexpr float kMostStep = 0.6f; // off the surface, in these
@@ -63,51 +44,6 @@ bool mayHoldNeighbor(glm::vec3 normal, glm::vec3 way)
 
 } // namespace
 
-glm::ivec3 SurfelGrid::cellOf(glm::vec3 position) const
-{
-    const glm::vec3 cell = glm::floor((position - low_) * perMetre_);
-    return glm::ivec3(glm::clamp(cell, glm::vec3(0.0f), glm::vec3(kMostCells - 1)));
-}
-
-uint64_t SurfelGrid::firstKeyOf(glm::ivec3 cell)
-{
-    const uint64_t morton = spreadBits(static_cast<uint64_t>(cell.x)) |
-                            spreadBits(static_cast<uint64_t>(cell.y)) << 1 |
-                            spreadBits(static_cast<uint64_t>(cell.z)) << 2;
-    return morton * kFacings;
-}
-
-uint64_t SurfelGrid::keyOf(glm::vec3 position, glm::vec3 normal) const
-{
-    return firstKeyOf(cellOf(position)) + kParts * facingOf(normal);
-}
-
-SurfelCells::SurfelCells(std::span<const uint64_t> keys)
-    : slots_(std::bit_ceil(2 * keys.size() + 2))
-{
-    const auto cellKey = [&](size_t i) {
-        return keys[i] / SurfelGrid::kFacings * SurfelGrid::kFacings;
-    };
-    for (size_t begin = 0, end = 0; begin < keys.size(); begin = end) {
-        while (end < keys.size() && cellKey(end) == cellKey(begin)) ++end;
-        slots_[slotOf(cellKey(begin))] = {
-            cellKey(begin), {static_cast<uint32_t>(begin), static_cast<uint32_t>(end)}};
-    }
-}
-
-size_t SurfelCells::slotOf(uint64_t key) const
-{
-    const size_t mask = slots_.size() - 1;
-    size_t slot = (key / SurfelGrid::kFacings * 0x9e3779b97f4a7c15u >> 20) & mask;
-    while (slots_[slot].range.end != 0 && slots_[slot].key != key) slot = (slot + 1) & mask;
-    return slot;
-}
-
-SurfelCells::Range SurfelCells::operator[](uint64_t firstKey) const
-{
-    return slots_[slotOf(firstKey)].range;
-}
-
 bool Surfels::isPartlyBuried(size_t surfel) const
 {
     const uint64_t buried = key[surfel] | static_cast<uint64_t>(SurfelPart::buried);
@@ -119,7 +55,7 @@ bool Surfels::isPartlyBuried(size_t surfel) const
 uint32_t Surfels::find(glm::vec3 place, glm::vec3 facing) const
 {
     const uint64_t wanted = grid.keyOf(place, facing);
-    const auto [begin, end] = cells[wanted / SurfelGrid::kFacings * SurfelGrid::kFacings];
+    const auto [begin, end] = cells[grid.cellOf(place)];
     uint32_t nearest = kNone;
     float leastStep = std::numeric_limits<float>::max();
     for (uint32_t s = begin; s < end; ++s) {
@@ -149,29 +85,38 @@ void connectNeighbors(Surfels& surfels)
 {
     const size_t count = surfels.count();
     constexpr size_t kChunk = 1024;
-    std::vector<std::vector<uint32_t>> found((count + kChunk - 1) / kChunk);
-    surfels.firstNeighbor.assign(count + 1, 0);
+    using Pair = std::pair<uint32_t, uint32_t>;
+    std::vector<std::vector<Pair>> found((count + kChunk - 1) / kChunk); // each pair once
     forEachChunk(count, kChunk, [&](size_t begin, size_t end) {
-        std::vector<uint32_t>& list = found[begin / kChunk];
-        for (size_t s = begin; s < end; ++s) {
-            const size_t before = list.size();
-            list.push_back(static_cast<uint32_t>(s));
+        std::vector<Pair>& pairs = found[begin / kChunk];
+        for (size_t s = begin; s < end; ++s)
             surfels.forEachInReach(
                 surfels.position[s],
                 [&](size_t other) {
-                    if (other != s && isSameSurface(surfels, s, other))
-                        list.push_back(static_cast<uint32_t>(other));
+                    if (other > s && isSameSurface(surfels, s, other))
+                        pairs.emplace_back(static_cast<uint32_t>(s), static_cast<uint32_t>(other));
                 },
-                [&](glm::vec3 way) { return mayHoldNeighbor(surfels.normal[s], way); });
-            surfels.firstNeighbor[s + 1] = static_cast<uint32_t>(list.size() - before);
-        }
+                [&](glm::vec3 way, uint32_t last) {
+                    return last > s && mayHoldNeighbor(surfels.normal[s], way);
+                });
     });
-    std::partial_sum(surfels.firstNeighbor.begin(), surfels.firstNeighbor.end(),
-                     surfels.firstNeighbor.begin());
-    surfels.neighbor.clear();
-    surfels.neighbor.reserve(surfels.firstNeighbor.back());
-    for (const auto& list : found)
-        surfels.neighbor.insert(surfels.neighbor.end(), list.begin(), list.end());
+    surfels.firstNeighbor.assign(count + 1, 1); // itself
+    surfels.firstNeighbor.back() = 0;
+    for (const auto& pairs : found)
+        for (const auto& [a, b] : pairs) {
+            ++surfels.firstNeighbor[a];
+            ++surfels.firstNeighbor[b];
+        }
+    std::exclusive_scan(surfels.firstNeighbor.begin(), surfels.firstNeighbor.end(),
+                        surfels.firstNeighbor.begin(), 0u);
+    surfels.neighbor.resize(surfels.firstNeighbor.back());
+    std::vector<uint32_t> to = surfels.firstNeighbor;
+    for (uint32_t s = 0; s < count; ++s) surfels.neighbor[to[s]++] = s;
+    for (const auto& pairs : found)
+        for (const auto& [a, b] : pairs) {
+            surfels.neighbor[to[a]++] = b;
+            surfels.neighbor[to[b]++] = a;
+        }
 }
 
 } // namespace relamp

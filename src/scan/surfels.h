@@ -1,5 +1,7 @@
 #pragma once
 
+#include "scan/surfel_cells.h"
+
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,67 +11,6 @@
 
 namespace relamp
 {
-
-/// What sets surfels of one cell and one facing apart; bits of their keys.
-enum class SurfelPart : uint64_t {
-    upper = 1,  // of two layers, the one that the other lies behind
-    buried = 2, // something stands or lies on it
-};
-
-/// Where a texel belongs: its cell in space and the axis that it faces most.
-///
-/// Keys sort along a Morton curve; surfels of one cell follow each other.
-class SurfelGrid
-{
-public:
-    SurfelGrid() = default;
-    SurfelGrid(glm::vec3 low, float size) : low_(low), perMetre_(1.0f / size) {}
-
-    [[nodiscard]] uint64_t keyOf(glm::vec3 position, glm::vec3 normal) const;
-    [[nodiscard]] glm::ivec3 cellOf(glm::vec3 position) const;
-    /// Key of the first surfel that can lie in a cell; the next kFacings keys are the same cell's.
-    [[nodiscard]] static uint64_t firstKeyOf(glm::ivec3 cell);
-    /// A place in units of cells.
-    [[nodiscard]] glm::vec3 inCells(glm::vec3 position) const
-    {
-        return (position - low_) * perMetre_;
-    }
-
-    static constexpr uint64_t kParts = 4;            // of a cell's surfels that face one way
-    static constexpr uint64_t kFacings = 8 * kParts; // six axes, rounded up to bits
-    static constexpr int kMostCells = 1 << 19;
-
-private:
-    glm::vec3 low_{0.0f};
-    float perMetre_ = 1.0f;
-};
-
-/// Index of the surfels of each cell of a grid, by open addressing.
-class SurfelCells
-{
-public:
-    SurfelCells() = default;
-    /// `keys` are the surfels' own, ascending.
-    explicit SurfelCells(std::span<const uint64_t> keys);
-
-    /// The surfels of the cell that begins at `firstKey`: [begin, end).
-    struct Range
-    {
-        uint32_t begin = 0;
-        uint32_t end = 0;
-    };
-    [[nodiscard]] Range operator[](uint64_t firstKey) const;
-
-private:
-    struct Slot
-    {
-        uint64_t key = 0;
-        Range range; // empty: nobody is here
-    };
-    [[nodiscard]] size_t slotOf(uint64_t key) const;
-
-    std::vector<Slot> slots_;
-};
 
 /// Clusters of texels of one place and one orientation, in the order of a space-filling curve.
 ///
@@ -110,14 +51,14 @@ struct Surfels
     [[nodiscard]] uint32_t find(glm::vec3 place, glm::vec3 facing) const;
 
     /// Calls `visit(surfel)` for all whose cell is at most two from that of `place`: all within a
-    /// distance of `size`, and more; of cells that
-    /// `matters(way)` is true for, the way to the cell's middle in cells.
+    /// distance of `size`, and more; of cells that `matters(way, last)` is true for: the way to the
+    /// cell's middle, in cells, and the last surfel there.
     template<class Visit, class Matters>
     void forEachInReach(glm::vec3 place, const Visit& visit, const Matters& matters) const;
     template<class Visit>
     void forEachInReach(glm::vec3 place, const Visit& visit) const
     {
-        forEachInReach(place, visit, [](glm::vec3) { return true; });
+        forEachInReach(place, visit, [](glm::vec3, uint32_t) { return true; });
     }
 };
 
@@ -132,13 +73,10 @@ void Surfels::forEachInReach(glm::vec3 place, const Visit& visit, const Matters&
     const glm::ivec3 home = grid.cellOf(place);
     const glm::ivec3 low = glm::max(home - 2, glm::ivec3(0));
     const glm::ivec3 high = glm::min(home + 2, glm::ivec3(SurfelGrid::kMostCells - 1));
-    for (int z = low.z; z <= high.z; ++z)
-        for (int y = low.y; y <= high.y; ++y)
-            for (int x = low.x; x <= high.x; ++x) {
-                if (!matters(glm::vec3(x, y, z) + 0.5f - at)) continue;
-                const auto [begin, end] = cells[SurfelGrid::firstKeyOf({x, y, z})];
-                for (uint32_t surfel = begin; surfel < end; ++surfel) visit(size_t{surfel});
-            }
+    cells.forEachFilled(low, high, [&](glm::ivec3 cell, SurfelCells::Range range) {
+        if (!matters(glm::vec3(cell) + 0.5f - at, range.end - 1)) return;
+        for (uint32_t surfel = range.begin; surfel < range.end; ++surfel) visit(size_t{surfel});
+    });
 }
 
 } // namespace relamp

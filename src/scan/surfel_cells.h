@@ -1,0 +1,115 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+namespace relamp
+{
+
+/// What sets surfels of one cell and one facing apart; bits of their keys.
+enum class SurfelPart : uint64_t {
+    upper = 1,  // of two layers, the one that the other lies behind
+    buried = 2, // something stands or lies on it
+};
+
+/// Where a texel belongs: its cell in space and the axis that it faces most.
+///
+/// Keys sort along a Morton curve; surfels of one cell follow each other.
+class SurfelGrid
+{
+public:
+    SurfelGrid() = default;
+    SurfelGrid(glm::vec3 low, float size) : low_(low), perMetre_(1.0f / size) {}
+
+    [[nodiscard]] uint64_t keyOf(glm::vec3 position, glm::vec3 normal) const;
+    [[nodiscard]] glm::ivec3 cellOf(glm::vec3 position) const;
+    /// Key of the first surfel that can lie in a cell; the next kFacings keys are the same cell's.
+    [[nodiscard]] static uint64_t firstKeyOf(glm::ivec3 cell);
+    /// A place in units of cells.
+    [[nodiscard]] glm::vec3 inCells(glm::vec3 position) const
+    {
+        return (position - low_) * perMetre_;
+    }
+
+    static constexpr uint64_t kParts = 4;            // of a cell's surfels that face one way
+    static constexpr uint64_t kFacings = 8 * kParts; // six axes, rounded up to bits
+    static constexpr int kMostCells = 1 << 19;
+
+private:
+    glm::vec3 low_{0.0f};
+    float perMetre_ = 1.0f;
+};
+
+/// Index of the surfels of each cell of a grid: a hash table of bricks of 4 x 4 x 4 cells, each
+/// with a bit for every cell that somebody is in. Empty cells, most of those that are asked for,
+/// cost nothing.
+class SurfelCells
+{
+public:
+    SurfelCells() = default;
+    /// `keys` are the surfels' own, ascending.
+    explicit SurfelCells(std::span<const uint64_t> keys);
+
+    /// Surfels of a cell: [begin, end).
+    struct Range
+    {
+        uint32_t begin = 0;
+        uint32_t end = 0;
+    };
+    [[nodiscard]] Range operator[](glm::ivec3 cell) const;
+
+    /// Calls `visit(cell, range)` for all cells of the box `low` .. `high` that surfels are in.
+    template<class Visit>
+    void forEachFilled(glm::ivec3 low, glm::ivec3 high, const Visit& visit) const;
+
+private:
+    static constexpr int kEdge = 4; // of a brick, in cells
+    static constexpr uint64_t kCells = 64;
+    struct Brick
+    {
+        uint64_t key = 0;    // Morton code of its place
+        uint64_t filled = 0; // a bit for each cell, by Morton code; none: the slot is free
+        uint32_t first = 0;  // of its filled cells, in begins_
+    };
+    [[nodiscard]] size_t slotOf(uint64_t key) const;
+    [[nodiscard]] const Brick& brickAt(glm::ivec3 brick) const;
+    [[nodiscard]] Range rangeOf(const Brick& brick, uint64_t cell) const;
+
+    /// Place in its brick of the cell with a Morton code.
+    static constexpr glm::ivec3 placeOf(uint64_t cell)
+    {
+        return {static_cast<int>((cell & 1) | (cell >> 2 & 2)),
+                static_cast<int>((cell >> 1 & 1) | (cell >> 3 & 2)),
+                static_cast<int>((cell >> 2 & 1) | (cell >> 4 & 2))};
+    }
+    /// Bits of the cells of the box `low` .. `high` of a brick.
+    static uint64_t boxOf(glm::ivec3 low, glm::ivec3 high);
+
+    std::vector<Brick> bricks_;    // by open addressing
+    std::vector<uint32_t> begins_; // first surfel of each filled cell, then the number of surfels
+};
+
+template<class Visit>
+void SurfelCells::forEachFilled(glm::ivec3 low, glm::ivec3 high, const Visit& visit) const
+{
+    const glm::ivec3 first = low / kEdge;
+    const glm::ivec3 last = high / kEdge;
+    for (int z = first.z; z <= last.z; ++z)
+        for (int y = first.y; y <= last.y; ++y)
+            for (int x = first.x; x <= last.x; ++x) {
+                const Brick& brick = brickAt({x, y, z});
+                const glm::ivec3 corner = kEdge * glm::ivec3(x, y, z);
+                uint64_t wanted = brick.filled & boxOf(low - corner, high - corner);
+                for (; wanted != 0; wanted &= wanted - 1) {
+                    const auto cell = static_cast<uint64_t>(std::countr_zero(wanted));
+                    visit(corner + placeOf(cell), rangeOf(brick, cell));
+                }
+            }
+}
+
+} // namespace relamp
