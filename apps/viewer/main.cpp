@@ -58,6 +58,7 @@ int main(int argc, char** argv)
         ->check(
             CLI::Validator([&options](std::string& text) { return takeSize(text, options); }, ""))
         ->type_name("WxH");
+    addEngineArguments(app, options.engine, "the thesis solver, and bounces of new light");
     const std::map<std::string, Smooth> smooth{
         {"auto", Smooth::automatic}, {"on", Smooth::on}, {"off", Smooth::off}};
     app.add_option("--smooth", options.smooth,
@@ -80,6 +81,7 @@ int main(int argc, char** argv)
     options.scan = scan.options;
     try {
         const relamp::ThreadLimit threads(scan.threads);
+        relamp::checkDevice(options.engine);
         Viewer viewer(options);
         viewer.run();
         return 0;

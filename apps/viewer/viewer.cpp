@@ -56,7 +56,7 @@ Viewer::Viewer(const Options& options)
               static_cast<uint32_t>(window_.pixels().y)),
       swapchain_(device_, target_.size(), options.script.empty()),
       panels_(device_, window_, target_.pass()), drawing_(device_), scale_(window_.scale()),
-      studio(drawing_, [] { Window::wake(); })
+      studio(drawing_, options.engine, [] { Window::wake(); })
 {
     shown.panels = settings.panels;
     if (settings.walks) studio.camera.mode = CameraRig::Mode::walk;
