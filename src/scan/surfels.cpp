@@ -16,18 +16,21 @@ namespace relamp
 namespace
 {
 
-constexpr float kReach = 1.75f;   // of neighbours, in surfel sizes
-constexpr float kMostStep = 0.6f; // off the surface, in these
-constexpr float kSlack = 0.01f;   // for rounding, in these
+constexpr float kReach = 1.75f;    // of neighbours, in surfel sizes
+constexpr float kMostStep = 0.6f;  // off the surface, in these
+constexpr float kMostLevel = 0.25f; // between levels, likewise: of a bend, the two steps cancel out
+constexpr float kSlack = 0.01f;    // for rounding, in these
 
 bool isSameSurface(const Surfels& surfels, size_t a, size_t b)
 {
     const glm::vec3 way = surfels.position[b] - surfels.position[a];
     if (surfels.isBuried(a) != surfels.isBuried(b)) return false;
     const float reach = kReach * surfels.size;
-    const float step = std::max(std::abs(glm::dot(way, surfels.normal[a])),
-                                std::abs(glm::dot(way, surfels.normal[b])));
-    return glm::dot(way, way) < reach * reach && step < kMostStep * surfels.size &&
+    const float offA = glm::dot(way, surfels.normal[a]);
+    const float offB = glm::dot(way, surfels.normal[b]);
+    return glm::dot(way, way) < reach * reach &&
+           std::max(std::abs(offA), std::abs(offB)) < kMostStep * surfels.size &&
+           0.5f * std::abs(offA + offB) < kMostLevel * surfels.size &&
            glm::dot(surfels.normal[a], surfels.normal[b]) > 0.5f;
 }
 
