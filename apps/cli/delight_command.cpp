@@ -260,7 +260,7 @@ void addDelightCommand(CLI::App& app, Run& run)
         ->type_name("L");
     command.add_flag("--fill", arguments->options.albedo.fill,
                      "Give what is burnt out or unlit the albedo of the surface around it");
-    addEngineArguments(command, arguments->options.engine);
+    addEngineArguments(command, arguments->options.engine, "the thesis solver");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
     command.add_flag("--json", arguments->json, "Print the report as JSON and nothing else");
     addGatherDials(command, *arguments);

@@ -133,6 +133,7 @@ int run(RelightArguments& arguments)
     relamp::Progress progress(progressDisplay(talk));
     const Interrupt interrupt(progress);
     const relamp::ThreadLimit threads(arguments.room.threads);
+    relamp::checkDevice(arguments.options.engine);
 
     arguments.delit.asScan = arguments.room.options;
     const relamp::DelitRoom room =
@@ -237,6 +238,7 @@ void addRelightCommand(CLI::App& app, Run& run)
     addLightOptions(command, *arguments);
     addPictureArguments(command, arguments->picture);
     addSolverOptions(command, arguments->options);
+    addEngineArguments(command, arguments->options.engine, "bounces");
     command.add_flag("--no-transport", arguments->keepNothing,
                      "Neither read nor write DIR/transport.bin");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");

@@ -48,7 +48,7 @@ void addScanArguments(CLI::App& command, ScanArguments& arguments)
         ->type_name("N");
 }
 
-void addEngineArguments(CLI::App& command, relamp::EngineOptions& engine)
+void addEngineArguments(CLI::App& command, relamp::EngineOptions& engine, const std::string& what)
 {
     using relamp::Engine;
     const std::map<std::string, Engine> engines{
@@ -56,8 +56,8 @@ void addEngineArguments(CLI::App& command, relamp::EngineOptions& engine)
     command
         .add_option(
             "--engine", engine.engine,
-            "What computes the thesis solver: cpu, gpu, or auto: a real GPU if there is one "
-            "[auto]")
+            fmt::format("What computes {}: cpu, gpu, or auto: a real GPU if there is one [auto]",
+                        what))
         ->transform(CLI::CheckedTransformer(engines).description(""))
         ->type_name("NAME");
     command

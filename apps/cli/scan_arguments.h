@@ -4,6 +4,7 @@
 #include "relamp/scan.h"
 
 #include <filesystem>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
@@ -18,7 +19,7 @@ struct ScanArguments
 /// Takes numbers from `low` to `high`. CLI::Range would take NaN as well.
 CLI::Validator between(double low, double high);
 
-/// --engine and --gpu.
-void addEngineArguments(CLI::App& command, relamp::EngineOptions& engine);
+/// --engine and --gpu, which compute `what`.
+void addEngineArguments(CLI::App& command, relamp::EngineOptions& engine, const std::string& what);
 
 void addScanArguments(CLI::App& command, ScanArguments& arguments);

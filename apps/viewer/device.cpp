@@ -63,7 +63,7 @@ void check(VkResult result, const char* step)
     fail(fmt::format("Vulkan: {} failed ({}){}", step, static_cast<int>(result), reason));
 }
 
-Device::Device(GLFWwindow* window)
+Device::Device(GLFWwindow* window, Smooth smooth)
 {
     createInstance();
     if (glfwCreateWindowSurface(instance_, window, nullptr, &surface_) != VK_SUCCESS) {
@@ -71,6 +71,9 @@ Device::Device(GLFWwindow* window)
         fail("Vulkan cannot draw in windows of this display; a driver of its kind is missing");
     }
     choosePhysical();
+    // All Vulkan devices can do four samples.
+    const bool isSmooth = smooth == Smooth::on || (smooth == Smooth::automatic && isHardware_);
+    if (isSmooth) samples_ = VK_SAMPLE_COUNT_4_BIT;
     createDevice();
 }
 
@@ -118,7 +121,7 @@ void Device::choosePhysical()
         best = rankOf(properties.deviceType);
         physical_ = candidate;
         family_ = *family;
-        isAnisotropic_ = properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU;
+        isHardware_ = properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU;
         name_ = properties.deviceName;
     }
     if (physical_ != nullptr) return;
@@ -133,7 +136,7 @@ void Device::createDevice()
     VkPhysicalDeviceFeatures available;
     vkGetPhysicalDeviceFeatures(physical_, &available);
     VkPhysicalDeviceFeatures wanted{};
-    isAnisotropic_ = isAnisotropic_ && available.samplerAnisotropy == VK_TRUE;
+    isAnisotropic_ = isHardware_ && available.samplerAnisotropy == VK_TRUE;
     wanted.samplerAnisotropy = isAnisotropic_ ? VK_TRUE : VK_FALSE;
 
     const float priority = 1.0f;

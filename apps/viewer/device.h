@@ -10,6 +10,10 @@ struct GLFWwindow;
 /// Throws relamp::Error naming `step` where Vulkan says that it failed.
 void check(VkResult result, const char* step);
 
+/// Whether pixels have several samples, so that edges are smooth. Automatic: on a graphics card;
+/// in software it doubles the time of a frame.
+enum class Smooth { automatic, on, off };
+
 /// The Vulkan device that draws the window, and its one queue.
 ///
 /// Of several the fastest kind is taken: a graphics card, then one on the processor's chip, then
@@ -18,7 +22,7 @@ class Device
 {
 public:
     /// Throws relamp::Error with a sentence where no device can draw in `window`.
-    explicit Device(GLFWwindow* window);
+    Device(GLFWwindow* window, Smooth smooth);
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
@@ -31,6 +35,8 @@ public:
     [[nodiscard]] uint32_t family() const { return family_; }
     /// Whether looking along a texture is worth its cost: in hardware.
     [[nodiscard]] bool isAnisotropic() const { return isAnisotropic_; }
+    /// Of a pixel of all that is drawn.
+    [[nodiscard]] VkSampleCountFlagBits samples() const { return samples_; }
     [[nodiscard]] const std::string& name() const { return name_; }
 
     [[nodiscard]] OwnedMemory allocate(const VkMemoryRequirements& needs,
@@ -50,7 +56,9 @@ private:
     VkDevice device_ = nullptr;
     VkQueue queue_ = nullptr;
     uint32_t family_ = 0;
+    bool isHardware_ = false;
     bool isAnisotropic_ = false;
+    VkSampleCountFlagBits samples_ = VK_SAMPLE_COUNT_1_BIT;
     std::string name_;
     OwnedCommandPool pool_;
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <new>
 #include <string>
 
@@ -57,6 +58,13 @@ int main(int argc, char** argv)
         ->check(
             CLI::Validator([&options](std::string& text) { return takeSize(text, options); }, ""))
         ->type_name("WxH");
+    addEngineArguments(app, options.engine, "the thesis solver, and bounces of new light");
+    const std::map<std::string, Smooth> smooth{
+        {"auto", Smooth::automatic}, {"on", Smooth::on}, {"off", Smooth::off}};
+    app.add_option("--smooth", options.smooth,
+                   "Smooth edges: on, off, or auto: on a graphics card [auto]")
+        ->transform(CLI::CheckedTransformer(smooth).description(""))
+        ->type_name("WHEN");
     app.add_option("--script", options.script,
                    "Lines of commands that drive it instead of a person")
         ->type_name("FILE");
@@ -73,6 +81,7 @@ int main(int argc, char** argv)
     options.scan = scan.options;
     try {
         const relamp::ThreadLimit threads(scan.threads);
+        relamp::checkDevice(options.engine);
         Viewer viewer(options);
         viewer.run();
         return 0;

@@ -94,7 +94,7 @@ PanelDrawing::PanelDrawing(const Device& device, Window& window, VkRenderPass pa
     info.DescriptorPool = pool_.get();
     info.MinImageCount = 2;
     info.ImageCount = 2;
-    info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
+    info.MSAASamples = device.samples();
     ImGui_ImplVulkan_Init(&info, pass);
     device.run([](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
     ImGui_ImplVulkan_DestroyFontUploadObjects();

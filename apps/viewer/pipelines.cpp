@@ -173,7 +173,7 @@ OwnedPipeline Pipelines::make(const Drawing& drawing, VkRenderPass pass) const
     const VkPipelineRasterizationStateCreateInfo raster = rasterOf(drawing);
     VkPipelineMultisampleStateCreateInfo samples{
         VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-    samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+    samples.rasterizationSamples = device_.samples();
     VkPipelineDepthStencilStateCreateInfo depth{
         VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
     depth.depthTestEnable = VK_TRUE;

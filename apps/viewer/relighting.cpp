@@ -30,8 +30,9 @@ std::vector<relamp::SurfacePlace> placesOf(const RoomMesh& mesh)
 struct RelightingThread::Room
 {
     Room(std::shared_ptr<const relamp::DelitRoom> of, const RoomMesh& mesh,
-         relamp::Progress& progress)
-        : room(std::move(of)), relighter(*room, {.transport = room->transport}, progress),
+         const relamp::EngineOptions& engine, relamp::Progress& progress)
+        : room(std::move(of)),
+          relighter(*room, {.transport = room->transport, .engine = engine}, progress),
           probes(relighter, placesOf(mesh))
     {}
 
@@ -41,8 +42,9 @@ struct RelightingThread::Room
     relamp::Relighting light;
 };
 
-RelightingThread::RelightingThread(Sinks sinks)
-    : sinks_(std::move(sinks)), thread_([this](const std::stop_token& stop) { work(stop); })
+RelightingThread::RelightingThread(const relamp::EngineOptions& engine, Sinks sinks)
+    : engine_(engine), sinks_(std::move(sinks)),
+      thread_([this](const std::stop_token& stop) { work(stop); })
 {}
 
 RelightingThread::~RelightingThread()
@@ -175,7 +177,7 @@ void RelightingThread::adoptRoom(relamp::Progress& progress)
         isLightNew_ = true;
     }
     room_ = nullptr;
-    if (room) room_ = std::make_unique<Room>(std::move(room), *mesh, progress);
+    if (room) room_ = std::make_unique<Room>(std::move(room), *mesh, engine_, progress);
 }
 
 void RelightingThread::glance()

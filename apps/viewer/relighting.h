@@ -28,7 +28,8 @@ public:
         std::function<void(const std::string&)> failed;
         std::function<void()> changed; // status
     };
-    explicit RelightingThread(Sinks sinks);
+    /// `engine` as RelightOptions.
+    RelightingThread(const relamp::EngineOptions& engine, Sinks sinks);
     ~RelightingThread();
     RelightingThread(const RelightingThread&) = delete;
     RelightingThread& operator=(const RelightingThread&) = delete;
@@ -60,6 +61,7 @@ private:
     std::shared_ptr<relamp::Progress> begin();
     void guard(const std::function<void(relamp::Progress&)>& step);
 
+    relamp::EngineOptions engine_;
     Sinks sinks_;
     mutable std::mutex mutex_;
     std::condition_variable_any asked_;

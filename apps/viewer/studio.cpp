@@ -66,9 +66,11 @@ bool Edit::operator==(const Edit& other) const
            view.exposure == other.view.exposure;
 }
 
-Studio::Studio(RoomDrawing& drawing, std::function<void()> wake)
-    : drawing_(drawing), mailbox_(wake), history_(edit),
-      relighting_({.glance =
+Studio::Studio(RoomDrawing& drawing, const relamp::EngineOptions& engine,
+               std::function<void()> wake)
+    : drawing_(drawing), engine_(engine), mailbox_(wake), history_(edit),
+      relighting_(engine,
+                  {.glance =
                        [this](std::vector<relamp::LightAtPlace> light, double milliseconds) {
                            mailbox_.post([this, light = std::move(light), milliseconds] {
                                drawing_.removeTextures(PageTexture::relit);
@@ -120,6 +122,13 @@ std::filesystem::path Studio::besideScan() const
     return std::filesystem::is_directory(path_, ignored) ? path_ : path_.parent_path();
 }
 
+relamp::DelightOptions Studio::dials() const
+{
+    relamp::DelightOptions options = edit.dials.options();
+    if (options.solver == relamp::Solver::thesis) options.engine = engine_; // of no other
+    return options;
+}
+
 void Studio::open(const std::filesystem::path& path, const relamp::ScanOptions& options)
 {
     stage_ = Stage::reading;
@@ -134,7 +143,7 @@ void Studio::open(const std::filesystem::path& path, const relamp::ScanOptions& 
     edit.dials.gather.lights.clear(); // places in another room
     edit.dials.gather.notLights.clear();
     applied_ = edit;
-    solver_.start([this, path, options, dials = edit.dials.options()](relamp::Progress& progress) {
+    solver_.start([this, path, options, dials = dials()](relamp::Progress& progress) {
         std::error_code ignored;
         std::filesystem::is_directory(path, ignored) ? readFolder(path, progress)
                                                      : readScan(path, options, progress, dials);
@@ -314,7 +323,7 @@ void Studio::solveAgain()
     if (!scan_ || stage_ == Stage::reading) return;
     hasFailed_ = false;
     stage_ = Stage::scanned;
-    solver_.start([this, scan = scan_, dials = edit.dials.options()](relamp::Progress& progress) {
+    solver_.start([this, scan = scan_, dials = dials()](relamp::Progress& progress) {
         solve(
             scan, dials,
             [this, scan](Solved solved) {

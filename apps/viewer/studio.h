@@ -58,7 +58,7 @@ enum class Stage { nothing, reading, scanned, drafted, solved };
 class Studio
 {
 public:
-    Studio(RoomDrawing& drawing, std::function<void()> wake);
+    Studio(RoomDrawing& drawing, const relamp::EngineOptions& engine, std::function<void()> wake);
 
     /// Reads a scan or a folder of relamp delight, and solves. What was open stays until it is
     /// read.
@@ -129,8 +129,10 @@ private:
     void readFolder(const std::filesystem::path& path, relamp::Progress& progress);
     void find(const std::shared_ptr<const relamp::DelitRoom>& room, relamp::Progress& progress);
     [[nodiscard]] std::filesystem::path besideScan() const;
+    [[nodiscard]] relamp::DelightOptions dials() const;
 
     RoomDrawing& drawing_;
+    relamp::EngineOptions engine_;
     Mailbox mailbox_;
     std::filesystem::path path_;
     std::filesystem::path lightsFolder_; // where files lie that the light names

@@ -33,7 +33,9 @@ private:
     VkFormat format_;
     VkExtent2D size_{};
     OwnedRenderPass pass_;
-    DeviceImage colour_;
-    DeviceImage depth_;
+    DeviceImage colourSamples_; // what is drawn into, where pixels have several
+    DeviceImage depthSamples_;
+    DeviceImage colour_; // their mean
+    DeviceImage depth_;  // of one of them
     OwnedFramebuffer framebuffer_;
 };

@@ -51,12 +51,12 @@ constexpr const char* kQualities[] = {"draft", "standard", "high"};
 Viewer::Viewer(const Options& options)
     // A script finds the viewer as it is by itself, whatever somebody did before.
     : settings(options.script.empty() ? readSettings(settingsFile()) : Settings{}),
-      window_(sizeOf(options, settings), "relamp"), device_(window_.get()),
+      window_(sizeOf(options, settings), "relamp"), device_(window_.get(), options.smooth),
       target_(device_, VK_FORMAT_R8G8B8A8_UNORM, static_cast<uint32_t>(window_.pixels().x),
               static_cast<uint32_t>(window_.pixels().y)),
       swapchain_(device_, target_.size(), options.script.empty()),
       panels_(device_, window_, target_.pass()), drawing_(device_), scale_(window_.scale()),
-      studio(drawing_, [] { Window::wake(); })
+      studio(drawing_, options.engine, [] { Window::wake(); })
 {
     shown.panels = settings.panels;
     if (settings.walks) studio.camera.mode = CameraRig::Mode::walk;

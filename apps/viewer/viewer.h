@@ -61,6 +61,8 @@ public:
         relamp::ScanOptions scan;
         std::filesystem::path script; // empty: a person
         std::optional<glm::ivec2> size;
+        Smooth smooth = Smooth::automatic;
+        relamp::EngineOptions engine; // that computes; what draws is the window's
     };
     explicit Viewer(const Options& options);
     ~Viewer();

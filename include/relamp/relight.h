@@ -2,6 +2,7 @@
 
 #include "relamp/api.h"
 #include "relamp/delight.h"
+#include "relamp/devices.h"
 #include "relamp/image.h"
 #include "relamp/lights.h"
 #include "relamp/progress.h"
@@ -114,6 +115,7 @@ struct RelightOptions
     PathtraceOptions pathtrace;
     ThesisOptions thesis;
     std::filesystem::path transport; // file that keeps what the rays met; empty: nothing is kept
+    EngineOptions engine;            // of the bounces of Solver::gather; all else is the CPU's
 };
 
 /// A room without its light.
@@ -149,7 +151,8 @@ class RELAMP_API Relighter
 public:
     /// Casts the rays, or reads what they met from `options.transport` where that is of this room
     /// and these options; else it is written there, as far as the place lets it. `room` must
-    /// outlive this. Throws Error(unsupported | cancelled).
+    /// outlive this. Throws Error(unsupported | cancelled), and Error(device) where the options ask
+    /// for a GPU that is not there.
     Relighter(const DelitRoom& room, const RelightOptions& options, Progress& progress);
     ~Relighter();
     Relighter(Relighter&&) noexcept;

@@ -63,13 +63,20 @@ std::vector<float> smoothOnFronts(const Surfels& surfels, const LightSource& sou
     return irradiance;
 }
 
+/// Other solvers follow their light on the CPU.
+EngineOptions engineOf(const RelightOptions& options)
+{
+    return options.solver == Solver::gather ? options.engine : EngineOptions{.engine = Engine::cpu};
+}
+
 } // namespace
 
 RadiosityLight::RadiosityLight(const Texels& texels, const RayScene& scene,
                                const Transport& transport,
-                               std::span<const std::vector<uint8_t>> isClipped, size_t shadowRays)
+                               std::span<const std::vector<uint8_t>> isClipped,
+                               const RelightOptions& options)
     : texels_(texels), scene_(scene), transport_(transport), isClipped_(isClipped),
-      shadowRays_(shadowRays)
+      shadowRays_(static_cast<size_t>(options.shadowRays)), engine_(transport, engineOf(options))
 {}
 
 std::shared_ptr<const ShadowedLight>
@@ -169,7 +176,7 @@ void RadiosityLight::set(const ActiveLights& active, std::span<const glm::vec3> 
         for (size_t s = 0; s < byGlow.size(); ++s)
             byGlow[s] += glows_[l]->onFronts[s] * emissions_[l];
     }
-    const Bounced bounced = bounce(transport_, albedo, direct, active.sky, {glowing, byGlow});
+    const Bounced bounced = engine_.bounce(albedo, direct, active.sky, {glowing, byGlow});
     onFronts_ = withoutNoise(texels_.surfels, bounced.irradiance, bounced.noise);
     for (size_t s = 0; s < byGlow.size(); ++s) onFronts_[s] += byGlow[s];
     indirect_ = std::make_shared<const std::vector<glm::vec3>>(onFronts_);

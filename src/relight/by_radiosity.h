@@ -1,10 +1,11 @@
 #pragma once
 
 #include "relamp/progress.h"
+#include "relamp/relight.h"
 #include "relight/active_lights.h"
 #include "relight/glow.h"
 #include "relight/obstacles.h"
-#include "relight/radiosity.h"
+#include "relight/radiosity_engine.h"
 #include "relight/shadows.h"
 #include "relight/transport.h"
 #include "scan/texels.h"
@@ -13,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -45,9 +47,10 @@ enum class ShadowDetail { sides, texels };
 class RadiosityLight
 {
 public:
-    /// The arguments must outlive this.
+    /// The arguments, but for the options, must outlive this. Throws Error(device) as
+    /// RadiosityEngine.
     RadiosityLight(const Texels& texels, const RayScene& scene, const Transport& transport,
-                   std::span<const std::vector<uint8_t>> isClipped, size_t shadowRays);
+                   std::span<const std::vector<uint8_t>> isClipped, const RelightOptions& options);
 
     /// Takes over the light; `albedo` is that of surfels.
     void set(const ActiveLights& active, std::span<const glm::vec3> albedo, ShadowDetail detail,
@@ -59,6 +62,9 @@ public:
 
     /// Irradiance on surfels' fronts under the light that was set; empty before.
     [[nodiscard]] std::span<const glm::vec3> onFronts() const { return onFronts_; }
+
+    /// As RadiosityEngine.
+    [[nodiscard]] const std::string& noteOfEngine() const { return engine_.note(); }
 
 private:
     void findShadows(const ActiveLights& active, ShadowDetail detail, Progress& progress);
@@ -73,6 +79,7 @@ private:
     const Transport& transport_;
     std::span<const std::vector<uint8_t>> isClipped_;
     size_t shadowRays_;
+    RadiosityEngine engine_;
 
     std::vector<uint8_t> panes_;
     std::vector<std::shared_ptr<const ShadowedLight>> lights_;

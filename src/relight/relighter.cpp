@@ -19,6 +19,16 @@ namespace relamp
 namespace
 {
 
+const RelightOptions& checked(const RelightOptions& options)
+{
+    const bool wantsGpu = options.engine.engine == Engine::gpu || !options.engine.gpu.empty();
+    if (wantsGpu && options.solver != Solver::gather)
+        throw Error(ErrorCode::unsupported,
+                    "the GPU follows the bounces of the solver gather alone: leave --engine and "
+                    "--gpu out, or take --solver gather");
+    return options;
+}
+
 Texels checkedTexels(const DelitRoom& room, const RayScene& scene, Progress& progress)
 {
     for (size_t p = 0; p < room.scan.pages.size(); ++p) {
@@ -39,15 +49,20 @@ Texels checkedTexels(const DelitRoom& room, const RayScene& scene, Progress& pro
     return texels;
 }
 
+void addNoteOfEngine(const RadiosityLight& radiosity, std::vector<std::string>& warnings)
+{
+    if (!radiosity.noteOfEngine().empty()) warnings.push_back(radiosity.noteOfEngine());
+}
+
 } // namespace
 
 Relighter::State::State(const DelitRoom& of, const RelightOptions& with, Progress& progress)
-    : room(of), options(with), scene(of.scan), texels(checkedTexels(of, scene, progress)),
+    : room(of), options(checked(with)), scene(of.scan), texels(checkedTexels(of, scene, progress)),
       radiance(collectRadiance(texels, progress)),
       transport(transportOfRoom(of, {texels, scene, radiance}, with, warningsOfRoom, progress)),
       albedo(texels, of.albedo, of.confidence, radiance.isClipped),
       isPane(likelyPanes(scene, transport.fixtures)),
-      radiosity(texels, scene, transport, radiance.isClipped, static_cast<size_t>(with.shadowRays))
+      radiosity(texels, scene, transport, radiance.isClipped, with)
 {}
 
 Relighter::Relighter(const DelitRoom& room, const RelightOptions& options, Progress& progress)
@@ -67,6 +82,7 @@ void Relighter::glance(const Relighting& lighting, Progress& progress)
                             withOpenPanes(lighting, state.isPane));
     state.radiosity.set(state.active, reflecting(state), ShadowDetail::sides, progress);
     state.shade = {};
+    addNoteOfEngine(state.radiosity, state.warnings);
 }
 
 void Relighter::light(const Relighting& lighting, Progress& progress)
@@ -87,6 +103,7 @@ void Relighter::light(const Relighting& lighting, Progress& progress)
         state.shade = shadingByPaths(state);
         break;
     }
+    addNoteOfEngine(state.radiosity, state.warnings);
 }
 
 Image Relighter::radiance(size_t page, Progress& progress) const

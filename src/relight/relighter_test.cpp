@@ -303,4 +303,14 @@ TEST(Relighter, AlbedoOfAnotherSizeIsRefused)
     EXPECT_THROW(Relighter(room, {}, progress), Error);
 }
 
+TEST(Relighter, GpuIsRefusedBySolversThatDoNotUseIt)
+{
+    const DelitRoom room = painted(scenes::room({3, 2.5f, 4}, 24, scenes::plain(glm::vec3(0.5f))));
+    Progress progress;
+    const RelightOptions byGpu{.solver = Solver::thesis, .engine = {.engine = Engine::gpu}};
+    const RelightOptions byName{.solver = Solver::pathtrace, .engine = {.gpu = "0"}};
+    for (const RelightOptions& options : {byGpu, byName})
+        EXPECT_THROW(Relighter(room, options, progress), Error);
+}
+
 } // namespace relamp
