@@ -45,7 +45,7 @@ Texels checkedTexels(const DelitRoom& room, const RayScene& scene, Progress& pro
     }
     Texels texels = rasterizeAtlas(room.scan, progress, surfelsOf(room.gather.quality));
     checkOverlap(texels);
-    separateBuried(texels, scene, progress, BuriedWhen::whole);
+    separateBuried(texels, scene, progress);
     return texels;
 }
 
