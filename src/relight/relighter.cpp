@@ -60,6 +60,7 @@ Relighter::State::State(const DelitRoom& of, const RelightOptions& with, Progres
     : room(of), options(checked(with)), scene(of.scan), texels(checkedTexels(of, scene, progress)),
       radiance(collectRadiance(texels, progress)),
       transport(transportOfRoom(of, {texels, scene, radiance}, with, warningsOfRoom, progress)),
+      open(std::make_shared<const TexelMarks>(openShares(texels, scene))),
       albedo(texels, of.albedo, of.confidence, radiance.isClipped),
       isPane(likelyPanes(scene, transport.fixtures)),
       radiosity(texels, scene, transport, radiance.isClipped, with)
@@ -94,7 +95,8 @@ void Relighter::light(const Relighting& lighting, Progress& progress)
     switch (state.options.solver) {
     case Solver::gather:
         state.radiosity.set(state.active, reflecting(state), ShadowDetail::texels, progress);
-        state.shade = state.radiosity.shading();
+        state.shade = withRims(state.texels, state.radiosity.shading(), state.radiance,
+                               state.radiosity.onFronts(), state.open);
         break;
     case Solver::thesis:
         state.shade = shadingByLpv(state, state.warnings, progress);

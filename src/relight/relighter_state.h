@@ -6,9 +6,10 @@
 #include "relight/room_albedo.h"
 #include "relight/transport.h"
 #include "scan/rays.h"
-#include "scan/texels.h"
+#include "scan/split_surfels.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct Relighter::State
     Texels texels;
     SurfelRadiance radiance;
     Transport transport;
+    std::shared_ptr<const TexelMarks> open; // openShares
     RoomAlbedo albedo;
     std::vector<uint8_t> isPane; // of captured fixtures: likelyPanes
     RadiosityLight radiosity;

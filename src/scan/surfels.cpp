@@ -16,10 +16,10 @@ namespace relamp
 namespace
 {
 
-constexpr float kReach = 1.75f;    // of neighbours, in surfel sizes
-constexpr float kMostStep = 0.6f;  // off the surface, in these
+constexpr float kReach = 1.75f;     // of neighbours, in surfel sizes
+constexpr float kMostStep = 0.6f;   // off the surface, in these
 constexpr float kMostLevel = 0.25f; // between levels, likewise: of a bend, the two steps cancel out
-constexpr float kSlack = 0.01f;    // for rounding, in these
+constexpr float kSlack = 0.01f;     // for rounding, in these
 
 bool isSameSurface(const Surfels& surfels, size_t a, size_t b)
 {

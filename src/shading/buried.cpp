@@ -3,7 +3,6 @@
 #include "base/parallel.h"
 #include "lights/expand.shared.h"
 #include "scan/footprints.h"
-#include "scan/split_surfels.h"
 #include "shading/hit_lists.h"
 #include "shading/sampling.shared.h"
 
@@ -24,8 +23,9 @@ constexpr float kRimFacing = 0.8f;   // cosine
 constexpr float kDark = 1e-4f;       // shading
 constexpr size_t kRaysOfSurfel = 12; // that say whether its texels need to be looked at
 constexpr size_t kRaysOfTexel = 4;
-constexpr float kOffSurface = 2e-3f; // m, as hit lists start theirs
-constexpr double kInsideOut = 0.5;   // share of buried texels from which a scan is inside out
+constexpr size_t kPlacesOfTexel = 16; // that say how much of it is open
+constexpr float kOffSurface = 2e-3f;  // m, as hit lists start theirs
+constexpr double kInsideOut = 0.5;    // share of buried texels from which a scan is inside out
 
 bool meetsBack(const RayScene& scene, const Ray& ray)
 {
@@ -50,20 +50,35 @@ std::vector<uint8_t> suspects(const Texels& texels, const RayScene& scene)
     return isSuspect;
 }
 
-bool isBuried(const RayScene& scene, const Footprints& prints, uint32_t texel, BuriedWhen when)
+/// Whether a ray from a texel's place `u`, one of many, ends at a back as inside a solid.
+bool isCovered(const RayScene& scene, const Footprints& prints, uint32_t texel, glm::vec2 u,
+               size_t ray)
 {
     const glm::vec2 shift(hashedShift(texel, 8), hashedShift(texel, 9));
-    const glm::vec2 within(hashedShift(texel, 10), hashedShift(texel, 11));
-    for (size_t i = 0; i < kRaysOfTexel; ++i) {
-        const TexelSite site =
-            prints.at(texel, when == BuriedWhen::middle ? glm::vec2(0.5f)
-                                                        : evenPoint(static_cast<float>(i), within));
-        const Ray ray{.origin = site.position + kOffSurface * site.normal,
-                      .direction =
-                          cosineDirection(site.normal, evenPoint(static_cast<float>(i), shift))};
-        if (!meetsBack(scene, ray)) return false;
-    }
+    const TexelSite site = prints.at(texel, u);
+    return meetsBack(scene, {.origin = site.position + kOffSurface * site.normal,
+                             .direction = cosineDirection(
+                                 site.normal, evenPoint(static_cast<float>(ray), shift))});
+}
+
+bool isBuried(const RayScene& scene, const Footprints& prints, uint32_t texel)
+{
+    for (size_t i = 0; i < kRaysOfTexel; ++i)
+        if (!isCovered(scene, prints, texel, glm::vec2(0.5f), i)) return false;
     return true;
+}
+
+/// Of a texel whose middle is covered; most of them are all over, which the first few places tell.
+uint8_t openShare(const RayScene& scene, const Footprints& prints, uint32_t texel)
+{
+    const glm::vec2 within(hashedShift(texel, 10), hashedShift(texel, 11));
+    size_t open = 0;
+    for (size_t i = 0; i < kPlacesOfTexel; ++i) {
+        if (i == kRaysOfTexel && open == 0) return 0;
+        open +=
+            isCovered(scene, prints, texel, evenPoint(static_cast<float>(i), within), i) ? 0u : 1u;
+    }
+    return static_cast<uint8_t>(255 * open / kPlacesOfTexel);
 }
 
 /// What is around a buried surfel.
@@ -106,16 +121,22 @@ std::vector<Rim> rimsOf(const Surfels& surfels, const SurfelRadiance& radiance,
 }
 
 /// As much of the light around as gives the texel the albedo around: from none to all of it.
-void letIn(const Rim& rim, const TexelBlock& block, size_t i, ShadingBlock& shading)
+float shareByTexture(const Rim& rim, const TexelBlock& block, size_t i, const ShadingBlock& shading)
 {
-    RgbBlock& direct = shading.direct;
-    RgbBlock& indirect = shading.indirect;
+    const RgbBlock& direct = shading.direct;
+    const RgbBlock& indirect = shading.indirect;
     const float seen = luminance(glm::vec3(block.r[i], block.g[i], block.b[i]));
     const float under = luminance(glm::vec3(
         direct.r[i] + indirect.r[i], direct.g[i] + indirect.g[i], direct.b[i] + indirect.b[i]));
     const float around = luminance(rim.shading);
-    if (around <= under) return;
-    const float share = std::clamp((seen / rim.albedo - under) / (around - under), 0.0f, 1.0f);
+    if (around <= under) return 0.0f;
+    return std::clamp((seen / rim.albedo - under) / (around - under), 0.0f, 1.0f);
+}
+
+void letIn(const Rim& rim, float share, size_t i, ShadingBlock& shading)
+{
+    RgbBlock& direct = shading.direct;
+    RgbBlock& indirect = shading.indirect;
     for (float* channel : {direct.r, direct.g, direct.b}) channel[i] *= 1.0f - share;
     indirect.r[i] += share * (rim.shading.r - indirect.r[i]);
     indirect.g[i] += share * (rim.shading.g - indirect.g[i]);
@@ -131,8 +152,7 @@ double shareOf(const Texels& texels, const TexelMarks& buried)
 }
 
 /// Marks the texels that something stands on or lies on; nothing where most are.
-TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress::Stage& stage,
-                      BuriedWhen when)
+TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress::Stage& stage)
 {
     const std::vector<uint8_t> isSuspect = suspects(texels, scene);
     stage.advance();
@@ -145,7 +165,7 @@ TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress::Sta
             for (size_t run = begin; run < end; ++run) {
                 if (isSuspect[page.runs[run].surfel] == 0) continue;
                 for (uint32_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i)
-                    ofPage[i] = isBuried(scene, prints, i, when) ? 1 : 0;
+                    ofPage[i] = isBuried(scene, prints, i) ? 1 : 0;
             }
         });
         stage.advance();
@@ -156,20 +176,38 @@ TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress::Sta
 
 } // namespace
 
-void separateBuried(Texels& texels, const RayScene& scene, Progress& progress, BuriedWhen when)
+void separateBuried(Texels& texels, const RayScene& scene, Progress& progress)
 {
     Progress::Stage stage(progress, "buried", texels.pages.size() + 2);
-    const TexelMarks buried = findBuried(texels, scene, stage, when);
+    const TexelMarks buried = findBuried(texels, scene, stage);
     if (buried.empty()) return;
     splitSurfels(texels, buried, SurfelPart::buried);
     findNeighbors(texels.surfels);
     stage.advance();
 }
 
-TexelShading withRims(const Texels& texels, TexelShading shade, const SurfelRadiance& radiance,
-                      std::span<const glm::vec3> irradiance)
+TexelMarks openShares(const Texels& texels, const RayScene& scene)
 {
-    return [&texels, shade = std::move(shade),
+    TexelMarks shares;
+    for (size_t p = 0; p < texels.pages.size(); ++p) {
+        const PageTexels& page = texels.pages[p];
+        const Footprints prints(texels, p);
+        std::vector<uint8_t>& ofPage = shares.emplace_back(page.count(), uint8_t{255});
+        forEachChunk(page.runs.size() - 1, 64, [&](size_t begin, size_t end) {
+            for (size_t run = begin; run < end; ++run) {
+                if (!texels.surfels.isBuried(page.runs[run].surfel)) continue;
+                for (uint32_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i)
+                    ofPage[i] = openShare(scene, prints, i);
+            }
+        });
+    }
+    return shares;
+}
+
+TexelShading withRims(const Texels& texels, TexelShading shade, const SurfelRadiance& radiance,
+                      std::span<const glm::vec3> irradiance, std::shared_ptr<const TexelMarks> open)
+{
+    return [&texels, shade = std::move(shade), open = std::move(open),
             rims = std::make_shared<const std::vector<Rim>>(
                 rimsOf(texels.surfels, radiance, irradiance))](
                size_t p, size_t begin, const TexelBlock& block, ShadingBlock& out) {
@@ -179,7 +217,10 @@ TexelShading withRims(const Texels& texels, TexelShading shade, const SurfelRadi
         for (size_t i = 0; i < block.count; ++i) {
             while (begin + i >= page.runs[run + 1].begin) ++run;
             const Rim& rim = (*rims)[page.runs[run].surfel];
-            if (rim.albedo > 0.0f) letIn(rim, block, i, out);
+            if (rim.albedo <= 0.0f) continue;
+            const float share = open ? static_cast<float>((*open)[p][begin + i]) / 255.0f
+                                     : shareByTexture(rim, block, i, out);
+            letIn(rim, share, i, out);
         }
     };
 }

@@ -10,7 +10,7 @@ namespace relamp
 namespace
 {
 
-constexpr glm::vec3 kBoxLow(0.3f, 0.0f, 0.3f);
+constexpr glm::vec3 kBoxLow(0.305f, 0.0f, 0.305f); // its edges cross texels
 constexpr glm::vec3 kBoxHigh(0.7f, 0.4f, 0.7f);
 constexpr float kPi = 3.14159265f;
 
@@ -109,6 +109,27 @@ TEST(Buried, AtItsRimThePaintAroundGoesOn)
         }
     }
     EXPECT_GT(atRim, 20u);
+}
+
+TEST(Buried, TexelsAtTheRimAreOpenInPart)
+{
+    BoxRoom room(scenes::plain(glm::vec3(0.5f)));
+    separateBuried(room.texels, room.scene, room.progress);
+    const TexelMarks open = openShares(room.texels, room.scene);
+    const PageTexels& page = room.texels.pages[0];
+    const float half =
+        0.5f * std::sqrt(room.texels.facets.facets[page.facet[0]].texelArea); // edge of the floor's
+    size_t inPart = 0;
+    for (size_t i = 0; i < page.count(); ++i) {
+        const TexelSite site = room.texels.siteOf(0, i);
+        if (isUnderBox(site.position, site.normal, half + 0.001f))
+            EXPECT_EQ(open[0][i], 0);
+        else if (!isUnderBox(site.position, site.normal, 0.0f))
+            EXPECT_EQ(open[0][i], 255);
+        else if (open[0][i] > 0 && open[0][i] < 160) // its middle is under: about half at most
+            ++inPart;
+    }
+    EXPECT_GT(inPart, 20u);
 }
 
 } // namespace relamp
