@@ -54,6 +54,8 @@ TEST(SplitSurfels, OfTwoLayersEachHasItsOwn)
         const float y = texels.surfels.position[s].y;
         EXPECT_TRUE(std::abs(y) < 1e-4f || std::abs(y - 0.03f) < 1e-4f) << y;
         EXPECT_NEAR(texels.surfels.normal[s].y, 1.0f, 1e-4f);
+        for (const uint32_t n : texels.surfels.neighborsOf(s))
+            EXPECT_NEAR(texels.surfels.position[n].y, y, 1e-4f); // and goes on in it
     }
 }
 
