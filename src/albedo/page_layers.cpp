@@ -2,6 +2,7 @@
 
 #include "albedo/confidence.h"
 #include "albedo/divide.h"
+#include "albedo/divide.shared.h"
 #include "base/half.h"
 #include "image/burnt_out.shared.h"
 #include "image/gutter.h"
@@ -21,12 +22,13 @@ constexpr float kAlbedoOfFixtures =
     0.6f; // a lamp's own glass cannot be seen for its light; confidence says so
 constexpr double kUnitsOfArea = 1e9; // a square metre; a thousandth of a square millimetre is one
 
-void storeRgb(std::vector<uint16_t>& layer, uint32_t pixel, const RgbBlock& block, size_t i)
+void storeRgb(std::vector<uint16_t>& layer, uint32_t pixel, const RgbBlock& block, size_t i,
+              float scale)
 {
     uint16_t* rgb = &layer[3 * size_t{pixel}];
-    rgb[0] = halfFromFloat(block.r[i]);
-    rgb[1] = halfFromFloat(block.g[i]);
-    rgb[2] = halfFromFloat(block.b[i]);
+    rgb[0] = halfFromFloat(scale * block.r[i]);
+    rgb[1] = halfFromFloat(scale * block.g[i]);
+    rgb[2] = halfFromFloat(scale * block.b[i]);
 }
 
 class LayerMaker
@@ -95,7 +97,7 @@ void LayerMaker::fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 a
     for (int c = 0; c < 3; ++c) {
         if (!isUnlit[c] && !isBurntOut[c]) continue;
         const float least = isUnlit[c] ? 0.0f : floatFromHalf(rho[c]);
-        rho[c] = halfFromFloat(std::max(std::min(scale * around[c], 1.0f), least));
+        rho[c] = halfFromFloat(std::max(std::min(scale * around[c], kWhitestPaper), least));
     }
 }
 
@@ -103,8 +105,8 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
                             const AlbedoBlock& albedo, size_t i, uint32_t pixel)
 {
     covered_[pixel] = 1;
-    storeRgb(layers_.direct, pixel, shade.direct, i);
-    storeRgb(layers_.indirect, pixel, shade.indirect, i);
+    storeRgb(layers_.direct, pixel, shade.direct, i, albedo.lack[i]);
+    storeRgb(layers_.indirect, pixel, shade.indirect, i, albedo.lack[i]);
     const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
     uint16_t* rho = &layers_.albedo[3 * size_t{pixel}];
     if (solved_.shining.surfels[block.surfel[i]] &&
