@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include <fmt/format.h>
@@ -100,7 +101,7 @@ private:
     [[nodiscard]] float brightnessOfWallAt(size_t suspect) const;
     [[nodiscard]] bool isExplained(size_t suspect) const;
     [[nodiscard]] FitData dataFor() const;
-    void addGathered(const Gathered& gathered, uint32_t place, FitData& data) const;
+    void addGathered(const Gathered& gathered, uint32_t place, size_t at, FitData& data) const;
 
     const Texels& texels_;
     const RayScene& scene_;
@@ -245,38 +246,41 @@ void LampSearch::findAround()
 }
 
 /// Mean over the surfels around a place: bounce light changes slowly, its few rays are noisy.
-void LampSearch::addGathered(const Gathered& gathered, uint32_t place, FitData& data) const
+void LampSearch::addGathered(const Gathered& gathered, uint32_t place, size_t at,
+                             FitData& data) const
 {
-    glm::vec3 irradiance(0.0f);
-    float missed = 0.0f;
     float count = 0.0f;
     forEachAround(texels_.surfels, place, [&](uint32_t n) {
-        irradiance += gathered.irradiance[placeInAround_[n]];
-        missed += gathered.missed[placeInAround_[n]];
+        data.gathered[at] += gathered.irradiance[placeInAround_[n]];
+        data.missed[at] += gathered.missed[placeInAround_[n]];
         count += 1.0f;
     });
-    data.gathered.push_back(irradiance / count);
-    data.missed.push_back(missed / count);
+    data.gathered[at] /= count;
+    data.missed[at] /= count;
 }
 
 FitData LampSearch::dataFor() const
 {
-    FitData data;
-    data.lamps = suspects_.size();
-    const Gathered gathered = settling_.gather(field_);
+    FitData data{.lamps = suspects_.size()};
     const size_t measured = places_.size() - burntOut_.size();
-    for (size_t i = 0; i < places_.size(); ++i) {
-        if (i >= measured) {
-            const ClippedPatch& patch = burntOut_[i - measured];
-            if (field_.shines[patch.surfel] != 0) continue;
-            data.radiance.push_back(patch.radiance);
-            ++data.burntOut;
-        } else {
-            data.radiance.push_back(radiance_.plain[places_[i]]);
-        }
-        addGathered(gathered, places_[i], data);
-        for (const Suspect& suspect : suspects_) data.direct.push_back(suspect.direct[i]);
+    std::vector<size_t> taken(measured);
+    std::iota(taken.begin(), taken.end(), size_t{0});
+    for (const size_t i : taken) data.radiance.push_back(radiance_.plain[places_[i]]);
+    for (size_t i = 0; i < burntOut_.size(); ++i) {
+        if (field_.shines[burntOut_[i].surfel] != 0) continue;
+        taken.push_back(measured + i);
+        data.radiance.push_back(burntOut_[i].radiance);
+        ++data.burntOut;
     }
+    data.gathered.resize(taken.size(), glm::vec3(0.0f));
+    data.missed.resize(taken.size(), 0.0f);
+    data.direct.resize(taken.size() * data.lamps);
+    const Gathered gathered = settling_.gather(field_);
+    forEach(taken.size(), [&](size_t at) {
+        addGathered(gathered, places_[taken[at]], at, data);
+        for (size_t f = 0; f < data.lamps; ++f)
+            data.direct[at * data.lamps + f] = suspects_[f].direct[taken[at]];
+    });
     return data;
 }
 
@@ -354,22 +358,27 @@ float LampSearch::brightnessOfWallAt(size_t f) const
     std::vector<ClippedPatch> patches = suspects_[f].candidate.patches;
     std::erase_if(patches, [](const auto& patch) { return patch.surfel == Surfels::kNone; });
     const size_t looks = std::min(kPatchesLookedAt, patches.size());
-    std::vector<float> expected;
+    const auto at = [&](size_t k) -> const ClippedPatch& {
+        return patches[k * patches.size() / looks];
+    };
+    std::vector<glm::vec3> irradiance;
     for (size_t k = 0; k < looks; ++k) {
-        const ClippedPatch& patch = patches[k * patches.size() / looks];
-        const uint32_t list[] = {patch.surfel};
+        const uint32_t list[] = {at(k).surfel};
         const Gathered gathered = gather(hits_, field_, list);
-        glm::vec3 irradiance = gathered.irradiance[0] + powers_.ambient * gathered.missed[0];
-        for (size_t other = 0; other < suspects_.size(); ++other) {
-            if (other == f) continue;
-            const AreaLight light(suspects_[other].candidate.patches);
-            irradiance +=
-                suspects_[other].radiance *
-                sampleAreaLight(scene_, light, patch.position, patch.normal, kSamplesAPatch, 0.5f)
-                    .visible;
-        }
-        expected.push_back(kBrightWall * luminance(irradiance) / kPi);
+        irradiance.push_back(gathered.irradiance[0] + powers_.ambient * gathered.missed[0]);
     }
+    for (size_t other = 0; other < suspects_.size(); ++other) {
+        if (other == f) continue;
+        const AreaLight light(suspects_[other].candidate.patches);
+        for (size_t k = 0; k < looks; ++k)
+            irradiance[k] +=
+                suspects_[other].radiance *
+                sampleAreaLight(scene_, light, at(k).position, at(k).normal, kSamplesAPatch, 0.5f)
+                    .visible;
+    }
+    std::vector<float> expected;
+    for (const glm::vec3 light : irradiance)
+        expected.push_back(kBrightWall * luminance(light) / kPi);
     std::nth_element(expected.begin(), expected.begin() + static_cast<ptrdiff_t>(looks / 2),
                      expected.end());
     return expected[looks / 2];
@@ -405,16 +414,6 @@ size_t LampSearch::dropExplained()
     return dropped;
 }
 
-bool touch(const Candidate& a, const Candidate& b)
-{
-    for (const ClippedPatch& p : a.patches)
-        for (const ClippedPatch& q : b.patches) {
-            const glm::vec3 way = p.position - q.position;
-            if (glm::dot(way, way) < kTouching * kTouching) return true;
-        }
-    return false;
-}
-
 void LampSearch::joinPieces()
 {
     DisjointSets sets(suspects_.size());
@@ -424,7 +423,7 @@ void LampSearch::joinPieces()
             const bool isBody = suspects_[a].body == suspects_[b].body;
             if (!suspects_[a].ends.empty() || !suspects_[b].ends.empty()) continue;
             if (isBody || (ratio < kAboutEqual && ratio > 1.0f / kAboutEqual &&
-                           touch(suspects_[a].candidate, suspects_[b].candidate)))
+                           areWithin(suspects_[a].candidate, suspects_[b].candidate, kTouching)))
                 sets.join(a, b);
         }
     std::map<uint32_t, Suspect> joined;

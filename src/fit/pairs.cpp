@@ -23,36 +23,30 @@ glm::vec3 chromaOf(glm::vec3 radiance)
     return glm::log(glm::max(radiance, glm::vec3(1e-4f)) / luminance(radiance));
 }
 
-class Matcher
+/// What tells whether two places are of one material.
+struct Place
 {
-public:
-    Matcher(const FitData& data, std::span<const uint32_t> surfels, const Surfels& all)
-        : surfels_(surfels), all_(all)
-    {
-        for (const glm::vec3 radiance : data.radiance) {
-            chroma_.push_back(chromaOf(radiance));
-            isDark_.push_back(luminance(radiance) < kDarkest ? 1 : 0);
-        }
-    }
-
-    [[nodiscard]] bool couldBeOneMaterial(uint32_t p, uint32_t q) const;
-
-private:
-    std::span<const uint32_t> surfels_; // of places
-    const Surfels& all_;
-    std::vector<glm::vec3> chroma_; // of places
-    std::vector<uint8_t> isDark_;
+    glm::vec3 position;
+    glm::vec3 normal;
+    glm::vec3 chroma;
+    bool isDark;
 };
 
-bool Matcher::couldBeOneMaterial(uint32_t p, uint32_t q) const
+std::vector<Place> placesOf(const FitData& data, std::span<const uint32_t> surfels,
+                            const Surfels& all)
 {
-    if (isDark_[p] != 0 || isDark_[q] != 0) return false;
-    const uint32_t a = surfels_[p];
-    const uint32_t b = surfels_[q];
-    if (glm::dot(all_.normal[a], all_.normal[b]) < kSamePlaneFacing) return false;
-    if (std::abs(glm::dot(all_.position[b] - all_.position[a], all_.normal[a])) > kSamePlaneStep)
-        return false;
-    return glm::distance(chroma_[p], chroma_[q]) < kSameColor;
+    std::vector<Place> places;
+    for (size_t i = 0; i < data.places(); ++i)
+        places.push_back({all.position[surfels[i]], all.normal[surfels[i]],
+                          chromaOf(data.radiance[i]), luminance(data.radiance[i]) < kDarkest});
+    return places;
+}
+
+bool couldBeOneMaterial(const Place& p, const Place& q)
+{
+    return !p.isDark && !q.isDark && glm::dot(p.normal, q.normal) >= kSamePlaneFacing &&
+           std::abs(glm::dot(q.position - p.position, p.normal)) <= kSamePlaneStep &&
+           glm::distance(p.chroma, q.chroma) < kSameColor;
 }
 
 } // namespace
@@ -61,16 +55,16 @@ std::vector<MaterialPair> drawPairs(const FitData& data, std::span<const uint32_
                                     const Surfels& all, size_t perPlace)
 {
     std::vector<MaterialPair> pairs;
-    const auto places = static_cast<uint32_t>(data.places());
-    if (places < 2) return pairs;
-    const Matcher matcher(data, surfels, all);
+    const std::vector<Place> places = placesOf(data, surfels, all);
+    const auto count = static_cast<uint32_t>(places.size());
+    if (count < 2) return pairs;
     std::mt19937 random(1); // its raw numbers are the same everywhere; distributions need not be
-    for (uint32_t p = 0; p < places; ++p) {
+    for (uint32_t p = 0; p < count; ++p) {
         size_t found = 0;
         for (size_t attempt = 0; attempt < kTriesPerPair * perPlace && found < perPlace;
              ++attempt) {
-            const auto q = static_cast<uint32_t>(random() % places);
-            if (q == p || !matcher.couldBeOneMaterial(p, q)) continue;
+            const uint32_t q = static_cast<uint32_t>(random()) % count;
+            if (q == p || !couldBeOneMaterial(places[p], places[q])) continue;
             pairs.push_back({p, q});
             ++found;
         }

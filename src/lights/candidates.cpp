@@ -243,6 +243,16 @@ size_t nearestTo(std::span<const Candidate> candidates, glm::vec3 place)
     return nearest;
 }
 
+bool areWithin(const Candidate& a, const Candidate& b, float reach)
+{
+    for (const ClippedPatch& p : a.patches)
+        for (const ClippedPatch& q : b.patches) {
+            const glm::vec3 way = p.position - q.position;
+            if (glm::dot(way, way) < reach * reach) return true;
+        }
+    return false;
+}
+
 std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance& radiance)
 {
     std::vector<int32_t> part(radiance.clipped.size(), 0);

@@ -39,4 +39,7 @@ bool fades(const Texels& texels, const SurfelRadiance& radiance, const Candidate
 /// candidates.size() where there is none.
 size_t nearestTo(std::span<const Candidate> candidates, glm::vec3 place);
 
+/// Whether some patches of both are less than `reach` metres apart.
+bool areWithin(const Candidate& a, const Candidate& b, float reach);
+
 } // namespace relamp

@@ -42,10 +42,10 @@ std::vector<glm::vec3> withoutNoise(const Surfels& surfels, std::span<const glm:
                                     std::span<const float> noise)
 {
     std::vector<glm::vec3> result = meanOfNeighbors(surfels, values);
-    for (size_t s = 0; s < result.size(); ++s) {
+    forEach(result.size(), [&](size_t s) {
         const float step = luminance(result[s]) - luminance(values[s]);
         result[s] = values[s] + shareOfNoise(step, noise[s]) * (result[s] - values[s]);
-    }
+    });
     return result;
 }
 
@@ -53,8 +53,8 @@ std::vector<glm::vec3> albedoOf(const Texels& texels, const SurfelRadiance& radi
                                 std::span<const glm::vec3> irradiance)
 {
     std::vector<glm::vec3> albedo(texels.surfels.count());
-    for (size_t s = 0; s < albedo.size(); ++s)
-        albedo[s] = albedoUnder(irradiance[s], radiance.plain[s]);
+    forEach(albedo.size(),
+            [&](size_t s) { albedo[s] = albedoUnder(irradiance[s], radiance.plain[s]); });
     guessBurntOut(texels, radiance, albedo);
     return albedo;
 }
@@ -62,8 +62,8 @@ std::vector<glm::vec3> albedoOf(const Texels& texels, const SurfelRadiance& radi
 void guessBurntOut(const Texels& texels, const SurfelRadiance& radiance,
                    std::span<glm::vec3> albedo)
 {
-    for (size_t s = 0; s < albedo.size(); ++s) {
-        if (knowsItsAlbedo(radiance, s)) continue;
+    forEach(albedo.size(), [&](size_t s) {
+        if (knowsItsAlbedo(radiance, s)) return;
         glm::vec3 sum(0.0f);
         float count = 0.0f;
         for (const uint32_t n : texels.surfels.neighborsOf(s)) {
@@ -72,7 +72,7 @@ void guessBurntOut(const Texels& texels, const SurfelRadiance& radiance,
             count += 1.0f;
         }
         albedo[s] = count > 0.0f ? sum / count : glm::vec3(kAlbedoOfTheUnknown);
-    }
+    });
 }
 
 std::vector<std::vector<AreaSample>> directOfLists(const Texels& texels, const RayScene& scene,
@@ -117,7 +117,7 @@ std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scen
 void addDirect(std::span<const AreaSample> ofLamp, glm::vec3 radiance,
                std::span<glm::vec3> irradiance)
 {
-    for (size_t i = 0; i < irradiance.size(); ++i) irradiance[i] += ofLamp[i].visible * radiance;
+    forEach(irradiance.size(), [&](size_t i) { irradiance[i] += ofLamp[i].visible * radiance; });
 }
 
 LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
@@ -133,16 +133,17 @@ LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadi
     for (int round = 0; round < kLitSidesRounds; ++round) {
         sides.gathered = settling.gather(sides.field);
         std::vector<glm::vec3> irradiance(sides.direct.size());
-        for (size_t i = 0; i < irradiance.size(); ++i)
+        forEach(irradiance.size(), [&](size_t i) {
             irradiance[i] =
                 sides.direct[i] + sides.gathered.irradiance[i] + ambient * sides.gathered.missed[i];
+        });
         sides.albedo = albedoOf(texels, radiance, irradiance);
-        for (size_t s = 0; s < sides.albedo.size(); ++s) {
+        forEach(sides.albedo.size(), [&](size_t s) {
             const glm::vec3 front = irradiance[static_cast<size_t>(hits.listOfSide[2 * s])];
             sides.field.clipped[s] = burntOutRadiance(sides.albedo[s], front, least[s]);
             if (const int32_t back = hits.listOfSide[2 * s + 1]; back != HitLists::kNoList)
                 sides.field.back[s] = sides.albedo[s] * irradiance[static_cast<size_t>(back)] / kPi;
-        }
+        });
     }
     return sides;
 }
@@ -154,14 +155,14 @@ std::vector<glm::vec3> indirectOfFronts(const Surfels& surfels, const HitLists& 
     for (glm::vec3& radiance : plain.clipped) radiance = glm::min(radiance, glm::vec3(1.0f));
     const Gathered even = gather(hits, plain);
     std::vector<glm::vec3> excess(surfels.count());
-    for (size_t s = 0; s < excess.size(); ++s)
-        excess[s] = sides.gathered.irradiance[s] - even.irradiance[s];
-    for (int pass = 0; pass < kExcessSmoothings; ++pass) excess = meanOfNeighbors(surfels, excess);
     std::vector<glm::vec3> indirect(surfels.count());
-    for (size_t s = 0; s < indirect.size(); ++s)
+    forEach(surfels.count(), [&](size_t s) {
+        excess[s] = sides.gathered.irradiance[s] - even.irradiance[s];
         indirect[s] = even.irradiance[s] + ambient * even.missed[s];
+    });
+    for (int pass = 0; pass < kExcessSmoothings; ++pass) excess = meanOfNeighbors(surfels, excess);
     indirect = withoutNoise(surfels, indirect, even.noise);
-    for (size_t s = 0; s < indirect.size(); ++s) indirect[s] += excess[s];
+    forEach(surfels.count(), [&](size_t s) { indirect[s] += excess[s]; });
     return indirect;
 }
 
