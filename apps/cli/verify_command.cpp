@@ -37,7 +37,7 @@ nlohmann::ordered_json asJson(const VerifyArguments& arguments, const relamp::Ve
             {"rmsError", found.rmsError},
             {"standardError", found.standardError},
             {"rmsOfScan", found.rmsOfScan},
-            {"beyondWhite", found.beyondWhite},
+            {"asWhiteAsPaper", found.asWhiteAsPaper},
             {"rmsErrorElsewhere", found.rmsErrorElsewhere},
             {"psnr", found.psnr},
             {"ratio", {found.ratio.r, found.ratio.g, found.ratio.b}},
@@ -54,8 +54,9 @@ void print(const VerifyArguments& arguments, const relamp::Verification& found)
     fmt::print("  error     {:.4f} +- {:.4f} rms, {:.1f} dB; the scan's own rms is {:.3f}\n",
                found.rmsError, found.standardError, found.psnr, found.rmsOfScan);
     fmt::print(
-        "  beyond    {:.1f} % of the area would need an albedo above 1; elsewhere {:.4f} rms\n",
-        100.0f * found.beyondWhite, found.rmsErrorElsewhere);
+        "  paper     {:.1f} % of the area is as white as paper and may lack light; elsewhere "
+        "{:.4f} rms\n",
+        100.0f * found.asWhiteAsPaper, found.rmsErrorElsewhere);
     fmt::print("  ratio     {:.3f} {:.3f} {:.3f} of what the scan shows (r g b)\n", found.ratio.r,
                found.ratio.g, found.ratio.b);
     fmt::print("  fifths    from dark to bright\n");

@@ -38,7 +38,7 @@ struct Verification
     float rmsError = 0.0f;          // radiance, 1 = the texture's white; the paths' noise taken off
     float standardError = 0.0f;     // of rmsError, by the scatter of the places
     float rmsOfScan = 0.0f;         // of the texture there, to compare with
-    float beyondWhite = 0.0f;       // share of the area that would need an albedo above 1
+    float asWhiteAsPaper = 0.0f;    // share of the area whose albedo is 0.9: there light may lack
     float rmsErrorElsewhere = 0.0f; // rmsError without these places
     float psnr = 0.0f;              // dB, peak 1; 120 where the error is nothing
     glm::vec3 ratio{0.0f};          // of what was rendered over the scan, means of each channel

@@ -1,5 +1,6 @@
 #include "albedo/closed_loop.h"
 
+#include "albedo/divide.shared.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "lights/expand.shared.h"
@@ -90,9 +91,10 @@ double standardErrorOf(std::span<const RenderedPlace> places, double meanSquare,
     return std::sqrt(squares) / area;
 }
 
-bool isBeyondWhite(const RenderedPlace& place)
+/// The whitest that divide() gives, as a half float.
+bool isAsWhiteAsPaper(const RenderedPlace& place)
 {
-    return std::max({place.albedo.r, place.albedo.g, place.albedo.b}) > 1.0f;
+    return brightestChannel(place.albedo) > kWhitestPaper - 1e-3f;
 }
 
 float shadingOf(const RenderedPlace& place)
@@ -194,7 +196,7 @@ void compare(std::span<const RenderedPlace> places, Verification& result)
         if (place.area <= 0.0f) continue;
         sorted.push_back(place);
         sum.add(place);
-        if (!isBeyondWhite(place)) elsewhere.add(place);
+        if (!isAsWhiteAsPaper(place)) elsewhere.add(place);
     }
     result.places = sorted.size();
     if (sorted.empty()) return;
@@ -204,7 +206,7 @@ void compare(std::span<const RenderedPlace> places, Verification& result)
     result.rmsError = static_cast<float>(rms);
     result.standardError =
         static_cast<float>(standardErrorOf(sorted, sum.meanSquare(), sum.area) / (2.0 * rms));
-    result.beyondWhite = static_cast<float>(1.0 - elsewhere.area / sum.area);
+    result.asWhiteAsPaper = static_cast<float>(1.0 - elsewhere.area / sum.area);
     if (elsewhere.area > 0.0)
         result.rmsErrorElsewhere = static_cast<float>(std::sqrt(elsewhere.meanSquare()));
     result.rmsOfScan = static_cast<float>(std::sqrt(sum.scan / sum.area));

@@ -55,17 +55,17 @@ TEST(ClosedLoop, BinsAreFifthsFromDarkToBright)
     EXPECT_EQ(found.psnr, 120.0f);
 }
 
-// What no light explains is told apart: there white itself would be too dark.
-TEST(ClosedLoop, PlacesBeyondWhiteAreAShareOfTheirOwn)
+// What no light explains is told apart: there the whitest paper is too dark.
+TEST(ClosedLoop, PlacesAsWhiteAsPaperAreAShareOfTheirOwn)
 {
     std::vector<RenderedPlace> places = noisyPlaces(0.0f, 0.0f);
     for (size_t i = 0; i < places.size() / 4; ++i) {
-        places[i].albedo = glm::vec3(1.5f);
+        places[i].albedo = glm::vec3(0.9f, 0.5f, 0.5f);
         places[i].first = places[i].second = places[i].scan - 0.2f;
     }
     Verification found;
     compare(places, found);
-    EXPECT_NEAR(found.beyondWhite, 0.25f, 1e-4f);
+    EXPECT_NEAR(found.asWhiteAsPaper, 0.25f, 1e-4f);
     EXPECT_NEAR(found.rmsError, 0.1f, 1e-4f);
     EXPECT_LT(found.rmsErrorElsewhere, 1e-4f);
 }
