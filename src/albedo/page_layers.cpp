@@ -2,6 +2,7 @@
 
 #include "albedo/confidence.h"
 #include "albedo/divide.h"
+#include "albedo/fill.h"
 #include "base/half.h"
 #include "image/burnt_out.shared.h"
 #include "image/gutter.h"
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+
+#include <glm/vector_relational.hpp>
 
 namespace relamp
 {
@@ -74,29 +77,18 @@ LayerMaker::LayerMaker(const Texels& texels, size_t page, const SolvedTexels& so
     covered_.resize(image.pixels());
 }
 
-/// Channels that are whole say how bright the texel is beside its surroundings, which then give the
-/// others. What is burnt out may be brighter than it seems, never darker; what is unlit may be
-/// anything.
+/// What is burnt out, and if asked for what is unlit, follows the surface around.
 void LayerMaker::fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around,
                               uint16_t* rho) const
 {
-    bool isUnlit[3];
-    bool isBurntOut[3];
-    float own = 0.0f;
-    float theirs = 0.0f;
-    for (int c = 0; c < 3; ++c) {
-        isUnlit[c] = shading[c] < options_.darkest;
-        isBurntOut[c] = clips_ && radiance[c] >= kBurntOut;
-        if (isUnlit[c] || isBurntOut[c]) continue;
-        own += floatFromHalf(rho[c]);
-        theirs += around[c];
-    }
-    const float scale = theirs > 0.0f ? own / theirs : 1.0f;
-    for (int c = 0; c < 3; ++c) {
-        if (!isUnlit[c] && !isBurntOut[c]) continue;
-        const float least = isUnlit[c] ? 0.0f : floatFromHalf(rho[c]);
-        rho[c] = halfFromFloat(std::max(std::min(scale * around[c], 1.0f), least));
-    }
+    const glm::bvec3 isUnlit =
+        options_.fill ? glm::lessThan(shading, glm::vec3(options_.darkest)) : glm::bvec3(false);
+    const glm::bvec3 isBurntOut =
+        clips_ ? glm::greaterThanEqual(radiance, glm::vec3(kBurntOut)) : glm::bvec3(false);
+    if (!glm::any(isUnlit) && !glm::any(isBurntOut)) return;
+    const glm::vec3 own(floatFromHalf(rho[0]), floatFromHalf(rho[1]), floatFromHalf(rho[2]));
+    const glm::vec3 filled = filledAlbedo(own, around, isBurntOut, isUnlit);
+    for (int c = 0; c < 3; ++c) rho[c] = halfFromFloat(filled[c]);
 }
 
 void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,

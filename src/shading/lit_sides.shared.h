@@ -8,12 +8,13 @@ SHARED_BEGIN
 const int kLitSidesRounds = 4;           // until what is burnt out and backs are settled
 const int kExcessSmoothings = 3;         // of light from what sends more than white
 SHARED_CONST kMostRadiance = 10.0f;      // of a wall beside a lamp
+SHARED_CONST kMostAlbedo = 0.95f;        // of any paint
 SHARED_CONST kAlbedoOfTheUnknown = 0.7f; // of a surfel that is burnt out all over
 
 // Albedo of what shows `radiance` under this irradiance.
 SHARED_FN vec3 albedoUnder(vec3 irradiance, vec3 radiance)
 {
-    return clamp(3.14159265f * radiance / max(irradiance, vec3(1e-4f)), 0.02f, 0.95f);
+    return clamp(3.14159265f * radiance / max(irradiance, vec3(1e-4f)), 0.02f, kMostAlbedo);
 }
 
 // What a burnt-out wall sends: not less than the texture shows.

@@ -5,11 +5,13 @@
 #include "fit/lamp_groups.h"
 #include "lights/fixtures.h"
 #include "lights/surfel_radiance.h"
+#include "shading/lit_sides.shared.h"
 
 #include <algorithm>
 #include <memory>
 
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace relamp
 {
@@ -188,9 +190,12 @@ std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radi
                               std::span<const glm::vec3> albedo)
 {
     std::vector<uint8_t> isKnown(surfels.count());
-    for (size_t s = 0; s < isKnown.size(); ++s)
-        isKnown[s] = radiance.plainArea[s] > radiance.clippedArea[s] ? 1 : 0;
-    return fillFromAround(surfels, albedo, isKnown);
+    for (size_t s = 0; s < isKnown.size(); ++s) {
+        const bool isPlain = radiance.plainArea[s] > radiance.clippedArea[s];
+        const bool isPaint = glm::all(glm::lessThan(albedo[s], glm::vec3(kMostAlbedo)));
+        isKnown[s] = isPlain && isPaint ? 1 : 0;
+    }
+    return fillFromAround(surfels, albedo, isKnown, kAlbedoOfTheUnknown);
 }
 
 } // namespace relamp
