@@ -22,7 +22,7 @@ SAME_ERROR = 0.05  # two errors that differ by less than this share are the same
 MOST_TRIES = 5  # to find out how many samples have the same error
 MOST_TIMED_SAMPLES = 256  # of a bake of all texels; what more would take follows in proportion
 TIMED_RUNS = 3  # of relamp; the median counts
-BESIDE = ("read", "write", "preview")  # relamp's stages that are no part of the irradiance
+BESIDE = ("read", "write")  # relamp's stages that are no part of the irradiance
 DARKEST = 0.08  # irradiance / pi; what gets less has no albedo to speak of, see confidence in docs/guide/results.md
 
 

@@ -47,14 +47,15 @@ struct DelightOptions
 /// Why an albedo cannot be believed.
 enum class Doubt : uint8_t {
     none,
-    clipped,  // the texture is burnt out there
-    shines,   // it is a lamp; its own colour cannot be seen
-    unlit,    // so little light that the division is a guess
-    unseen,   // most of what lights it is not in the scan
-    backFace, // most of what it faces is seen from behind, where the texture says nothing
-    penumbra  // the shadow edges in the texture are not where the lamps put them
+    clipped,        // the texture is burnt out there
+    shines,         // it is a lamp; its own colour cannot be seen
+    unlit,          // so little light that the division is a guess
+    unseen,         // most of what lights it is not in the scan
+    backFace,       // most of what it faces is seen from behind, where the texture says nothing
+    penumbra,       // the shadow edges in the texture are not where the lamps put them
+    whiterThanPaper // it got more light than was found, or shines by polish
 };
-constexpr size_t kDoubts = 7;
+constexpr size_t kDoubts = 8;
 
 /// What delight makes of one page: pictures of the page's size. RGB as linear IEEE half floats,
 /// 3 * width * height; pixels that no surface covers continue what lies next to them.
@@ -62,12 +63,12 @@ struct PageLayers
 {
     int width = 0;
     int height = 0;
-    std::vector<uint16_t> albedo;    // 0..1 where it can be trusted; above 1 the shading fell short
-    std::vector<uint16_t> direct;    // irradiance / pi straight from the lights
-    std::vector<uint16_t> indirect;  // irradiance / pi by way of other surfaces, and ambient
-    std::vector<uint8_t> emission;   // sRGB of texels that shine, else 0; empty where none does
-    std::vector<uint8_t> confidence; // 0: a guess .. 255
-    std::vector<Doubt> doubt;        // what speaks most against it where confidence is below 128
+    std::vector<uint16_t> albedo;       // 0..0.9: no paper is whiter
+    std::vector<uint16_t> direct;       // irradiance / pi straight from the lights
+    std::vector<uint16_t> indirect;     // irradiance / pi by way of other surfaces, and ambient
+    std::vector<uint8_t> emission;      // sRGB of texels that shine, else 0; empty where none does
+    std::vector<uint8_t> confidence;    // 0: a guess .. 255
+    std::vector<Doubt> doubt;           // what speaks most against it where confidence is below 128
     std::array<double, kDoubts> area{}; // m^2 of surface by `doubt`
 };
 

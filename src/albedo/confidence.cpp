@@ -1,5 +1,6 @@
 #include "albedo/confidence.h"
 
+#include "albedo/divide.shared.h"
 #include "base/ramp.h"
 #include "image/burnt_out.shared.h"
 
@@ -12,7 +13,8 @@ namespace
 {
 
 constexpr float kSafelyBelow = 0.9f;
-constexpr float kWellLit = 4.0f; // times `darkest`
+constexpr float kWellLit = 4.0f;   // times `darkest`
+constexpr float kMuchLacks = 2.0f; // times the shading
 
 } // namespace
 
@@ -29,13 +31,15 @@ Confidence confidenceOf(glm::vec3 radiance, bool clips, glm::vec3 shading, float
         float left;
         Doubt doubt;
     };
+    const float lack = lightThatLacks(dividedByShading(radiance, shading, darkest));
     const float weakest = std::min({shading.r, shading.g, shading.b});
     const Factor factors[] = {
         {clips ? ramp(kBurntOut, kSafelyBelow, brightestChannel(radiance)) : 1.0f, Doubt::clipped},
         {ramp(darkest, kWellLit * darkest, weakest), Doubt::unlit},
         {trust.seen, Doubt::unseen},
         {trust.front, Doubt::backFace},
-        {trust.edges, Doubt::penumbra}};
+        {trust.edges, Doubt::penumbra},
+        {ramp(kMuchLacks, 1.0f, lack), Doubt::whiterThanPaper}};
     Confidence confidence;
     float least = 1.0f;
     for (const Factor& factor : factors) {

@@ -21,7 +21,8 @@ struct Confidence
 
 /// 0 where the texture is burnt out or the shading did not reach `darkest`, rising to 1 where all
 /// channels are below nine tenths of white and the shading is four times `darkest`; times what
-/// `trust` leaves. White means nothing in a texture that does not clip there.
+/// `trust` leaves, and less where light lacks: 0 from twice the shading on. White means nothing in
+/// a texture that does not clip there.
 Confidence confidenceOf(glm::vec3 radiance, bool clips, glm::vec3 shading, float darkest,
                         SurfelTrust trust = {});
 

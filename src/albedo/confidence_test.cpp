@@ -43,6 +43,15 @@ TEST(Confidence, LowOneHasTheReasonThatWeighsMost)
     EXPECT_EQ(why(kGrey, kLit, {.edges = 0.6f}), Doubt::none); // not low
 }
 
+// What shows 0.9 of white and got less light than that is whiter than paper, or got more.
+TEST(Confidence, FallsWhereNoPaperIsAsWhite)
+{
+    const glm::vec3 light(0.45f);
+    EXPECT_EQ(confidenceOf(0.9f * light, true, light, kDarkest).value, 1.0f);
+    EXPECT_NEAR(confidenceOf(1.35f * light, true, light, kDarkest).value, 0.5f, 1e-3f);
+    EXPECT_EQ(confidenceOf(1.8f * light, true, light, kDarkest).doubt, Doubt::whiterThanPaper);
+}
+
 TEST(Confidence, DoubtsMultiply)
 {
     EXPECT_NEAR(confidenceOf(kGrey, true, kLit, kDarkest, {.seen = 0.5f, .edges = 0.5f}).value,

@@ -16,5 +16,6 @@ void main()
         shadingFrom(halves(arguments.indirect.at[i]).rgb, arguments.power, arguments.ambient);
     const vec3 albedo =
         dividedByShading(halves(arguments.radiance.at[i]).rgb, shading, arguments.darkest);
-    arguments.albedo.at[arguments.pixel.at[i]] = packedHalves(vec4(albedo, 1.0));
+    arguments.albedo.at[arguments.pixel.at[i]] =
+        packedHalves(vec4(albedo / lightThatLacks(albedo), 1.0));
 }

@@ -17,9 +17,11 @@ void divideKernel(const TexelBlock& block, const ShadingBlock& shading, const fl
         const glm::vec3 indirect(shading.indirect.r[i], shading.indirect.g[i],
                                  shading.indirect.b[i]);
         const glm::vec3 rho = dividedByShading(radiance, direct + indirect, darkest);
-        albedo.r[i] = halfFromFloat(rho.r);
-        albedo.g[i] = halfFromFloat(rho.g);
-        albedo.b[i] = halfFromFloat(rho.b);
+        const float lack = lightThatLacks(rho);
+        albedo.r[i] = halfFromFloat(rho.r / lack);
+        albedo.g[i] = halfFromFloat(rho.g / lack);
+        albedo.b[i] = halfFromFloat(rho.b / lack);
+        albedo.lack[i] = lack;
     }
 }
 

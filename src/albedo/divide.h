@@ -11,13 +11,15 @@ namespace relamp
 
 /// Divides the light out of a block of texels: albedo = radiance / (direct + indirect).
 ///
-/// The shading is raised to `darkest` first. Half floats; entries behind the block's last texel are
+/// The shading is raised to `darkest` first, and where albedo would be above 0.9 by `lack`, which
+/// makes it that: no paper is whiter. Half floats; entries behind the block's last texel are
 /// unspecified.
 struct AlbedoBlock
 {
     alignas(64) uint16_t r[TexelBlock::kCapacity];
     alignas(64) uint16_t g[TexelBlock::kCapacity];
     alignas(64) uint16_t b[TexelBlock::kCapacity];
+    alignas(64) float lack[TexelBlock::kCapacity]; // times the shading, >= 1
 };
 void divide(const TexelBlock& block, const ShadingBlock& shading, float darkest,
             AlbedoBlock& albedo, InstructionSet set = bestInstructionSet());

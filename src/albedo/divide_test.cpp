@@ -29,6 +29,23 @@ TEST(Divide, GivesBackTheAlbedoOfALitSurface)
     EXPECT_NEAR(divideOne(0.35f * 1.5f, 1.0f, 0.5f), 0.35f, 1e-3f);
 }
 
+TEST(Divide, NothingIsWhiterThanPaperAndItsHueIsKept)
+{
+    TexelBlock block;
+    block.count = 1;
+    block.r[0] = 0.6f;
+    block.g[0] = 0.4f;
+    block.b[0] = 0.2f;
+    ShadingBlock shading{};
+    for (float* channel : {shading.direct.r, shading.direct.g, shading.direct.b}) channel[0] = 0.5f;
+    AlbedoBlock albedo{};
+    divide(block, shading, 0.02f, albedo);
+    EXPECT_NEAR(floatFromHalf(albedo.r[0]), 0.9f, 1e-3f);
+    EXPECT_NEAR(floatFromHalf(albedo.g[0]), 0.6f, 1e-3f);
+    EXPECT_NEAR(floatFromHalf(albedo.b[0]), 0.3f, 1e-3f);
+    EXPECT_NEAR(floatFromHalf(albedo.r[0]) * albedo.lack[0] * 0.5f, block.r[0], 1e-3f);
+}
+
 TEST(Divide, NeverDividesByLessThanTheDarkestShading)
 {
     EXPECT_NEAR(divideOne(0.01f, 0.0f, 0.0f, 0.1f), 0.1f, 1e-3f);

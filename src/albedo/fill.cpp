@@ -1,7 +1,7 @@
 #include "albedo/fill.h"
 
+#include "albedo/divide.shared.h"
 #include "base/parallel.h"
-#include "shading/lit_sides.shared.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,30 +84,30 @@ std::vector<glm::vec3> fillFromAround(const Surfels& surfels, std::span<const gl
     return filled;
 }
 
-glm::vec3 filledAlbedo(glm::vec3 own, glm::vec3 around, glm::bvec3 isBurntOut, glm::bvec3 isUnlit)
+glm::vec3 filledAlbedo(const Divided& own, glm::vec3 around, glm::bvec3 isBurntOut,
+                       glm::bvec3 isUnlit)
 {
     float whole = 0.0f;
     float theirs = 0.0f;
     float brightest = 0.0f;
-    bool isTooDark = false;
     for (int c = 0; c < 3; ++c) {
-        isTooDark |= isBurntOut[c] && !isUnlit[c] && own[c] > kMostAlbedo;
         if (isUnlit[c] || isBurntOut[c]) continue;
-        whole += own[c];
+        whole += own.albedo[c];
         theirs += around[c];
-        brightest = std::max(brightest, own[c]);
+        brightest = std::max(brightest, own.albedo[c]);
     }
-    const bool isTold = theirs > 0.0f && !isTooDark;
-    const float scale = isTold ? whole / theirs : 1.0f;
-    const float like = isTold ? likeness(scale) : 1.0f;
-    glm::vec3 filled = own;
+    const float scale = theirs > 0.0f ? whole / theirs : 1.0f;
+    const float like = theirs > 0.0f ? likeness(scale) : 1.0f;
+    glm::vec3 filled = own.albedo;
     for (int c = 0; c < 3; ++c) {
-        if (isUnlit[c]) filled[c] = std::min(scale * around[c], 1.0f);
-        if (isUnlit[c] || !isBurntOut[c]) continue;
-        const float least = own[c] > kMostAlbedo ? 0.0f : own[c];
-        const float theirColor = std::min(scale * around[c], kMostAlbedo);
-        const float grey = std::max(brightest, least);
-        filled[c] = std::max(grey + like * (theirColor - grey), least);
+        const float theirColor = std::min(scale * around[c], kWhitestPaper);
+        if (isUnlit[c]) {
+            filled[c] = theirColor;
+        } else if (isBurntOut[c]) {
+            const float least = own.albedo[c] / own.lack;
+            const float grey = std::max(brightest, least);
+            filled[c] = std::max(grey + like * (theirColor - grey), least);
+        }
     }
     return filled;
 }

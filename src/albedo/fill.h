@@ -17,9 +17,16 @@ namespace relamp
 std::vector<glm::vec3> fillFromAround(const Surfels& surfels, std::span<const glm::vec3> albedo,
                                       std::span<const uint8_t> isKnown, float otherwise = 0.5f);
 
-/// Albedo of a texel of which channels are burnt out or unlit. `own` is texture over shading, which
-/// is the least that a burnt-out channel can be, unless it is more than any paint has: then the
-/// shading is too dark to tell anything. `around`: of the surface.
-glm::vec3 filledAlbedo(glm::vec3 own, glm::vec3 around, glm::bvec3 isBurntOut, glm::bvec3 isUnlit);
+/// What division said of a texel.
+struct Divided
+{
+    glm::vec3 albedo{0.0f};
+    float lack = 1.0f; // see lightThatLacks()
+};
+
+/// Albedo of a texel of which channels are burnt out or unlit. What a burnt-out channel shows is
+/// the least that it can be, and the less sure the more light lacks. `around`: of the surface.
+glm::vec3 filledAlbedo(const Divided& own, glm::vec3 around, glm::bvec3 isBurntOut,
+                       glm::bvec3 isUnlit);
 
 } // namespace relamp

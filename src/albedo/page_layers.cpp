@@ -24,12 +24,13 @@ constexpr float kAlbedoOfFixtures =
     0.6f; // a lamp's own glass cannot be seen for its light; confidence says so
 constexpr double kUnitsOfArea = 1e9; // a square metre; a thousandth of a square millimetre is one
 
-void storeRgb(std::vector<uint16_t>& layer, uint32_t pixel, const RgbBlock& block, size_t i)
+void storeRgb(std::vector<uint16_t>& layer, uint32_t pixel, const RgbBlock& block, size_t i,
+              float scale)
 {
     uint16_t* rgb = &layer[3 * size_t{pixel}];
-    rgb[0] = halfFromFloat(block.r[i]);
-    rgb[1] = halfFromFloat(block.g[i]);
-    rgb[2] = halfFromFloat(block.b[i]);
+    rgb[0] = halfFromFloat(scale * block.r[i]);
+    rgb[1] = halfFromFloat(scale * block.g[i]);
+    rgb[2] = halfFromFloat(scale * block.b[i]);
 }
 
 class LayerMaker
@@ -44,7 +45,8 @@ private:
     void makeBlock(size_t begin, size_t count);
     void storeTexel(const TexelBlock& block, const ShadingBlock& shade, const AlbedoBlock& albedo,
                     size_t i, uint32_t pixel);
-    void fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around, uint16_t* rho) const;
+    void fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around, float lack,
+                      uint16_t* rho) const;
     void addAreas(size_t begin, const TexelBlock& block);
     void fillGutters();
 
@@ -78,7 +80,7 @@ LayerMaker::LayerMaker(const Texels& texels, size_t page, const SolvedTexels& so
 }
 
 /// What is burnt out, and if asked for what is unlit, follows the surface around.
-void LayerMaker::fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around,
+void LayerMaker::fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around, float lack,
                               uint16_t* rho) const
 {
     const glm::bvec3 isUnlit =
@@ -87,7 +89,7 @@ void LayerMaker::fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 a
         clips_ ? glm::greaterThanEqual(radiance, glm::vec3(kBurntOut)) : glm::bvec3(false);
     if (!glm::any(isUnlit) && !glm::any(isBurntOut)) return;
     const glm::vec3 own(floatFromHalf(rho[0]), floatFromHalf(rho[1]), floatFromHalf(rho[2]));
-    const glm::vec3 filled = filledAlbedo(own, around, isBurntOut, isUnlit);
+    const glm::vec3 filled = filledAlbedo({own, lack}, around, isBurntOut, isUnlit);
     for (int c = 0; c < 3; ++c) rho[c] = halfFromFloat(filled[c]);
 }
 
@@ -95,8 +97,8 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
                             const AlbedoBlock& albedo, size_t i, uint32_t pixel)
 {
     covered_[pixel] = 1;
-    storeRgb(layers_.direct, pixel, shade.direct, i);
-    storeRgb(layers_.indirect, pixel, shade.indirect, i);
+    storeRgb(layers_.direct, pixel, shade.direct, i, albedo.lack[i]);
+    storeRgb(layers_.indirect, pixel, shade.indirect, i, albedo.lack[i]);
     const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
     uint16_t* rho = &layers_.albedo[3 * size_t{pixel}];
     if (solved_.shining.surfels[block.surfel[i]] &&
@@ -120,7 +122,8 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
                      solved_.trust.empty() ? SurfelTrust{} : solved_.trust[block.surfel[i]]);
     layers_.confidence[pixel] = confidence.byte();
     layers_.doubt[pixel] = confidence.doubt;
-    if (!solved_.fill.empty()) fillChannels(radiance, total, solved_.fill[block.surfel[i]], rho);
+    if (!solved_.fill.empty())
+        fillChannels(radiance, total, solved_.fill[block.surfel[i]], albedo.lack[i], rho);
 }
 
 void LayerMaker::makeBlock(size_t begin, size_t count)

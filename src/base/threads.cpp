@@ -8,17 +8,20 @@
 namespace relamp
 {
 
+/// Stays where it is made: oneTBB forgets a limit as soon as a copy of it is gone.
 struct ThreadLimit::Control
 {
-    tbb::global_control control;
+    explicit Control(size_t threads) : limit(tbb::global_control::max_allowed_parallelism, threads)
+    {}
+
+    tbb::global_control limit;
 };
 
 ThreadLimit::ThreadLimit(int count)
 {
     const size_t threads =
         count > 0 ? static_cast<size_t>(count) : std::thread::hardware_concurrency();
-    control_ = std::make_unique<Control>(
-        Control{tbb::global_control(tbb::global_control::max_allowed_parallelism, threads)});
+    control_ = std::make_unique<Control>(threads);
     OIIO::attribute("threads", static_cast<int>(threads));
     OIIO::attribute("exr_threads", static_cast<int>(threads));
 }

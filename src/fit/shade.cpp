@@ -8,6 +8,9 @@
 #include <cmath>
 #include <memory>
 
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
 namespace relamp
 {
 namespace
@@ -20,7 +23,8 @@ constexpr float kPaintStep = 0.3f;    // of log albedo between neighbours: more 
 constexpr float kColorStep = 0.1f;    // of log (r / g) and log (b / g), likewise
 constexpr float kBelief = 0.004f;     // in the light found in the middle of all places
 constexpr float kMostUneven = 0.05f;  // of log light that is too dark: so much is noise
-constexpr int kSweeps = 80;
+constexpr int kRounds = 6;            // of weights that follow from the light before
+constexpr int kSteps = 12;            // of conjugate gradients in each
 constexpr float kDarkest = 1e-4f;
 
 /// Albedo as the light found makes it, in logarithms.
@@ -51,19 +55,18 @@ std::vector<Paint> paintOf(const SurfelRadiance& radiance, std::span<const glm::
     const auto middle = found.begin() + static_cast<ptrdiff_t>(found.size() / 2);
     std::nth_element(found.begin(), middle, found.end());
     const float usual = std::max(*middle, kDarkest);
-    std::vector<Paint> paint;
-    for (size_t s = 0; s < irradiance.size(); ++s) {
+    std::vector<Paint> paint(irradiance.size());
+    forEach(paint.size(), [&](size_t s) {
         const glm::vec3 seen = radiance.plain[s];
         const glm::vec3 light = irradiance[s];
         const float green = logOf(seen.g) - logOf(light.g);
         const float bright = luminance(light) / usual;
         const bool isKnown = radiance.plainArea[s] > 0.0f &&
                              radiance.clippedArea[s] < kMostBurntOut * radiance.plainArea[s];
-        paint.push_back({logOf(luminance(seen)) - logOf(luminance(light)),
-                         logOf(seen.r) - logOf(light.r) - green,
-                         logOf(seen.b) - logOf(light.b) - green,
-                         isKnown ? beliefIn(bright) : -1.0f});
-    }
+        paint[s] = {logOf(luminance(seen)) - logOf(luminance(light)),
+                    logOf(seen.r) - logOf(light.r) - green, logOf(seen.b) - logOf(light.b) - green,
+                    isKnown ? beliefIn(bright) : -1.0f};
+    });
     return paint;
 }
 
@@ -76,72 +79,111 @@ float alike(const Paint& a, const Paint& b)
     return 1.0f / (far * far);
 }
 
-/// A neighbour of a surfel.
-struct Beside
-{
-    uint32_t surfel;
-    float step;  // of brightness, from it to the surfel
-    float alike; // in colour
-};
-
-/// Neighbours of all surfels; those of s are beside[first[s]] .. beside[first[s + 1] - 1].
+/// Every surfel with those beside it; entries of s are first[s] .. first[s + 1] - 1, itself first.
 struct Sheet
 {
-    std::vector<uint32_t> first{0};
-    std::vector<Beside> beside;
+    std::vector<int> first{0};
+    std::vector<int> surfel;
+    std::vector<float> step;  // of brightness, from it to s
+    std::vector<float> alike; // in colour
 };
 
 Sheet sheetOf(const Surfels& surfels, std::span<const Paint> paint)
 {
     Sheet sheet;
     const float reach = kBeside * surfels.size;
+    const auto add = [&](size_t n, float step, float alike) {
+        sheet.surfel.push_back(static_cast<int>(n));
+        sheet.step.push_back(step);
+        sheet.alike.push_back(alike);
+    };
     for (size_t s = 0; s < surfels.count(); ++s) {
+        add(s, 0.0f, 1.0f);
         for (const uint32_t n : surfels.neighborsOf(s)) {
             const glm::vec3 way = surfels.position[n] - surfels.position[s];
             if (n == s || paint[s].belief < 0.0f || paint[n].belief < 0.0f ||
                 glm::dot(way, way) > reach * reach)
                 continue;
-            sheet.beside.push_back(
-                {n, paint[s].brightness - paint[n].brightness, alike(paint[s], paint[n])});
+            add(n, paint[s].brightness - paint[n].brightness, alike(paint[s], paint[n]));
         }
-        sheet.first.push_back(static_cast<uint32_t>(sheet.beside.size()));
+        sheet.first.push_back(static_cast<int>(sheet.surfel.size()));
     }
     return sheet;
 }
 
-/// What a surfel's light comes to beside its neighbours': paint is even but for edges, and light
-/// stays where it is believed. Logs of the light that is there over that which was found.
-float settled(std::span<const Beside> beside, float belief, std::span<const float> lit, size_t s)
+using Matrix = Eigen::SparseMatrix<float, Eigen::RowMajor>;
+
+/// What the light comes to where paint is even but for edges, and light stays where it is believed:
+/// logs of the light that is there over that which was found.
+class Settling
 {
-    float sum = 0.0f;
-    float weights = belief * static_cast<float>(beside.size());
-    for (const auto [n, step, alike] : beside) {
-        const float even = lit[n] + step;
-        const float edge = (even - lit[s]) / kPaintStep;
-        const float far = 1.0f + edge * edge;
-        const float weight = alike / (far * far);
-        sum += weight * even;
-        weights += weight;
+public:
+    Settling(const Sheet& sheet, std::span<const Paint> paint)
+        : sheet_(sheet), paint_(paint), weight_(sheet.surfel.size()), lit_(count()), pull_(count())
+    {
+        lit_.setZero();
     }
-    return weights > 0.0f ? sum / weights : 0.0f;
+
+    Eigen::VectorXf run();
+
+private:
+    [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(paint_.size()); }
+    void weigh(Eigen::Index s);
+
+    const Sheet& sheet_;
+    std::span<const Paint> paint_;
+    std::vector<float> weight_; // entries of a matrix: of the surfel itself, less those beside it
+    Eigen::VectorXf lit_;
+    Eigen::VectorXf pull_; // the right side
+};
+
+/// A step that paint would not make is light's.
+void Settling::weigh(Eigen::Index s)
+{
+    const auto begin = static_cast<size_t>(sheet_.first[static_cast<size_t>(s)]);
+    const auto end = static_cast<size_t>(sheet_.first[static_cast<size_t>(s) + 1]);
+    float sum = paint_[static_cast<size_t>(s)].belief * static_cast<float>(end - begin - 1);
+    float pull = 0.0f;
+    for (size_t i = begin + 1; i < end; ++i) {
+        const float edge = (lit_[sheet_.surfel[i]] + sheet_.step[i] - lit_[s]) / kPaintStep;
+        const float far = 1.0f + edge * edge;
+        const float weight = sheet_.alike[i] / (far * far);
+        weight_[i] = -weight;
+        sum += weight;
+        pull += weight * sheet_.step[i];
+    }
+    weight_[begin] = sum;
+    pull_[s] = pull;
+}
+
+Eigen::VectorXf Settling::run()
+{
+    const Eigen::Map<const Matrix> weights(
+        count(), count(), static_cast<Eigen::Index>(weight_.size()), sheet_.first.data(),
+        sheet_.surfel.data(), weight_.data());
+    Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver;
+    solver.setMaxIterations(kSteps);
+    for (int round = 0; round < kRounds; ++round) {
+        forEach(paint_.size(), [&](size_t s) { weigh(static_cast<Eigen::Index>(s)); });
+        lit_ = solver.compute(weights).solveWithGuess(pull_, lit_);
+    }
+    return std::move(lit_);
 }
 
 /// Shares of light, each the mean of a surfel and those around it: what comes and goes from surfel
 /// to surfel is a pattern.
-std::vector<float> sharesOf(const Sheet& sheet, std::span<const float> lit)
+std::vector<float> sharesOf(const Sheet& sheet, const Eigen::VectorXf& lit)
 {
-    std::vector<float> shares(lit.size());
-    forEachChunk(lit.size(), 4096, [&](size_t begin, size_t end) {
-        for (size_t s = begin; s < end; ++s) {
-            float sum = lit[s];
-            float weights = 1.0f;
-            for (uint32_t i = sheet.first[s]; i < sheet.first[s + 1]; ++i) {
-                const Beside& other = sheet.beside[i];
-                sum += other.alike * lit[other.surfel];
-                weights += other.alike;
-            }
-            shares[s] = std::exp(std::min(sum / weights, kMostUneven));
+    std::vector<float> shares(sheet.first.size() - 1);
+    forEach(shares.size(), [&](size_t s) {
+        float sum = 0.0f;
+        float weights = 0.0f;
+        for (auto i = static_cast<size_t>(sheet.first[s]);
+             i < static_cast<size_t>(sheet.first[s + 1]); ++i) {
+            sum += sheet.alike[i] * lit[sheet.surfel[i]];
+            weights += sheet.alike[i];
         }
+        shares[s] = std::exp(std::min(sum / weights, kMostUneven));
     });
     return shares;
 }
@@ -154,15 +196,7 @@ std::vector<float> findShade(const Surfels& surfels, const SurfelRadiance& radia
     if (irradiance.empty()) return {};
     const std::vector<Paint> paint = paintOf(radiance, irradiance);
     const Sheet sheet = sheetOf(surfels, paint);
-    std::vector<float> lit(surfels.count(), 0.0f);
-    for (int sweep = 0; sweep < kSweeps; ++sweep)
-        for (size_t i = 0; i < lit.size(); ++i) {
-            const size_t s = sweep % 2 == 0 ? i : lit.size() - 1 - i;
-            const std::span beside(sheet.beside.begin() + sheet.first[s],
-                                   sheet.beside.begin() + sheet.first[s + 1]);
-            if (!beside.empty()) lit[s] = settled(beside, paint[s].belief, lit, s);
-        }
-    return sharesOf(sheet, lit);
+    return sharesOf(sheet, Settling(sheet, paint).run());
 }
 
 TexelShading withShade(const Texels& texels, TexelShading shade, std::vector<float> lit)

@@ -63,26 +63,4 @@ bool isWholePng(std::span<const std::byte> bytes)
     return false;
 }
 
-// Magic number and version, then attributes: a name and a type, each with a zero behind it, a
-// little-endian length and as many bytes. An empty name ends the header.
-bool hasWholeExrHeader(std::span<const std::byte> bytes)
-{
-    const auto skipText = [&] {
-        size_t length = 0;
-        while (length < bytes.size() && bytes[length] != std::byte{0}) ++length;
-        bytes = bytes.subspan(std::min(length + 1, bytes.size()));
-        return length;
-    };
-    bytes = bytes.subspan(std::min(2 * kWord, bytes.size()));
-    while (skipText() > 0) {
-        skipText();
-        if (bytes.size() < kWord) return false;
-        uint32_t length = 0;
-        std::memcpy(&length, bytes.data(), kWord);
-        if (length > bytes.size() - kWord) return false;
-        bytes = bytes.subspan(kWord + length);
-    }
-    return !bytes.empty();
-}
-
 } // namespace relamp

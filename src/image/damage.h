@@ -14,8 +14,4 @@ bool isWholeJpeg(std::span<const std::byte> bytes);
 /// it to standard error.
 bool isWholePng(std::span<const std::byte> bytes);
 
-/// Whether the attributes in an EXR's first header fit into the file. OpenEXR makes room for what
-/// one claims before it looks.
-bool hasWholeExrHeader(std::span<const std::byte> bytes);
-
 } // namespace relamp

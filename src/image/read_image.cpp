@@ -5,6 +5,8 @@
 #include "base/half.h"
 #include "image/chroma.h"
 #include "image/damage.h"
+#include "image/exr_header.h"
+#include "image/memory_reader.h"
 #include "image/transfer.h"
 
 #include <algorithm>
@@ -13,7 +15,6 @@
 #include <memory>
 #include <string_view>
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -37,6 +38,11 @@ int64_t channelsToRead(const OIIO::ImageSpec& spec)
     return spec.alpha_channel == colors ? colors + 1 : colors;
 }
 
+int64_t mayUnpackTo(size_t bytes)
+{
+    return kAnyFileMayUnpackTo + kMostExpansion * static_cast<int64_t>(bytes);
+}
+
 void checkSize(const OIIO::ImageSpec& spec, size_t bytes, const std::string& name)
 {
     const int64_t width = spec.width;
@@ -48,8 +54,7 @@ void checkSize(const OIIO::ImageSpec& spec, size_t bytes, const std::string& nam
                                     "scale it down",
                                     width, height));
     const int64_t sampleSize = spec.format.basesize() == 1 ? 1 : sizeof(float);
-    const int64_t unpacked = width * height * channelsToRead(spec) * sampleSize;
-    if (unpacked > kAnyFileMayUnpackTo + kMostExpansion * static_cast<int64_t>(bytes))
+    if (width * height * channelsToRead(spec) * sampleSize > mayUnpackTo(bytes))
         malformed(name, fmt::format("its header claims {} x {} pixels, but the file has only {} "
                                     "bytes; it is damaged",
                                     width, height, bytes));
@@ -79,6 +84,18 @@ std::string formatOf(std::span<const std::byte> bytes, const std::string& name)
     malformed(name, "is no picture that relamp reads (JPEG, PNG, WebP, TIFF, EXR, HDR, BMP, TGA)");
 }
 
+void checkExr(std::span<const std::byte> bytes, const std::string& name)
+{
+    const ExrHeaders headers = readExrHeaders(bytes);
+    if (!headers.isSound)
+        malformed(name, "the header of the EXR is cut off or damaged; copy it again");
+    if (headers.unpacked > static_cast<double>(mayUnpackTo(bytes.size())) ||
+        8.0 * headers.chunks > static_cast<double>(bytes.size()))
+        malformed(name, fmt::format("the header of the EXR claims more than the {} bytes of the "
+                                    "file hold; copy it again",
+                                    bytes.size()));
+}
+
 std::unique_ptr<OIIO::ImageInput> openImage(OIIO::Filesystem::IOProxy& reader,
                                             std::span<const std::byte> bytes,
                                             const std::string& name)
@@ -88,8 +105,7 @@ std::unique_ptr<OIIO::ImageInput> openImage(OIIO::Filesystem::IOProxy& reader,
         malformed(name, "the JPEG is cut off; copy it again");
     if (format == "png" && !isWholePng(bytes))
         malformed(name, "the PNG is cut off or damaged; copy it again");
-    if (format == "openexr" && !hasWholeExrHeader(bytes))
-        malformed(name, "the header of the EXR is cut off or damaged; copy it again");
+    if (format == "openexr") checkExr(bytes, name);
     OIIO::ImageSpec hints;
     hints["oiio:UnassociatedAlpha"] = 1;
     OIIO::ImageSpec spec;
@@ -176,7 +192,7 @@ void readFloats(OIIO::ImageInput& input, Transfer transfer, const std::string& n
 
 Image readImage(std::span<const std::byte> bytes, const std::string& name, Transfer transfer)
 {
-    OIIO::Filesystem::IOMemReader reader(const_cast<std::byte*>(bytes.data()), bytes.size());
+    MemoryReader reader(bytes);
     const auto input = openImage(reader, bytes, name);
     checkSize(input->spec(), bytes.size(), name);
 

@@ -250,6 +250,28 @@ TEST(ReadImage, ExrAttributesThatTheFileCannotHoldAreRefusedBeforeThereIsRoomFor
     EXPECT_THAT(refusal(bytes), HasSubstr("the header of the EXR is cut off or damaged"));
 }
 
+TEST(ReadImage, ExrSizesThatTheFileCannotHoldAreRefusedBeforeThereIsRoomForThem)
+{
+    Bytes bytes = pictureFile("openexr", noise());
+    const std::string name = "dataWindow";
+    const auto window = std::search(bytes.begin(), bytes.end(), name.begin(), name.end());
+    ASSERT_NE(window, bytes.end());
+    window[10 + 1 + 6 + 4 + 8 + 2] = 0x7f; // its right edge, in millions
+    EXPECT_THAT(refusal(bytes), HasSubstr("the header of the EXR claims more than the"));
+}
+
+/// OpenImageIO's reader would read what lies before the file in memory.
+TEST(ReadImage, LinesBeforeTheFileAreRefused)
+{
+    Bytes bytes = pictureFile("openexr", noise());
+    const std::string name = "screenWindowWidth";
+    const auto last = std::search(bytes.begin(), bytes.end(), name.begin(), name.end());
+    ASSERT_NE(last, bytes.end());
+    const auto offset = last + 17 + 1 + 6 + 4 + 4 + 1; // then the header's end
+    std::fill(offset, offset + 8, uint8_t{0xff});
+    EXPECT_THAT(refusal(bytes), HasSubstr("cannot be decoded"));
+}
+
 TEST(ReadImage, SizesThatTheFileCannotHoldAreRefusedBeforeThereIsRoomForThem)
 {
     EXPECT_THAT(refusal(scenes::pngClaiming(60000, 60000)),

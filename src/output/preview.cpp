@@ -129,17 +129,17 @@ PreviewPage previewOf(const Page& page, const PageLayers& layers)
 
 PreviewPicture renderPreview(const Texels& texels, const RayScene& scene,
                              const std::vector<PreviewPage>& pages,
-                             const std::vector<Camera>& cameras, Progress& progress)
+                             const std::vector<Camera>& cameras, const Progress& progress)
 {
     const size_t rows = cameras.size() * kHeight;
-    Progress::Stage stage(progress, "preview", rows);
     std::vector<glm::vec3> linear(rows * kRow, glm::vec3(0.0f));
     forEach(rows, [&](size_t row) {
         renderRow(texels, scene, pages, cameras[row / kHeight], static_cast<int>(row % kHeight),
                   &linear[row * kRow]);
-        stage.advance();
+        progress.check();
     });
     const float white = whiteOfShading(linear);
+    static const SrgbFromHalf srgb;
     PreviewPicture picture{{static_cast<int>(kRow), static_cast<int>(rows)},
                            std::vector<uint8_t>(3 * linear.size())};
     forEachChunk(linear.size(), 4096, [&](size_t begin, size_t end) {
@@ -147,7 +147,7 @@ PreviewPicture renderPreview(const Texels& texels, const RayScene& scene,
             const float scale = i % kRow >= kShadingColumn ? 1.0f / white : 1.0f;
             for (int c = 0; c < 3; ++c)
                 picture.rgb[3 * i + static_cast<size_t>(c)] =
-                    srgbByteFromLinear(scale * linear[i][c]);
+                    srgb(halfFromFloat(scale * linear[i][c]));
         }
     });
     return picture;

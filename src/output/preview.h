@@ -37,6 +37,6 @@ struct PreviewPicture
 /// scaled so that its 95th percentile is white where it is brighter than that.
 PreviewPicture renderPreview(const Texels& texels, const RayScene& scene,
                              const std::vector<PreviewPage>& pages,
-                             const std::vector<Camera>& cameras, Progress& progress);
+                             const std::vector<Camera>& cameras, const Progress& progress);
 
 } // namespace relamp

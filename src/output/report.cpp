@@ -170,8 +170,8 @@ ordered_json lightsAsReport(const Decomposition& result)
 /// Shares of the area.
 ordered_json confidenceAsJson(const std::array<double, kDoubts>& area)
 {
-    constexpr const char* kNames[kDoubts] = {"",       "clipped",  "shines",  "unlit",
-                                             "unseen", "backFace", "penumbra"};
+    constexpr const char* kNames[kDoubts] = {"",       "clipped",  "shines",   "unlit",
+                                             "unseen", "backFace", "penumbra", "whiterThanPaper"};
     const double all = std::max(std::accumulate(area.begin(), area.end(), 0.0), 1e-30);
     const auto share = [&](double part) { return std::round(part / all * 1e4) / 1e4; };
     ordered_json low = ordered_json::object();

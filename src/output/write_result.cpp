@@ -57,7 +57,7 @@ std::vector<float> floatsFrom(const std::vector<uint16_t>& half)
 /// Colours of Doubt, as docs/guide/results.md lists them.
 constexpr uint8_t kColorOfDoubt[kDoubts][3] = {{0, 0, 0},     {255, 64, 64}, {255, 255, 255},
                                                {64, 64, 255}, {0, 192, 192}, {192, 0, 192},
-                                               {255, 176, 0}};
+                                               {255, 176, 0}, {0, 224, 0}};
 
 std::vector<uint8_t> pictureOf(const std::vector<Doubt>& doubt)
 {
@@ -76,16 +76,16 @@ public:
           relit_(scan.pages.size())
     {}
 
-    void writePages();
-    void writeWhole();
+    void run();
     /// m^2 of surface by Doubt, of the pages that are written.
     [[nodiscard]] const std::array<double, kDoubts>& area() const { return area_; }
 
 private:
-    void writePage(size_t page, const PageLayers& layers);
+    void writePage(size_t page, const PageLayers& layers, Progress::Stage& stage);
     void writeAlbedo(size_t page, const PageLayers& layers);
     void writeDoubts(size_t page, const PageLayers& layers);
-    void writePreview();
+    [[nodiscard]] PreviewPicture drawPreview() const;
+    void writePreview(const PreviewPicture& picture);
     void writeScan();
     [[nodiscard]] std::filesystem::path file(const char* layer, size_t page,
                                              const char* ending) const
@@ -124,12 +124,9 @@ void ResultWriter::writeAlbedo(size_t page, const PageLayers& layers)
                                 : EncodedImage{encodePng(layers.emission, size, 3), "image/png"};
 }
 
-void ResultWriter::writePage(size_t page, const PageLayers& layers)
+void ResultWriter::writePage(size_t page, const PageLayers& layers, Progress::Stage& stage)
 {
     const Size size{layers.width, layers.height};
-    Progress::Stage stage(progress_, "write", 5);
-    previews_.push_back(previewOf(scan_.pages[page], layers));
-    for (size_t d = 0; d < kDoubts; ++d) area_[d] += layers.area[d];
     const std::vector<uint16_t> shading = sumOf(layers.direct, layers.indirect);
     const auto write = [&](const char* layer, const std::vector<uint16_t>& rgb) {
         writeExr(file(layer, page, "exr"), rgb, size);
@@ -151,21 +148,17 @@ void ResultWriter::writeDoubts(size_t page, const PageLayers& layers)
     writeFile(file("reasons", page, "png"), std::as_bytes(std::span(why)));
 }
 
-void ResultWriter::writePages()
+PreviewPicture ResultWriter::drawPreview() const
 {
-    for (size_t page = 0; page < scan_.pages.size(); ++page)
-        writePage(page, result_.layers(page, progress_));
-}
-
-void ResultWriter::writePreview()
-{
-    const Progress::Stage stage(progress_, "preview");
     const Decomposition::State& state = result_.state();
     const bool isDraft = result_.optionsInForce().gather.quality == Quality::draft;
     const std::vector<Camera> cameras =
         chooseViewpoints(scan_, state.scene, isDraft ? kViewpointsOfDraft : kViewpoints);
-    const PreviewPicture picture =
-        renderPreview(state.texels, state.scene, previews_, cameras, progress_);
+    return renderPreview(state.texels, state.scene, previews_, cameras, progress_);
+}
+
+void ResultWriter::writePreview(const PreviewPicture& picture)
+{
     const auto png = encodePng(picture.rgb, picture.size, 3);
     writeFile(folder_ / "preview.png", std::as_bytes(std::span(png)));
 }
@@ -179,9 +172,26 @@ void ResultWriter::writeScan()
     writeFile(folder_ / "lights.json", lightsAsJson(result_.lights()));
 }
 
-void ResultWriter::writeWhole()
+/// The preview is drawn before the last page is written: to compress it keeps one core busy for as
+/// long as the page's files keep the others.
+void ResultWriter::run()
 {
-    tbb::parallel_invoke([&] { writePreview(); }, [&] { writeScan(); });
+    for (size_t page = 0; page < scan_.pages.size(); ++page) {
+        const PageLayers layers = result_.layers(page, progress_);
+        const bool isLast = page + 1 == scan_.pages.size();
+        Progress::Stage stage(progress_, "write", 5);
+        previews_.push_back(previewOf(scan_.pages[page], layers));
+        for (size_t d = 0; d < kDoubts; ++d) area_[d] += layers.area[d];
+        const PreviewPicture preview = isLast ? drawPreview() : PreviewPicture{};
+        tbb::parallel_invoke(
+            [&] {
+                if (isLast) writePreview(preview);
+            },
+            [&] {
+                writePage(page, layers, stage);
+                if (isLast) writeScan();
+            });
+    }
 }
 
 } // namespace
@@ -193,8 +203,7 @@ std::string writeResult(const Scan& scan, const Decomposition& decomposition,
     checkOutput(scanFile, folder);
     StagedFolder staged(folder, progress);
     ResultWriter writer(scan, decomposition, staged, progress);
-    writer.writePages();
-    writer.writeWhole();
+    writer.run();
     std::vector<std::string> files = staged.names();
     files.emplace_back("report.json");
     std::string report =

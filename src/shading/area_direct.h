@@ -44,7 +44,8 @@ struct AreaSample
     float visible = 0.0f; // with shadows
 };
 
-/// Looks for one lamp from many places. Shadow rays of several places are traced together.
+/// Looks for one lamp from many places. Several places look, and their shadow rays are traced,
+/// together.
 class AreaSampler
 {
 public:
@@ -60,8 +61,25 @@ public:
 private:
     static constexpr size_t kBatch = 64;
 
+    /// From places to points on the lamp. Structure of arrays.
+    struct Looks
+    {
+        float fromX[kBatch], fromY[kBatch], fromZ[kBatch]; // m
+        float nx[kBatch], ny[kBatch], nz[kBatch];          // unit, of the place
+        float toX[kBatch], toY[kBatch], toZ[kBatch];       // m
+        float fx[kBatch], fy[kBatch], fz[kBatch];          // unit, where the point faces
+        float patch[kBatch];                               // m^2 of the patch it lies on
+        float area[kBatch];                                // m^2 of the lamp that it stands for
+        AreaSample* sum[kBatch];
+    };
+
+    void look();
+    void trace();
+
     const RayScene& scene_;
     const AreaLight& light_;
+    Looks looks_;
+    size_t looking_ = 0;
     Ray rays_[kBatch];
     float gain_[kBatch]; // of a ray that nothing is in the way of
     AreaSample* sum_[kBatch];

@@ -151,6 +151,25 @@ double shareOf(const Texels& texels, const TexelMarks& buried)
     return static_cast<double>(count) / static_cast<double>(texels.count());
 }
 
+/// A mark for each texel of a page: of surfels that `isAsked` is true for what `markOf` says of the
+/// texel, `otherwise` of others.
+template<class IsAsked, class MarkOf>
+std::vector<uint8_t> marksOf(const Texels& texels, size_t p, uint8_t otherwise,
+                             const IsAsked& isAsked, const MarkOf& markOf)
+{
+    const PageTexels& page = texels.pages[p];
+    const Footprints prints(texels, p);
+    std::vector<uint8_t> marks(page.count(), otherwise);
+    forEachChunk(page.runs.size() - 1, 64, [&](size_t begin, size_t end) {
+        for (size_t run = begin; run < end; ++run) {
+            if (!isAsked(page.runs[run].surfel)) continue;
+            for (uint32_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i)
+                marks[i] = markOf(prints, i);
+        }
+    });
+    return marks;
+}
+
 /// Marks the texels that something stands on or lies on; nothing where most are.
 TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress::Stage& stage)
 {
@@ -158,16 +177,11 @@ TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress::Sta
     stage.advance();
     TexelMarks buried;
     for (size_t p = 0; p < texels.pages.size(); ++p) {
-        const PageTexels& page = texels.pages[p];
-        const Footprints prints(texels, p);
-        std::vector<uint8_t>& ofPage = buried.emplace_back(page.count(), uint8_t{0});
-        forEachChunk(page.runs.size() - 1, 64, [&](size_t begin, size_t end) {
-            for (size_t run = begin; run < end; ++run) {
-                if (isSuspect[page.runs[run].surfel] == 0) continue;
-                for (uint32_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i)
-                    ofPage[i] = isBuried(scene, prints, i) ? 1 : 0;
-            }
-        });
+        buried.push_back(marksOf(
+            texels, p, 0, [&](uint32_t s) { return isSuspect[s] != 0; },
+            [&](const Footprints& prints, uint32_t i) {
+                return isBuried(scene, prints, i) ? uint8_t{1} : uint8_t{0};
+            }));
         stage.advance();
     }
     if (shareOf(texels, buried) > kInsideOut) return {};
@@ -189,18 +203,10 @@ void separateBuried(Texels& texels, const RayScene& scene, Progress& progress)
 TexelMarks openShares(const Texels& texels, const RayScene& scene)
 {
     TexelMarks shares;
-    for (size_t p = 0; p < texels.pages.size(); ++p) {
-        const PageTexels& page = texels.pages[p];
-        const Footprints prints(texels, p);
-        std::vector<uint8_t>& ofPage = shares.emplace_back(page.count(), uint8_t{255});
-        forEachChunk(page.runs.size() - 1, 64, [&](size_t begin, size_t end) {
-            for (size_t run = begin; run < end; ++run) {
-                if (!texels.surfels.isBuried(page.runs[run].surfel)) continue;
-                for (uint32_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i)
-                    ofPage[i] = openShare(scene, prints, i);
-            }
-        });
-    }
+    for (size_t p = 0; p < texels.pages.size(); ++p)
+        shares.push_back(marksOf(
+            texels, p, 255, [&](uint32_t s) { return texels.surfels.isBuried(s); },
+            [&](const Footprints& prints, uint32_t i) { return openShare(scene, prints, i); }));
     return shares;
 }
 

@@ -2,25 +2,29 @@
 #define RELAMP_LIT_SIDES_SHARED_H
 
 #include "base/shared.h"
+#include "image/burnt_out.shared.h"
 
 SHARED_BEGIN
 
 const int kLitSidesRounds = 4;           // until what is burnt out and backs are settled
 const int kExcessSmoothings = 3;         // of light from what sends more than white
 SHARED_CONST kMostRadiance = 10.0f;      // of a wall beside a lamp
-SHARED_CONST kMostAlbedo = 0.95f;        // of any paint
+SHARED_CONST kHardlyOut = 0.8f;          // a mean: below, hardly a texel of it is burnt out
 SHARED_CONST kAlbedoOfTheUnknown = 0.7f; // of a surfel that is burnt out all over
 
 // Albedo of what shows `radiance` under this irradiance.
 SHARED_FN vec3 albedoUnder(vec3 irradiance, vec3 radiance)
 {
-    return clamp(3.14159265f * radiance / max(irradiance, vec3(1e-4f)), 0.02f, kMostAlbedo);
+    return clamp(3.14159265f * radiance / max(irradiance, vec3(1e-4f)), 0.02f, 0.95f);
 }
 
-// What a burnt-out wall sends: not less than the texture shows.
-SHARED_FN vec3 burntOutRadiance(vec3 albedo, vec3 irradiance, vec3 least)
+// What a burnt-out wall sends that shows this much, the mean of its burnt-out texels: that in
+// channels that are not burnt out themselves, and in others not less.
+SHARED_FN vec3 burntOutRadiance(vec3 albedo, vec3 irradiance, vec3 shown)
 {
-    return clamp(albedo * irradiance / 3.14159265f, least, vec3(kMostRadiance));
+    vec3 isOut = clamp((shown - kHardlyOut) / (kBurntOut - kHardlyOut), 0.0f, 1.0f);
+    vec3 most = mix(shown, vec3(kMostRadiance), isOut);
+    return clamp(albedo * irradiance / 3.14159265f, shown, most);
 }
 
 // How far a value is drawn towards the mean around it, `step` away in luminance: all the way where

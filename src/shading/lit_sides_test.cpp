@@ -73,6 +73,28 @@ TEST(LitSides, BurntOutWallSendsMoreThanTheWhiteThatItShows)
     EXPECT_NEAR(sides.field.plain[box.at({0.2f, 0, 0.2f}, kUp)].g, 0.4f, 1e-3f);
 }
 
+// Warm light on white paint: red is at the top of its range, green and blue are what was there.
+TEST(LitSides, OnlyBurntOutChannelsSendMoreThanTheyShow)
+{
+    const scenes::Surfaces box(scenes::room(kRoom, 64, [](glm::vec3 p, glm::vec3 n) {
+        const bool isSpot = n.y > 0.5f && glm::distance(p, glm::vec3(1, 0, 1.5f)) < 0.2f;
+        return isSpot ? glm::vec3(1.0f, 0.7f, 0.45f) : glm::vec3(0.4f);
+    }));
+    const HitLists hits = scenes::hitListsOf(box, 64);
+    std::vector<glm::vec3> direct = everywhere(hits, kPi);
+    for (const ClippedPatch& patch : box.radiance.clipped)
+        if (box.radiance.plainArea[patch.surfel] == 0.0f)
+            direct[patch.surfel] = glm::vec3(9.0f * kPi);
+    const LitSides sides = litBy(box, hits, direct);
+    for (const ClippedPatch& patch : box.radiance.clipped) {
+        if (isAtTheRim(box, patch.surfel)) {
+            EXPECT_GT(sides.field.clipped[patch.surfel].r, 2.0f);
+        }
+        EXPECT_EQ(sides.field.clipped[patch.surfel].g, patch.radiance.g);
+        EXPECT_EQ(sides.field.clipped[patch.surfel].b, patch.radiance.b);
+    }
+}
+
 // The shelf shows its lit side upwards; its back sees the floor of 0.5 and the dark alone.
 TEST(LitSides, BacksAreLitByWhatIsBehindThem)
 {

@@ -1,5 +1,6 @@
 #include "solve/found_room.h"
 
+#include "albedo/divide.shared.h"
 #include "albedo/fill.h"
 #include "fit/given_lamps.h"
 #include "fit/lamp_groups.h"
@@ -11,7 +12,6 @@
 #include <memory>
 
 #include <glm/geometric.hpp>
-#include <glm/vector_relational.hpp>
 
 namespace relamp
 {
@@ -189,13 +189,13 @@ Shining shiningOf(const FoundRoom& room)
 std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radiance,
                               std::span<const glm::vec3> albedo)
 {
+    std::vector<glm::vec3> paint(albedo.begin(), albedo.end());
     std::vector<uint8_t> isKnown(surfels.count());
     for (size_t s = 0; s < isKnown.size(); ++s) {
-        const bool isPlain = radiance.plainArea[s] > radiance.clippedArea[s];
-        const bool isPaint = glm::all(glm::lessThan(albedo[s], glm::vec3(kMostAlbedo)));
-        isKnown[s] = isPlain && isPaint ? 1 : 0;
+        paint[s] = glm::min(paint[s], kWhitestPaper);
+        isKnown[s] = radiance.plainArea[s] > radiance.clippedArea[s] ? 1 : 0;
     }
-    return fillFromAround(surfels, albedo, isKnown, kAlbedoOfTheUnknown);
+    return fillFromAround(surfels, paint, isKnown, kAlbedoOfTheUnknown);
 }
 
 } // namespace relamp

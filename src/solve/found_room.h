@@ -55,8 +55,8 @@ Lights lightsOf(const FoundRoom& room);
 /// The texels that are a lamp's own; a patch of sun is not.
 Shining shiningOf(const FoundRoom& room);
 
-/// Albedo for texels that cannot be trusted, one a surfel. Those that are mostly burnt out, or
-/// brighter than any paint, do not know their own and get that of the surface around them.
+/// Albedo for texels that cannot be trusted, one a surfel. Those that are mostly burnt out do not
+/// know their own and get that of the surface around them.
 std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radiance,
                               std::span<const glm::vec3> albedo);
 

@@ -320,9 +320,10 @@ TEST_P(GpuThesis, DividesAsTheCpuDoes)
                 const glm::vec3 shading =
                     shadingFrom(rgbOf(direct[begin + i]), power, glm::vec3(0.0f)) +
                     shadingFrom(rgbOf(indirect[begin + i]), power, room.frame.ambient);
+                const glm::vec3 rho = dividedByShading({block.r[i], block.g[i], block.b[i]},
+                                                       shading, room.frame.darkest);
                 apart.add(rgbOf(found[room.texels.pages[p].pixel[begin + i]]),
-                          dividedByShading({block.r[i], block.g[i], block.b[i]}, shading,
-                                           room.frame.darkest));
+                          rho / lightThatLacks(rho));
             }
         });
         EXPECT_LT(apart.most(), 2e-3f);
