@@ -70,7 +70,8 @@ TEST(LampPatches, EveryPatchIsTheSumOfItsParts)
         float area = 0.0f;
         for (uint32_t part = i + 1; part < lamp.after[i]; part = lamp.after[part])
             area += lamp.area[part];
-        if (lamp.after[i] > i + 1) EXPECT_NEAR(area, lamp.area[i], 1e-4f * area);
+        if (lamp.after[i] == i + 1) continue; // has none
+        EXPECT_NEAR(area, lamp.area[i], 1e-4f * area);
     }
 }
 
