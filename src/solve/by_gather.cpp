@@ -3,6 +3,7 @@
 #include "albedo/gather_closure.h"
 #include "fit/stray.h"
 #include "shading/buried.h"
+#include "shading/lit_sides.h"
 #include "solve/found_room.h"
 #include "solve/resolve.h"
 
@@ -31,8 +32,8 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     std::vector<glm::vec3> irradiance = withoutStray(solved.lighting.irradiance, solved.stray);
     for (size_t s = 0; s < irradiance.size(); ++s) irradiance[s] *= solved.lit[s];
     solution.shade = withRims(texels, shadingOf(texels, solved), room.radiance, irradiance);
-    if (options.albedo.fill)
-        solution.fill = fillOf(texels.surfels, room.radiance, room.sides.albedo);
+    solution.fill =
+        fillOf(texels.surfels, room.radiance, albedoOf(texels, room.radiance, irradiance));
     solution.lights = lightsOf(room);
     solution.merged = solution.lights.points;
     return solution;
