@@ -104,7 +104,7 @@ void shade(benchmark::State& state)
     const LampRoom& r = room();
     std::vector<LitLamp> lit;
     for (size_t l = 0; l < r.areas.size(); ++l)
-        lit.push_back({LampPatches(r.areas[l], 32), r.found.lamps[l].radiance});
+        lit.push_back({LampPatches(r.areas[l]), r.found.lamps[l].radiance});
     const TexelShading shading = shadingOf(
         r.texels,
         std::make_shared<GatheredLight>(GatheredLight{

@@ -41,11 +41,12 @@ float ratioOf(const Sun& sun, glm::vec3 onFloor, float other, int channel)
     return sun.irradiance[channel] * cosine / (onFloor[channel] - other);
 }
 
-/// Mean albedo of the floor, green, within the patch and beside it.
+/// Mean albedo of the floor, green, within the patch and beside it; direct light in the patch.
 struct FloorAlbedo
 {
     float inPatch = 0.0f;
     float beside = 0.0f;
+    float direct = 0.0f; // irradiance / pi
     bool shines = false; // some of the patch is thought to
 
     FloorAlbedo(const SunRoom& room, const Decomposition& result)
@@ -63,6 +64,7 @@ struct FloorAlbedo
             const float albedo = floatFromHalf(layers.albedo[3 * pixel + 1]);
             if (away < 0.35f) {
                 inPatch += albedo;
+                direct += floatFromHalf(layers.direct[3 * pixel + 1]);
                 counts[0] += 1.0f;
                 shines |= layers.doubt[pixel] == Doubt::shines;
             } else if (away > 1.2f && away < 1.6f) {
@@ -71,6 +73,7 @@ struct FloorAlbedo
             }
         }
         inPatch /= counts[0];
+        direct /= counts[0];
         beside /= counts[1];
     }
 };
@@ -147,10 +150,10 @@ TEST(Sun, GivenOneIsBelieved)
     const SunRoom room(kBurning);
     Lights lights = solve(room.scan).lights();
     ASSERT_TRUE(lights.sun);
-    const float once = FloorAlbedo(room, solve(room.scan, {.lights = lights})).inPatch;
+    const float once = FloorAlbedo(room, solve(room.scan, {.lights = lights})).direct;
     lights.sun->irradiance *= 2.0f;
-    const float twice = FloorAlbedo(room, solve(room.scan, {.lights = lights})).inPatch;
-    EXPECT_NEAR(twice, 0.5f * once, 0.03f * once);
+    const float twice = FloorAlbedo(room, solve(room.scan, {.lights = lights})).direct;
+    EXPECT_NEAR(twice, 2.0f * once, 0.03f * twice);
 }
 
 TEST(Sun, DiscIsAsStrongAsTheSun)

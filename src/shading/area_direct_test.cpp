@@ -98,8 +98,8 @@ TEST(AreaDirect, PatchesStandForEqualAreas)
     EXPECT_NEAR(light.centre().x, 0.25f, 1e-6f);
 }
 
-// The kernel over texels and the samples with shadow rays are one formula.
-TEST(AreaDirect, KernelAndSamplesAgreeOnAllInstructionSets)
+// The tree of patches over texels and many samples with shadow rays are one light.
+TEST(AreaDirect, PatchesAndSamplesAgree)
 {
     const scenes::Surfaces far(scenes::square(1.0f, 8, scenes::plain(glm::vec3(0.5f))));
     const AreaLight light = lightOf(above(4.0f, 1.0f), 8);
@@ -109,18 +109,14 @@ TEST(AreaDirect, KernelAndSamplesAgreeOnAllInstructionSets)
     for (size_t i = 0; i < 101; ++i)
         scenes::addTexel(block, {4.0f * number(), number(), 4.0f * number()},
                          glm::normalize(glm::vec3(number(), 1.0f, number())));
-    std::vector<InstructionSet> sets = scenes::widerSets();
-    sets.push_back(InstructionSet::baseline);
-    for (const InstructionSet set : sets) {
-        float open[TexelBlock::kPadded];
-        openIrradiance(block, LampPatches(light), open, set);
-        for (size_t i = 0; i < block.count; ++i) {
-            const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
-            const glm::vec3 place(block.x[i], block.y[i], block.z[i]);
-            const AreaSample sample =
-                sampleAreaLight(far.rays, light, place - kOffSurface * normal, normal, 64, 0.5f);
-            EXPECT_NEAR(open[i], sample.open, 1e-5f * sample.open);
-        }
+    float open[TexelBlock::kPadded];
+    openIrradiance(block, LampPatches(light), open);
+    for (size_t i = 0; i < block.count; ++i) {
+        const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
+        const glm::vec3 place(block.x[i], block.y[i], block.z[i]);
+        const AreaSample sample =
+            sampleAreaLight(far.rays, light, place - kOffSurface * normal, normal, 4096, 0.5f);
+        EXPECT_NEAR(open[i], sample.open, 1e-2f * sample.open + 4e-4f); // of 0.06 at most
     }
 }
 

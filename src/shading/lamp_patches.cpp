@@ -16,8 +16,8 @@ namespace
 {
 
 constexpr float kPi = 3.14159265f;
-constexpr float kNear = 2.5f; // radii of a patch from its middle; nearer its parts are asked
-constexpr float kFar = 3.25f;
+constexpr float kNear = 3.25f; // radii of a patch from its middle; nearer its parts are asked
+constexpr float kFar = 4.25f;
 constexpr float kFlat = 0.97f;   // length of the mean normal; a cap of 20 degrees
 constexpr float kLarge = 256.0f; // a lamp of so many patches is round enough from afar
 constexpr float kEverywhere = 1e30f;
@@ -151,19 +151,20 @@ void openKernel(const OpenArgs& args)
     const LampPatches& lamp = *args.lamp;
     const auto patches = static_cast<uint32_t>(lamp.count());
     float asked[kMostDepth + 1][kLanes]; // of the patches at a depth
+    uint32_t isAsked[kMostDepth + 1] = {1};
     for (size_t first = 0; first < block.count; first += kLanes) {
         float sum[kLanes] = {};
         for (size_t lane = 0; lane < kLanes; ++lane)
             asked[0][lane] = first + lane < block.count ? 1.0f : 0.0f;
         for (uint32_t j = 0; j < patches;) {
-            const float* own = asked[lamp.depth[j]];
-            float* parts = asked[lamp.depth[j] + 1];
-            float most = 0.0f;
-            for (size_t lane = 0; lane < kLanes; ++lane) most = std::max(most, own[lane]);
-            if (most <= 0.0f) {
+            const size_t depth = lamp.depth[j];
+            if (isAsked[depth] == 0) {
                 j = lamp.after[j];
                 continue;
             }
+            const float* own = asked[depth];
+            float* parts = asked[depth + 1];
+            uint32_t any = 0;
             const glm::vec3 middle(lamp.x[j], lamp.y[j], lamp.z[j]);
             const glm::vec3 facing(lamp.nx[j], lamp.ny[j], lamp.nz[j]);
             const float leaf = lamp.after[j] > j + 1 ? 0.0f : 1.0f;
@@ -177,7 +178,9 @@ void openKernel(const OpenArgs& args)
                 const float near = leaf * nearFormFactor(way, normal, facing, lamp.area[j]);
                 sum[lane] += own[lane] * lamp.area[j] * (wide + share * (near - wide));
                 parts[lane] = own[lane] * share;
+                any |= parts[lane] > 0.0f ? 1u : 0u;
             }
+            isAsked[depth + 1] = any;
             ++j;
         }
         std::copy_n(sum, kLanes, args.irradiance + first);
