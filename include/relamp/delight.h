@@ -24,6 +24,8 @@ struct AlbedoOptions
 {
     float darkest = 0.02f; // radiance; a weaker shading is raised to this before dividing, > 0
     bool fill = false;     // what is burnt out or unlit gets the albedo of the surface around it
+
+    bool operator==(const AlbedoOptions&) const = default;
 };
 
 enum class Solver {
@@ -108,7 +110,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Takes the light out of a scan. The scan must outlive the result.
+/// Takes the light out of a scan, once; a Delighter does again and again. The scan must outlive the
+/// result.
 ///
 /// Throws Error(unsupported) where the scan's texels cannot be told apart (overlapping UVs), and
 /// Error(cancelled).
