@@ -259,7 +259,8 @@ void addDelightCommand(CLI::App& app, Run& run)
         ->check(between(1e-6, 1.0))
         ->type_name("L");
     command.add_flag("--fill", arguments->options.albedo.fill,
-                     "Give what is burnt out or unlit the albedo of the surface around it");
+                     "Give what is unlit the albedo of the surface around it (thesis solver: "
+                     "what is burnt out too)");
     addEngineArguments(command, arguments->options.engine, "the thesis solver");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
     command.add_flag("--json", arguments->json, "Print the report as JSON and nothing else");

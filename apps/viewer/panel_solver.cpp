@@ -109,7 +109,7 @@ void drawSolverPanel(Viewer& viewer)
                          ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
     ImGui::SliderFloat("Darkest", &dials.albedo.darkest, 0.001f, 1.0f, "%.3f",
                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
-    ImGui::Checkbox("Fill what is burnt out or unlit", &dials.albedo.fill);
+    ImGui::Checkbox("Fill what is unlit", &dials.albedo.fill);
     if (const auto& closure = viewer.studio.closure())
         ImGui::TextDisabled("Closed loop: %.4f of %.4f", closure->rmsError, closure->rmsInput);
 }

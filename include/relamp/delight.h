@@ -23,7 +23,8 @@ namespace relamp
 struct AlbedoOptions
 {
     float darkest = 0.02f; // radiance; a weaker shading is raised to this before dividing, > 0
-    bool fill = false;     // what is burnt out or unlit gets the albedo of the surface around it
+    bool fill = false;     // what is unlit gets the albedo of the surface around it, and by the
+                            // thesis solver what is burnt out: others see to that by themselves
 
     bool operator==(const AlbedoOptions&) const = default;
 };

@@ -1,5 +1,10 @@
 #include "albedo/fill.h"
 
+#include "albedo/divide.shared.h"
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -8,15 +13,48 @@ namespace relamp
 namespace
 {
 
-constexpr float kGrey = 0.5f;
 constexpr int kMostPasses = 256; // each goes about two surfels inwards
+constexpr int kSmoothings = 32;
+constexpr float kOtherPaint = 0.4f; // in the logarithm: half as bright again, or two thirds
+
+/// Mean of what is around, over and over: what meets in the middle does so without an edge.
+void smooth(const Surfels& surfels, std::span<const uint8_t> isKnown,
+            std::span<const uint8_t> isReached, std::vector<glm::vec3>& values)
+{
+    std::vector<uint32_t> open;
+    for (uint32_t s = 0; s < surfels.count(); ++s)
+        if (isKnown[s] == 0 && isReached[s] != 0) open.push_back(s);
+    std::vector<glm::vec3> means(open.size());
+    for (int pass = 0; pass < kSmoothings; ++pass) {
+        forEachChunk(open.size(), 1024, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i) {
+                glm::vec3 sum(0.0f);
+                float count = 0.0f;
+                for (const uint32_t n : surfels.neighborsOf(open[i])) {
+                    if (isReached[n] == 0) continue;
+                    sum += values[n];
+                    count += 1.0f;
+                }
+                means[i] = sum / count;
+            }
+        });
+        for (size_t i = 0; i < open.size(); ++i) values[open[i]] = means[i];
+    }
+}
+
+/// How far the colour around can be that of a paint which is `scale` times as bright, 0..1.
+float likeness(float scale)
+{
+    const float off = std::log(std::max(scale, 1e-6f)) / kOtherPaint;
+    return 1.0f / (1.0f + off * off);
+}
 
 } // namespace
 
 std::vector<glm::vec3> fillFromAround(const Surfels& surfels, std::span<const glm::vec3> albedo,
-                                      std::span<const uint8_t> isKnown)
+                                      std::span<const uint8_t> isKnown, float otherwise)
 {
-    std::vector<glm::vec3> filled(surfels.count(), glm::vec3(kGrey));
+    std::vector<glm::vec3> filled(surfels.count(), glm::vec3(otherwise));
     std::vector<uint8_t> known(isKnown.begin(), isKnown.end());
     std::vector<uint32_t> open;
     for (uint32_t s = 0; s < surfels.count(); ++s)
@@ -41,6 +79,35 @@ std::vector<glm::vec3> fillFromAround(const Surfels& surfels, std::span<const gl
         if (reached.empty()) break;
         for (const uint32_t s : reached) known[s] = 1;
         open = std::move(rest);
+    }
+    smooth(surfels, isKnown, known, filled);
+    return filled;
+}
+
+glm::vec3 filledAlbedo(const Divided& own, glm::vec3 around, glm::bvec3 isBurntOut,
+                       glm::bvec3 isUnlit)
+{
+    float whole = 0.0f;
+    float theirs = 0.0f;
+    float brightest = 0.0f;
+    for (int c = 0; c < 3; ++c) {
+        if (isUnlit[c] || isBurntOut[c]) continue;
+        whole += own.albedo[c];
+        theirs += around[c];
+        brightest = std::max(brightest, own.albedo[c]);
+    }
+    const float scale = theirs > 0.0f ? whole / theirs : 1.0f;
+    const float like = theirs > 0.0f ? likeness(scale) : 1.0f;
+    glm::vec3 filled = own.albedo;
+    for (int c = 0; c < 3; ++c) {
+        const float theirColor = std::min(scale * around[c], kWhitestPaper);
+        if (isUnlit[c]) {
+            filled[c] = theirColor;
+        } else if (isBurntOut[c]) {
+            const float least = own.albedo[c] / own.lack;
+            const float grey = std::max(brightest, least);
+            filled[c] = std::max(grey + like * (theirColor - grey), least);
+        }
     }
     return filled;
 }

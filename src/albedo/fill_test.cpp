@@ -47,4 +47,41 @@ TEST(Fill, WhatNothingReachesIsGrey)
         EXPECT_EQ(rgb, glm::vec3(0.5f));
 }
 
+TEST(Fill, WhatIsBurntOutIsAsAroundButNeverDarkerThanItShows)
+{
+    const glm::bvec3 all(true);
+    const glm::bvec3 none(false);
+    const glm::vec3 around(0.8f, 0.7f, 0.6f);
+    EXPECT_EQ(filledAlbedo({glm::vec3(0.3f)}, around, all, none), around);
+    EXPECT_EQ(filledAlbedo({glm::vec3(0.9f)}, around, all, none), glm::vec3(0.9f));
+    EXPECT_EQ(filledAlbedo({glm::vec3(0.3f)}, around, none, none), glm::vec3(0.3f));
+}
+
+TEST(Fill, ShadingThatNoPaintAgreesWithTellsNothing)
+{
+    const glm::vec3 around(0.8f, 0.7f, 0.6f);
+    EXPECT_EQ(filledAlbedo({glm::vec3(0.9f), 1.8f}, around, glm::bvec3(true), glm::bvec3(false)),
+              around);
+}
+
+// A red stripe beside a white one, both burnt out in red.
+TEST(Fill, ChannelsThatAreWholeSayHowBrightTheOthersAre)
+{
+    const glm::bvec3 red(true, false, false);
+    const glm::bvec3 none(false);
+    const glm::vec3 same = filledAlbedo({{0.4f, 0.5f, 0.25f}}, {0.6f, 0.5f, 0.25f}, red, none);
+    EXPECT_NEAR(same.r, 0.6f, 1e-6f);
+    EXPECT_EQ(same.g, 0.5f);
+    // three times as bright is another paint, of a colour of its own: rather grey
+    const glm::vec3 other = filledAlbedo({{0.4f, 0.45f, 0.45f}}, {0.3f, 0.15f, 0.15f}, red, none);
+    EXPECT_GT(other.r, 0.45f);
+    EXPECT_LT(other.r, 0.55f);
+}
+
+TEST(Fill, WhatIsUnlitIsAsAroundWhateverItShows)
+{
+    const glm::vec3 around(0.8f, 0.7f, 0.6f);
+    EXPECT_EQ(filledAlbedo({glm::vec3(0.9f)}, around, glm::bvec3(false), glm::bvec3(true)), around);
+}
+
 } // namespace relamp

@@ -2,7 +2,7 @@
 
 #include "albedo/confidence.h"
 #include "albedo/divide.h"
-#include "albedo/divide.shared.h"
+#include "albedo/fill.h"
 #include "base/half.h"
 #include "image/burnt_out.shared.h"
 #include "image/gutter.h"
@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+
+#include <glm/vector_relational.hpp>
 
 namespace relamp
 {
@@ -43,7 +45,8 @@ private:
     void makeBlock(size_t begin, size_t count);
     void storeTexel(const TexelBlock& block, const ShadingBlock& shade, const AlbedoBlock& albedo,
                     size_t i, uint32_t pixel);
-    void fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around, uint16_t* rho) const;
+    void fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around, float lack,
+                      uint16_t* rho) const;
     void addAreas(size_t begin, const TexelBlock& block);
     void fillGutters();
 
@@ -76,29 +79,18 @@ LayerMaker::LayerMaker(const Texels& texels, size_t page, const SolvedTexels& so
     covered_.resize(image.pixels());
 }
 
-/// Channels that are whole say how bright the texel is beside its surroundings, which then give the
-/// others. What is burnt out may be brighter than it seems, never darker; what is unlit may be
-/// anything.
-void LayerMaker::fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around,
+/// What is burnt out, and if asked for what is unlit, follows the surface around.
+void LayerMaker::fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around, float lack,
                               uint16_t* rho) const
 {
-    bool isUnlit[3];
-    bool isBurntOut[3];
-    float own = 0.0f;
-    float theirs = 0.0f;
-    for (int c = 0; c < 3; ++c) {
-        isUnlit[c] = shading[c] < options_.darkest;
-        isBurntOut[c] = clips_ && radiance[c] >= kBurntOut;
-        if (isUnlit[c] || isBurntOut[c]) continue;
-        own += floatFromHalf(rho[c]);
-        theirs += around[c];
-    }
-    const float scale = theirs > 0.0f ? own / theirs : 1.0f;
-    for (int c = 0; c < 3; ++c) {
-        if (!isUnlit[c] && !isBurntOut[c]) continue;
-        const float least = isUnlit[c] ? 0.0f : floatFromHalf(rho[c]);
-        rho[c] = halfFromFloat(std::max(std::min(scale * around[c], kWhitestPaper), least));
-    }
+    const glm::bvec3 isUnlit =
+        options_.fill ? glm::lessThan(shading, glm::vec3(options_.darkest)) : glm::bvec3(false);
+    const glm::bvec3 isBurntOut =
+        clips_ ? glm::greaterThanEqual(radiance, glm::vec3(kBurntOut)) : glm::bvec3(false);
+    if (!glm::any(isUnlit) && !glm::any(isBurntOut)) return;
+    const glm::vec3 own(floatFromHalf(rho[0]), floatFromHalf(rho[1]), floatFromHalf(rho[2]));
+    const glm::vec3 filled = filledAlbedo({own, lack}, around, isBurntOut, isUnlit);
+    for (int c = 0; c < 3; ++c) rho[c] = halfFromFloat(filled[c]);
 }
 
 void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
@@ -130,7 +122,8 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
                      solved_.trust.empty() ? SurfelTrust{} : solved_.trust[block.surfel[i]]);
     layers_.confidence[pixel] = confidence.byte();
     layers_.doubt[pixel] = confidence.doubt;
-    if (!solved_.fill.empty()) fillChannels(radiance, total, solved_.fill[block.surfel[i]], rho);
+    if (!solved_.fill.empty())
+        fillChannels(radiance, total, solved_.fill[block.surfel[i]], albedo.lack[i], rho);
 }
 
 void LayerMaker::makeBlock(size_t begin, size_t count)

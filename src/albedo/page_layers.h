@@ -17,7 +17,7 @@ struct SolvedTexels
     const TexelShading& shade;
     const Shining& shining;
     std::span<const SurfelTrust> trust; // in the shading of surfels; empty: full
-    std::span<const glm::vec3> fill;    // albedo of surfels, for what cannot be trusted; or none
+    std::span<const glm::vec3> fill;    // albedo of surfels, for what is burnt out; or none
 };
 
 /// Shades, divides and rates all texels of a page; those that shine go to `emission`.

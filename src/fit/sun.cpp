@@ -123,6 +123,8 @@ private:
     [[nodiscard]] Look lookOf(uint32_t s) const;
     [[nodiscard]] std::vector<Patch> patches() const;
     void addSurroundings(Patch& patch) const;
+    /// None where the surfel looks away.
+    [[nodiscard]] std::optional<Ray> rayOut(uint32_t surfel, glm::vec3 direction) const;
     [[nodiscard]] bool seesOut(uint32_t surfel, glm::vec3 direction) const;
     [[nodiscard]] float areaSeeingOut(std::span<const Site> sites, glm::vec3 direction) const;
     [[nodiscard]] Match matchOf(const View& view, glm::vec3 direction) const;
@@ -240,17 +242,33 @@ void SunSearch::addSurroundings(Patch& patch) const
     }
 }
 
-bool SunSearch::seesOut(uint32_t s, glm::vec3 direction) const
+std::optional<Ray> SunSearch::rayOut(uint32_t s, glm::vec3 direction) const
 {
-    if (glm::dot(surfels_.normal[s], direction) < kGrazing) return false;
-    return !outside_.occluded({surfels_.position[s] + kOffSurface * surfels_.normal[s], direction});
+    if (glm::dot(surfels_.normal[s], direction) < kGrazing) return std::nullopt;
+    return Ray{surfels_.position[s] + kOffSurface * surfels_.normal[s], direction};
 }
 
+bool SunSearch::seesOut(uint32_t s, glm::vec3 direction) const
+{
+    const std::optional<Ray> ray = rayOut(s, direction);
+    return ray && !outside_.occluded(*ray);
+}
+
+/// Rays of one direction from places side by side are traced together.
 float SunSearch::areaSeeingOut(std::span<const Site> sites, glm::vec3 direction) const
 {
-    float area = 0.0f;
+    std::vector<Ray> rays;
+    std::vector<float> weights;
     for (const Site& site : sites)
-        if (seesOut(site.surfel, direction)) area += site.weight;
+        if (const std::optional<Ray> ray = rayOut(site.surfel, direction)) {
+            rays.push_back(*ray);
+            weights.push_back(site.weight);
+        }
+    std::vector<uint8_t> blocked(rays.size());
+    outside_.occluded(rays, blocked);
+    float area = 0.0f;
+    for (size_t i = 0; i < rays.size(); ++i)
+        if (blocked[i] == 0) area += weights[i];
     return area;
 }
 

@@ -27,28 +27,29 @@ constexpr float kNear = 0.3f;
 struct OpenArgs
 {
     const TexelBlock* block;
-    const LampPatches* patches;
-    const glm::vec3* radiance; // of patches
+    const AreaLight* light;
+    float gain;
     RgbBlock* out;
 };
 
 void openKernel(const OpenArgs& args)
 {
     const TexelBlock& block = *args.block;
-    const LampPatches& lamp = *args.patches;
+    const float area = args.light->area() / kPatches;
     for (size_t first = 0; first < block.count; first += kLanes) {
         float r[kLanes] = {};
         float g[kLanes] = {};
         float b[kLanes] = {};
-        for (size_t j = 0; j < lamp.x.size(); ++j) {
-            const glm::vec3 patch(lamp.x[j], lamp.y[j], lamp.z[j]);
-            const glm::vec3 facing(lamp.nx[j], lamp.ny[j], lamp.nz[j]);
-            const glm::vec3 radiance = args.radiance[j];
+        for (size_t j = 0; j < kPatches; ++j) {
+            const ClippedPatch& patch =
+                args.light->at((static_cast<float>(j) + 0.5f) / static_cast<float>(kPatches));
+            const glm::vec3 radiance = args.gain * patch.radiance;
             for (size_t lane = 0; lane < kLanes; ++lane) {
                 const size_t i = first + lane;
-                const glm::vec3 way = patch - glm::vec3(block.x[i], block.y[i], block.z[i]);
+                const glm::vec3 way =
+                    patch.position - glm::vec3(block.x[i], block.y[i], block.z[i]);
                 const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
-                const float factor = lamp.area * patchFormFactor(way, normal, facing, lamp.area);
+                const float factor = area * patchFormFactor(way, normal, patch.normal, area);
                 r[lane] += factor * radiance.r;
                 g[lane] += factor * radiance.g;
                 b[lane] += factor * radiance.b;
@@ -66,18 +67,12 @@ void openKernel(const OpenArgs& args)
 std::vector<glm::vec3> openIrradiance(const Glow& glow, const Surfels& surfels)
 {
     const AreaLight light(glow.patches);
-    const LampPatches patches(light, kPatches);
-    std::vector<glm::vec3> radiance;
-    for (size_t j = 0; j < kPatches; ++j)
-        radiance.push_back(
-            glow.gain *
-            light.at((static_cast<float>(j) + 0.5f) / static_cast<float>(kPatches)).radiance);
     std::vector<glm::vec3> irradiance(surfels.count());
     forEachChunk(surfels.count(), TexelBlock::kCapacity, [&](size_t begin, size_t end) {
         TexelBlock block;
         RgbBlock rgb;
         loadSurfels(surfels, begin, end, block);
-        const OpenArgs args{&block, &patches, radiance.data(), &rgb};
+        const OpenArgs args{&block, &light, glow.gain, &rgb};
         runKernel<openKernel>(bestInstructionSet(), args);
         for (size_t i = 0; i < block.count; ++i)
             irradiance[begin + i] = {rgb.r[i], rgb.g[i], rgb.b[i]};

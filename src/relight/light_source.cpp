@@ -20,7 +20,6 @@ constexpr float kLeastDistance = 1e-3f; // m; nearer to a point its light grows 
 constexpr float kOffPoint = 1e-3f;      // m, a ray's end from a light that is not in the scan
 constexpr float kOffFixture = 0.015f;   // m; a lamp's surface is as uneven as any of a scan
 constexpr int kPatchesAcross = 8;       // of a rectangle; a disc has as many in all
-constexpr int kPatchesOfFixture = 32;
 
 ClippedPatch patchAt(glm::vec3 position, glm::vec3 normal, float area)
 {
@@ -138,7 +137,7 @@ LightSource::LightSource(const NewLight& light)
     case LightType::rectangle:
     case LightType::disc: {
         AreaLight area = light.type == LightType::disc ? discOf(light) : rectangleOf(light);
-        LampPatches patches(area, kPatchesAcross * kPatchesAcross);
+        LampPatches patches(area);
         shape_ = Surface{std::move(area), std::move(patches), kOffPoint};
         break;
     }
@@ -164,7 +163,7 @@ LightSource::LightSource(const NewLight& light)
 
 LightSource::LightSource(AreaLight surface) : shape_(Sun{{0.0f, 1.0f, 0.0f}, 0.0f})
 {
-    LampPatches patches(surface, kPatchesOfFixture);
+    LampPatches patches(surface);
     shape_ = Surface{std::move(surface), std::move(patches), kOffFixture};
 }
 

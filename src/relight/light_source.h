@@ -2,7 +2,7 @@
 
 #include "relamp/relight.h"
 #include "scan/texels.h"
-#include "shading/area_direct.h"
+#include "shading/lamp_patches.h"
 
 #include <memory>
 #include <variant>

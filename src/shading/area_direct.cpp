@@ -1,6 +1,5 @@
 #include "shading/area_direct.h"
 
-#include "base/lanes.h"
 #include "shading/area_direct.shared.h"
 
 #include <algorithm>
@@ -14,35 +13,6 @@ namespace
 
 constexpr float kOffSurface = 2e-3f; // m, at the lit end
 constexpr float kOffLamp = 0.015f;   // m, at the lamp's: its surface is as uneven as any of a scan
-
-struct OpenArgs
-{
-    const TexelBlock* block;
-    const LampPatches* lamp;
-    float* irradiance;
-};
-
-void openKernel(const OpenArgs& args)
-{
-    const TexelBlock& block = *args.block;
-    const LampPatches& lamp = *args.lamp;
-    const size_t patches = lamp.x.size();
-    for (size_t first = 0; first < block.count; first += kLanes) {
-        float sum[kLanes] = {};
-        for (size_t j = 0; j < patches; ++j) {
-            const glm::vec3 patch(lamp.x[j], lamp.y[j], lamp.z[j]);
-            const glm::vec3 facing(lamp.nx[j], lamp.ny[j], lamp.nz[j]);
-            for (size_t lane = 0; lane < kLanes; ++lane) {
-                const size_t i = first + lane;
-                const glm::vec3 way = patch - glm::vec3(block.x[i], block.y[i], block.z[i]);
-                const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
-                sum[lane] += patchFormFactor(way, normal, facing, lamp.area);
-            }
-        }
-        for (size_t lane = 0; lane < kLanes; ++lane)
-            args.irradiance[first + lane] = sum[lane] * lamp.area;
-    }
-}
 
 } // namespace
 
@@ -75,28 +45,6 @@ const ClippedPatch& AreaLight::at(float share) const
         index += areaUpTo_[index] < wanted ? size_t{1} : size_t{0};
     while (areaUpTo_[index] < wanted) ++index;
     return patches_[index];
-}
-
-LampPatches::LampPatches(const AreaLight& light, size_t count)
-    : area(light.area() / static_cast<float>(count))
-{
-    for (size_t i = 0; i < count; ++i) {
-        const ClippedPatch& patch =
-            light.at((static_cast<float>(i) + 0.5f) / static_cast<float>(count));
-        x.push_back(patch.position.x);
-        y.push_back(patch.position.y);
-        z.push_back(patch.position.z);
-        nx.push_back(patch.normal.x);
-        ny.push_back(patch.normal.y);
-        nz.push_back(patch.normal.z);
-    }
-}
-
-void openIrradiance(const TexelBlock& block, const LampPatches& lamp, float* irradiance,
-                    InstructionSet set)
-{
-    const OpenArgs args{&block, &lamp, irradiance};
-    runKernel<openKernel>(set, args);
 }
 
 void AreaSampler::add(std::span<const TexelSite> sites, size_t samples, float shift,

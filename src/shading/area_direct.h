@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/instruction_set.h"
 #include "lights/surfel_radiance.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
@@ -23,6 +22,7 @@ public:
     [[nodiscard]] float area() const { return areaUpTo_.empty() ? 0.0f : areaUpTo_.back(); }
     /// Patch at which `share` (0..1) of the area is reached.
     [[nodiscard]] const ClippedPatch& at(float share) const;
+    [[nodiscard]] std::span<const ClippedPatch> patches() const { return patches_; }
     [[nodiscard]] glm::vec3 centre() const { return centre_; }
     [[nodiscard]] float radius() const
     {
@@ -36,20 +36,6 @@ private:
     glm::vec3 centre_{0.0f};
     float radius_ = 0.0f;
 };
-
-/// A lamp as few patches, for places that see all of it. Structure of arrays.
-struct LampPatches
-{
-    std::vector<float> x, y, z;    // m
-    std::vector<float> nx, ny, nz; // unit
-    float area = 0.0f;             // m^2 of each
-
-    LampPatches(const AreaLight& light, size_t count);
-};
-
-/// Irradiance of a lamp of radiance 1 that nothing stands before, at the texels of a block.
-void openIrradiance(const TexelBlock& block, const LampPatches& lamp, float* irradiance,
-                    InstructionSet set = bestInstructionSet());
 
 /// Irradiance of a lamp of radiance 1 at one place, by samples on its surface.
 struct AreaSample

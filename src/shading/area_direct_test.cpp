@@ -1,5 +1,7 @@
 #include "shading/area_direct.h"
 
+#include "shading/lamp_patches.h"
+
 #include "scenes/radiosity.h"
 #include "scenes/surfaces.h"
 
@@ -42,7 +44,7 @@ float openAt(const AreaLight& light, glm::vec3 place, glm::vec3 normal)
     TexelBlock block;
     scenes::addTexel(block, place, normal);
     float irradiance[TexelBlock::kPadded];
-    openIrradiance(block, LampPatches(light, 256), irradiance);
+    openIrradiance(block, LampPatches(light), irradiance);
     return irradiance[0];
 }
 
@@ -111,7 +113,7 @@ TEST(AreaDirect, KernelAndSamplesAgreeOnAllInstructionSets)
     sets.push_back(InstructionSet::baseline);
     for (const InstructionSet set : sets) {
         float open[TexelBlock::kPadded];
-        openIrradiance(block, LampPatches(light, 64), open, set);
+        openIrradiance(block, LampPatches(light), open, set);
         for (size_t i = 0; i < block.count; ++i) {
             const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
             const glm::vec3 place(block.x[i], block.y[i], block.z[i]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shading/lamp_patches.h"
 #include "shading/texel_shading.h"
 #include "shading/visibility.h"
 

@@ -42,7 +42,7 @@ void forEachShaded(const std::vector<AreaLight>& lamps, glm::vec3 indirect, cons
     std::vector<LitLamp> lit;
     for (const AreaLight& light : lamps) {
         coarse.push_back(directOfLists(floor.texels, floor.rays, fronts, {light}));
-        lit.push_back({LampPatches(light, 64), {3.0f, 2.0f, 1.0f}});
+        lit.push_back({LampPatches(light), {3.0f, 2.0f, 1.0f}});
     }
     const auto light = std::make_shared<GatheredLight>(
         GatheredLight{std::move(lit),

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "scan/texels.gpu.h"
-#include "shading/area_direct.shared.h"
+#include "shading/lamp_patches.shared.h"
 #include "shading/lamp_terms.gpu.h"
 #include "shading/visibility.shared.h"
 
@@ -41,13 +41,49 @@ float shareSeen(uint surfel, vec3 place)
     return taken > 0 ? sum / weights : 0.0;
 }
 
+struct Patch
+{
+    vec3 middle;
+    float farSquared;
+    vec3 facing;
+    float perRamp;
+    float area;
+    float spread;
+    uint after;
+    uint depth;
+};
+
+Patch patchOf(uint i)
+{
+    const uvec4 a = arguments.patches.at[3 * i];
+    const uvec4 b = arguments.patches.at[3 * i + 1];
+    const uvec4 c = arguments.patches.at[3 * i + 2];
+    return Patch(uintBitsToFloat(a.xyz), uintBitsToFloat(a.w), uintBitsToFloat(b.xyz),
+                 uintBitsToFloat(b.w), uintBitsToFloat(c.x), uintBitsToFloat(c.y), c.z, c.w);
+}
+
 float openIrradiance(vec3 place, vec3 normal)
 {
     float sum = 0.0;
-    for (uint i = 0; i < arguments.patchCount; ++i)
-        sum += patchFormFactor(arguments.patches.at[2 * i].xyz - place, normal,
-                               arguments.patches.at[2 * i + 1].xyz, arguments.patchArea);
-    return sum * arguments.patchArea;
+    float asked[kMostDepth + 1]; // of the patches at a depth
+    asked[0] = 1.0;
+    for (uint i = 0; i < arguments.patchCount;) {
+        const Patch lamp = patchOf(i);
+        const float own = asked[lamp.depth];
+        if (own <= 0.0) {
+            i = lamp.after;
+            continue;
+        }
+        const vec3 way = lamp.middle - place;
+        const float share = shareOfParts(dot(way, way), lamp.farSquared, lamp.perRamp);
+        const float wide = wideFormFactor(way, normal, lamp.facing, lamp.spread);
+        const float near =
+            lamp.after > i + 1 ? 0.0 : nearFormFactor(way, normal, lamp.facing, lamp.area);
+        sum += own * lamp.area * (wide + share * (near - wide));
+        asked[lamp.depth + 1] = own * share;
+        ++i;
+    }
+    return sum;
 }
 
 void main()

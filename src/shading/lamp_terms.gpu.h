@@ -22,14 +22,13 @@ struct LampTermsArguments
     Vec4s position; // of surfels
     Uints firstNeighbor;
     Uints neighbor;
-    Vec4s patches;   // place, then normal, of each
+    Uvec4s patches;  // three of each, see patchOf()
     Uints seen;      // of surfels, bytes: kSeesNothing .. kSeesSome
     Uints shares;    // of probes, bytes
     Vec4s probes;    // where they are
     Uvec2s probesOf; // of surfels: their first probe, and its reach as bits of a float
     Uints terms;
     uint patchCount;
-    float patchArea; // m^2
     float surfelSize;
     float scale;
     uint lamp;

@@ -14,12 +14,18 @@ namespace relamp
 namespace
 {
 
-std::vector<glm::vec4> entriesOf(const LampPatches& patches)
+/// Three a patch, as patchOf() in the program reads them.
+std::vector<glm::uvec4> entriesOf(const LampPatches& patches)
 {
-    std::vector<glm::vec4> entries;
-    for (size_t i = 0; i < patches.x.size(); ++i) {
-        entries.emplace_back(patches.x[i], patches.y[i], patches.z[i], 0.0f);
-        entries.emplace_back(patches.nx[i], patches.ny[i], patches.nz[i], 0.0f);
+    const auto bits = [](float number) { return std::bit_cast<uint32_t>(number); };
+    std::vector<glm::uvec4> entries;
+    for (size_t i = 0; i < patches.count(); ++i) {
+        entries.emplace_back(bits(patches.x[i]), bits(patches.y[i]), bits(patches.z[i]),
+                             bits(patches.farSquared[i]));
+        entries.emplace_back(bits(patches.nx[i]), bits(patches.ny[i]), bits(patches.nz[i]),
+                             bits(patches.perRamp[i]));
+        entries.emplace_back(bits(patches.area[i]), bits(patches.spread[i]), patches.after[i],
+                             patches.depth[i]);
     }
     return entries;
 }
@@ -73,8 +79,7 @@ LampTermsGpu::LampTermsGpu(const gpu::Device& device, const Surfels& surfels,
     for (size_t l = 0; l < light.lamps.size(); ++l)
         lamps_.push_back({{device, entriesOf(light.lamps[l].patches)},
                           {device, seenBy(*light.visibility, l, surfels.count())},
-                          {device, inFours(light.visibility->sharesOf(l))},
-                          light.lamps[l].patches.area});
+                          {device, inFours(light.visibility->sharesOf(l))}});
 }
 
 void LampTermsGpu::setPowers(gpu::Commands& commands, std::span<const glm::vec3> radiance)
@@ -117,8 +122,7 @@ void LampTermsGpu::keep(gpu::Commands& commands, const GpuTexels& page, const Gp
                                .probes = probes_.ref(),
                                .probesOf = probesOf_.ref(),
                                .terms = terms.ref(),
-                               .patchCount = static_cast<uint32_t>(lamp.patches.count() / 2),
-                               .patchArea = lamp.patchArea,
+                               .patchCount = static_cast<uint32_t>(lamp.patches.count() / 3),
                                .surfelSize = surfels.size,
                                .scale = scales_[l],
                                .lamp = static_cast<uint32_t>(l),

@@ -42,10 +42,9 @@ private:
     /// A lamp, and who sees how much of it.
     struct Lamp
     {
-        gpu::Array<glm::vec4> patches;
+        gpu::Array<glm::uvec4> patches;
         gpu::Array<uint32_t> seen;
         gpu::Array<uint32_t> shares;
-        float patchArea;
     };
 
     const gpu::Device& device_;

@@ -4,6 +4,7 @@
 #include "fit/stray.h"
 #include "relamp/error.h"
 #include "shading/buried.h"
+#include "shading/lit_sides.h"
 #include "solve/found_room.h"
 
 #include <algorithm>
@@ -47,8 +48,8 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& solved, const Deligh
     std::vector<glm::vec3> irradiance = withoutStray(solved.lighting.irradiance, solved.stray);
     for (size_t s = 0; s < irradiance.size(); ++s) irradiance[s] *= solved.lit[s];
     solution.shade = withRims(texels, shadingOf(texels, solved), room.radiance, irradiance);
-    if (options.albedo.fill)
-        solution.fill = fillOf(texels.surfels, room.radiance, room.sides.albedo);
+    solution.fill =
+        fillOf(texels.surfels, room.radiance, albedoOf(texels, room.radiance, irradiance));
     solution.lights = lightsOf(room);
     solution.merged = solution.lights.points;
     return solution;

@@ -144,7 +144,7 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
     const auto room = std::make_shared<TracedRoom>(
         tracedRoomOf(texels, found, found.sides.albedo)); // a good start
     solution.closure = settle(texels, scene, found.radiance, options.pathtrace, *room, progress);
-    if (options.albedo.fill) solution.fill = fillOf(texels.surfels, found.radiance, room->albedo);
+    solution.fill = fillOf(texels.surfels, found.radiance, room->albedo);
     solution.shade = shadingOf(texels, scene, room, options.pathtrace);
     solution.trust = trustByView(found.hits, texels.surfels.count());
     return solution;

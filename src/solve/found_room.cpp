@@ -1,10 +1,12 @@
 #include "solve/found_room.h"
 
+#include "albedo/divide.shared.h"
 #include "albedo/fill.h"
 #include "fit/given_lamps.h"
 #include "fit/lamp_groups.h"
 #include "lights/fixtures.h"
 #include "lights/surfel_radiance.h"
+#include "shading/lit_sides.shared.h"
 
 #include <algorithm>
 #include <memory>
@@ -204,10 +206,13 @@ Shining shiningOf(const FoundRoom& room)
 std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radiance,
                               std::span<const glm::vec3> albedo)
 {
+    std::vector<glm::vec3> paint(albedo.begin(), albedo.end());
     std::vector<uint8_t> isKnown(surfels.count());
-    for (size_t s = 0; s < isKnown.size(); ++s)
+    for (size_t s = 0; s < isKnown.size(); ++s) {
+        paint[s] = glm::min(paint[s], kWhitestPaper);
         isKnown[s] = radiance.plainArea[s] > radiance.clippedArea[s] ? 1 : 0;
-    return fillFromAround(surfels, albedo, isKnown);
+    }
+    return fillFromAround(surfels, paint, isKnown, kAlbedoOfTheUnknown);
 }
 
 } // namespace relamp

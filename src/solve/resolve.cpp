@@ -13,9 +13,6 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kPatchesOfLamp = 32;
-constexpr size_t kPatchesInGroup = 8; // of each of its lamps, at least
-
 std::vector<glm::vec3> indirectOf(const Texels& texels, const SolvedRoom& room)
 {
     const FoundRoom& found = room.found;
@@ -33,12 +30,11 @@ std::shared_ptr<const GatheredLight> lightOf(const Texels& texels, const RayScen
     for (const FoundLamp& lamp : room.found.lamps) {
         const AreaLight area(lamp.patches);
         const size_t singles = singlesOf(lamp).size();
-        const size_t patches = std::max(kPatchesOfLamp, kPatchesInGroup * singles);
-        lamps.push_back({LampPatches(area, patches), lamp.radiance});
+        lamps.push_back({LampPatches(area), lamp.radiance});
         visibility->add(scene, area, lamp.onSides, rays * raysToGroup(singles));
     }
     if (const auto& sun = room.sun) {
-        lamps.push_back({LampPatches(sun->disc, kPatchesOfLamp), sunRadiance(sun->sun)});
+        lamps.push_back({LampPatches(sun->disc), sunRadiance(sun->sun)});
         visibility->add(*sun->outside, sun->disc, sun->onSides, rays);
     }
     return std::make_shared<const GatheredLight>(
