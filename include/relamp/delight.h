@@ -24,7 +24,7 @@ struct AlbedoOptions
 {
     float darkest = 0.02f; // radiance; a weaker shading is raised to this before dividing, > 0
     bool fill = false;     // what is unlit gets the albedo of the surface around it, and by the
-                            // thesis solver what is burnt out: others see to that by themselves
+                           // thesis solver what is burnt out: others see to that by themselves
 
     bool operator==(const AlbedoOptions&) const = default;
 };
