@@ -106,10 +106,11 @@ void shade(benchmark::State& state)
     for (size_t l = 0; l < r.areas.size(); ++l)
         lit.push_back({LampPatches(r.areas[l]), r.found.lamps[l].radiance});
     const TexelShading shading = shadingOf(
-        r.texels,
-        std::make_shared<GatheredLight>(GatheredLight{
-            std::move(lit), Visibility(r.texels, r.scene, r.areas, r.coarse, {.raysPerProbe = 8}),
-            std::vector<glm::vec3>(r.texels.surfels.count(), glm::vec3(1.0f))}));
+        r.texels, std::make_shared<GatheredLight>(GatheredLight{
+                      std::move(lit),
+                      std::make_shared<const Visibility>(r.texels, r.scene, r.areas, r.coarse,
+                                                         VisibilityOptions{.raysPerProbe = 8}),
+                      std::vector<glm::vec3>(r.texels.surfels.count(), glm::vec3(1.0f))}));
     const TexelLoader loader(r.texels, 0);
     for (auto _ : state)
         forEachBlock(r.texels.pages[0], [&](size_t begin, size_t count) {

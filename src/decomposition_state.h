@@ -5,17 +5,17 @@
 #include "scan/texels.h"
 #include "solve/solution.h"
 
+#include <memory>
+
 namespace relamp
 {
 
 /// What a Decomposition knows; the parts that write results see it too.
 struct Decomposition::State
 {
-    explicit State(const Scan& scan) : scene(scan) {}
-
-    RayScene scene;
-    Texels texels;
-    Solution solution;
+    std::shared_ptr<const RayScene> scene;
+    std::shared_ptr<const Texels> texels;
+    Solution solution; // refers to both
 };
 
 } // namespace relamp

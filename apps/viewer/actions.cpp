@@ -87,6 +87,18 @@ void switchSelected(Viewer& viewer)
     studio.settle();
 }
 
+/// Whether the fixture shone on the day of the scan.
+void switchScanned(Viewer& viewer)
+{
+    Studio& studio = viewer.studio;
+    if (studio.selection.kind != Selection::Kind::fixture)
+        return studio.say("Choose a lamp of the room to say how it was.");
+    bool& on = studio.edit.scanned[studio.selection.index].on;
+    on = !on;
+    studio.commit("Say how it was");
+    studio.settle();
+}
+
 template<bool on>
 void switchFixtures(Viewer& viewer)
 {
@@ -195,7 +207,7 @@ void saveBaked(Viewer& viewer)
         std::filesystem::absolute(viewer.studio.path().stem().string() + "_relit.glb"));
 }
 
-constexpr std::array<Action, 45> kActions{{
+constexpr std::array<Action, 46> kActions{{
     {"layer-texture", "1", "the texture, as scanned", showLayer<0>},
     {"layer-flattened", "2", "its flattened colours", showLayer<1>},
     {"layer-direct", "3", "direct light", showLayer<2>},
@@ -232,6 +244,7 @@ constexpr std::array<Action, 45> kActions{{
     {"next", "]", "next light", selectNext<1>},
     {"previous", "[", "light before", selectNext<-1>},
     {"switch", "k", "switch the light on or off", switchSelected},
+    {"scanned", "shift+k", "it was on or off on the day of the scan", switchScanned},
     {"all-on", "", "switch all fixtures on", switchFixtures<true>},
     {"all-off", "", "switch all fixtures off", switchFixtures<false>},
     {"copy", "ctrl+d", "copy the light", copySelected},

@@ -210,6 +210,45 @@ bool LampItem::aims() const
     return type != LightType::point && type != LightType::sphere;
 }
 
+std::vector<FixtureItem> carriedOver(const std::vector<FixtureItem>& items,
+                                     const std::vector<glm::vec3>& places,
+                                     const relamp::Lights& captured, const FixtureItem& otherwise)
+{
+    constexpr float kSamePlace = 0.15f; // m
+    std::vector<FixtureItem> next(captured.fixtures.size(), otherwise);
+    for (size_t i = 0; i < next.size(); ++i) {
+        float nearest = kSamePlace;
+        for (size_t j = 0; j < std::min(items.size(), places.size()); ++j) {
+            const float distance = glm::distance(captured.fixtures[i].centre, places[j]);
+            if (distance >= nearest) continue;
+            nearest = distance;
+            next[i] = items[j];
+        }
+    }
+    return next;
+}
+
+std::vector<glm::vec3> placesOf(const relamp::Lights& captured)
+{
+    std::vector<glm::vec3> places;
+    for (const relamp::Fixture& fixture : captured.fixtures) places.push_back(fixture.centre);
+    return places;
+}
+
+relamp::Lights lightsUnder(const LightDocument& scanned, const relamp::Lights& found)
+{
+    LightDocument fixtures{.fixtures = scanned.fixtures};
+    fixtures.whiteNits = scanned.whiteNits;
+    fixtures.whiteKelvin = scanned.whiteKelvin;
+    std::vector<std::string> notes;
+    relamp::RelightingReader reader;
+    const relamp::Relighting lit = lightingOf(fixtures, {}, found, notes, reader);
+    relamp::Lights lights = found;
+    for (size_t i = 0; i < lights.fixtures.size(); ++i)
+        lights.fixtures[i].radiance = lit.fixtures[i].fixture.radiance;
+    return lights;
+}
+
 LightDocument documentOf(const relamp::Lights& captured)
 {
     LightDocument document;
@@ -244,7 +283,7 @@ LightDocument documentFrom(const std::string& text, const std::filesystem::path&
                            const relamp::Lights& captured, std::vector<std::string>& notes)
 {
     // The library says what is wrong, with line and key; what it took is well formed.
-    static_cast<void>(relamp::relightingOf(text, file, captured, notes));
+    static_cast<void>(relamp::RelightingReader().read(text, file, captured, notes));
     const ordered_json top = ordered_json::parse(text);
     LightDocument document;
     document.fixtures.resize(captured.fixtures.size());
@@ -272,9 +311,10 @@ LightDocument documentFrom(const std::string& text, const std::filesystem::path&
 }
 
 relamp::Relighting lightingOf(const LightDocument& document, const std::filesystem::path& folder,
-                              const relamp::Lights& captured, std::vector<std::string>& notes)
+                              const relamp::Lights& captured, std::vector<std::string>& notes,
+                              relamp::RelightingReader& reader)
 {
-    return relamp::relightingOf(textOf(document), folder / "lights.json", captured, notes);
+    return reader.read(textOf(document), folder / "lights.json", captured, notes);
 }
 
 const char* nameOf(LightType type)

@@ -53,6 +53,9 @@ struct FixtureItem
     bool operator==(const FixtureItem&) const = default;
 };
 
+/// How a fixture was on the day of the scan, where nobody says otherwise.
+inline const FixtureItem kAsFound{.on = true};
+
 struct SkyItem
 {
     float nits = 0.0f;
@@ -76,6 +79,19 @@ struct LightDocument
     bool operator==(const LightDocument&) const = default;
 };
 
+/// Of fixtures that are where one was, what was said of it; else `otherwise`. `places` are those of
+/// `items`.
+std::vector<FixtureItem> carriedOver(const std::vector<FixtureItem>& items,
+                                     const std::vector<glm::vec3>& places,
+                                     const relamp::Lights& captured, const FixtureItem& otherwise);
+
+/// Where the fixtures of a room are.
+std::vector<glm::vec3> placesOf(const relamp::Lights& captured);
+
+/// What was found, had the fixtures been as `scanned` says; of it only fixtures and white count.
+/// Throws relamp::Error as lightingOf().
+relamp::Lights lightsUnder(const LightDocument& scanned, const relamp::Lights& found);
+
 /// The fixtures of a room as delight found them, switched on.
 LightDocument documentOf(const relamp::Lights& captured);
 
@@ -89,7 +105,8 @@ LightDocument documentFrom(const std::string& text, const std::filesystem::path&
 
 /// The light itself. Files that it names lie in `folder`.
 relamp::Relighting lightingOf(const LightDocument& document, const std::filesystem::path& folder,
-                              const relamp::Lights& captured, std::vector<std::string>& notes);
+                              const relamp::Lights& captured, std::vector<std::string>& notes,
+                              relamp::RelightingReader& reader);
 
 const char* nameOf(relamp::LightType type);
 /// Throws relamp::Error with the names that there are.

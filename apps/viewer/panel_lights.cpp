@@ -74,6 +74,40 @@ void optionalSlider(const char* label, std::optional<float>& value, float otherw
     ImGui::PopID();
 }
 
+void heading(const char* title)
+{
+    ImGui::Separator();
+    ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s", title);
+}
+
+/// Power and colour of a fixture, in one of its two roles.
+void drawPowerOf(FixtureItem& fixture)
+{
+    ImGui::SliderFloat("Power", &fixture.dim, 0.0f, 4.0f, "× %.2f", ImGuiSliderFlags_AlwaysClamp);
+    optionalSlider("Lumens", fixture.lumens, 800.0f, 10.0f, 50000.0f, "%.0f lm");
+    optionalSlider("Kelvin", fixture.kelvin, 2700.0f, 1500.0f, 12000.0f, "%.0f K");
+}
+
+/// How a fixture was: what is said here changes the albedo.
+void drawScanned(Viewer& viewer, size_t index)
+{
+    Studio& studio = viewer.studio;
+    heading("On the day of the scan");
+    if (studio.edit.dials.solver != relamp::Solver::gather)
+        return ImGui::TextDisabled("The solver Gather takes it into account.");
+    if (studio.stage() != Stage::solved)
+        return ImGui::TextDisabled("It can be told once the room is solved.");
+    ImGui::PushID("scanned");
+    FixtureItem& scanned = studio.edit.scanned[index];
+    ImGui::Checkbox("It was on (Shift+K)", &scanned.on);
+    const bool isOff = !scanned.on;
+    if (isOff) ImGui::BeginDisabled();
+    drawPowerOf(scanned);
+    if (isOff) ImGui::EndDisabled();
+    ImGui::TextDisabled("The brighter it was, the darker the albedo.");
+    ImGui::PopID();
+}
+
 void drawFixture(Viewer& viewer, size_t index)
 {
     Studio& studio = viewer.studio;
@@ -83,11 +117,12 @@ void drawFixture(Viewer& viewer, size_t index)
                         found.centre.z);
     if (!found.determined)
         ImGui::TextWrapped("The scan does not tell how bright it is; set it by hand.");
-    ImGui::SliderFloat("Power", &fixture.dim, 0.0f, 4.0f, "× %.2f", ImGuiSliderFlags_AlwaysClamp);
-    optionalSlider("Lumens", fixture.lumens, 800.0f, 10.0f, 50000.0f, "%.0f lm");
-    optionalSlider("Kelvin", fixture.kelvin, 2700.0f, 1500.0f, 12000.0f, "%.0f K");
-    ImGui::Checkbox("It is a window", &fixture.window);
+    drawScanned(viewer, index);
     button("It is no light (N)", "not-light", viewer);
+    heading("Now, in the relit room");
+    ImGui::Checkbox("It is on (K)", &fixture.on);
+    drawPowerOf(fixture);
+    ImGui::Checkbox("It is a window", &fixture.window);
 }
 
 /// How bright, and of what colour.

@@ -1,7 +1,5 @@
 #include "relighting.h"
 
-#include "solving.h"
-
 #include "relamp/error.h"
 #include "relamp/picture.h"
 
@@ -39,6 +37,7 @@ struct RelightingThread::Room
     std::shared_ptr<const relamp::DelitRoom> room;
     relamp::Relighter relighter;
     relamp::LightProbes probes;
+    std::shared_ptr<const Paint> paint; // none: the room's own
     relamp::Relighting light;
 };
 
@@ -61,9 +60,22 @@ void RelightingThread::setRoom(std::shared_ptr<const relamp::DelitRoom> room,
         const std::lock_guard lock(mutex_);
         wantedRoom_ = std::move(room);
         wantedMesh_ = std::move(mesh);
+        wantedPaint_ = nullptr;
         isRoomNew_ = true;
         needsRefining_ = false;
         if (progress_) progress_->cancel();
+    }
+    asked_.notify_one();
+}
+
+void RelightingThread::repaint(std::shared_ptr<const Paint> paint)
+{
+    {
+        const std::lock_guard lock(mutex_);
+        wantedPaint_ = std::move(paint);
+        isLightNew_ = true;
+        if (progress_ && needsRefining_) progress_->cancel();
+        needsRefining_ = false;
     }
     asked_.notify_one();
 }
@@ -182,13 +194,19 @@ void RelightingThread::adoptRoom(relamp::Progress& progress)
 
 void RelightingThread::glance()
 {
+    std::shared_ptr<const Paint> paint;
     {
         const std::lock_guard lock(mutex_);
         room_->light = wantedLight_;
+        paint = wantedPaint_;
         isLightNew_ = false;
     }
-    guard([this](relamp::Progress& progress) {
+    guard([&](relamp::Progress& progress) {
         const auto start = Clock::now();
+        if (paint != room_->paint) {
+            room_->relighter.repaint(paint->albedo, paint->confidence);
+            room_->paint = std::move(paint);
+        }
         room_->relighter.glance(room_->light, progress);
         std::vector<relamp::LightAtPlace> light = room_->probes.light(room_->relighter);
         const std::chrono::duration<double, std::milli> took = Clock::now() - start;

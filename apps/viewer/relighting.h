@@ -1,6 +1,7 @@
 #pragma once
 
 #include "room_mesh.h"
+#include "solving.h"
 #include "texture_pixels.h"
 
 #include "relamp/light_probes.h"
@@ -37,6 +38,8 @@ public:
     /// Another room, drawn as `mesh`; none if null.
     void setRoom(std::shared_ptr<const relamp::DelitRoom> room,
                  std::shared_ptr<const RoomMesh> mesh);
+    /// Another albedo of that room.
+    void repaint(std::shared_ptr<const Paint> paint);
     void setLight(relamp::Relighting lighting);
     /// Writes the light that was set as `relamp::writeBaked` does, then calls `done`.
     void bake(std::filesystem::path file, relamp::ViewOptions view, std::function<void()> done);
@@ -67,6 +70,7 @@ private:
     std::condition_variable_any asked_;
     std::shared_ptr<const relamp::DelitRoom> wantedRoom_;
     std::shared_ptr<const RoomMesh> wantedMesh_;
+    std::shared_ptr<const Paint> wantedPaint_; // none: the room's own
     relamp::Relighting wantedLight_;
     bool isRoomNew_ = false;
     bool isLightNew_ = false;

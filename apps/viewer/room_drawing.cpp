@@ -45,13 +45,6 @@ TexturePixels greyPixel(std::byte value)
     return pixels;
 }
 
-bool areSame(const std::shared_ptr<const relamp::Image>& a,
-             const std::shared_ptr<const relamp::Image>& b)
-{
-    if (a == b || !a || !b) return a == b;
-    return a->width == b->width && a->half == b->half && a->encoded == b->encoded;
-}
-
 } // namespace
 
 RoomDrawing::RoomDrawing(const Device& device)
@@ -126,8 +119,7 @@ void RoomDrawing::setLamps(std::span<const LampVertex> triangles)
 
 void RoomDrawing::setSky(const relamp::Sky& sky)
 {
-    // Light that was changed anywhere has its pictures read again; they are seldom others.
-    const bool isSame = areSame(sky.environment, sky_.environment);
+    const bool isSame = sky.environment == sky_.environment;
     sky_ = sky;
     if (isSame) return;
     device_.wait();

@@ -184,7 +184,8 @@ void setFixture(FixtureItem& fixture, const std::string& what, const Words& word
         fail(fmt::format("a fixture has no \"{}\"", what));
 }
 
-/// "lamp.0.lumens" and the like; false where the name is another.
+/// "lamp.0.lumens" and the like: of lights as they shine now, and of fixtures as they were
+/// "scanned". False where the name is another.
 bool setLight(Viewer& viewer, const Words& words)
 {
     const size_t dot = words[0].find('.');
@@ -193,15 +194,17 @@ bool setLight(Viewer& viewer, const Words& words)
     const std::string kind = words[0].substr(0, dot);
     const float index = numberOf(words[0].substr(dot + 1, second - dot - 1));
     const std::string what = words[0].substr(second + 1);
+    if (kind != "lamp" && kind != "fixture" && kind != "scanned") return false;
     LightDocument& light = viewer.studio.edit.light;
-    const size_t count = kind == "lamp" ? light.lamps.size() : light.fixtures.size();
-    if (kind != "lamp" && kind != "fixture") return false;
+    std::vector<FixtureItem>& fixtures =
+        kind == "scanned" ? viewer.studio.edit.scanned : light.fixtures;
+    const size_t count = kind == "lamp" ? light.lamps.size() : fixtures.size();
     if (!(index >= 0.0f) || index >= static_cast<float>(count))
         fail(fmt::format("there is no {}; there are {}", words[0].substr(0, second), count));
     if (kind == "lamp")
         setLamp(light.lamps[static_cast<size_t>(index)], what, words);
     else
-        setFixture(light.fixtures[static_cast<size_t>(index)], what, words);
+        setFixture(fixtures[static_cast<size_t>(index)], what, words);
     return true;
 }
 

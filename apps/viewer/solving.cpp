@@ -11,7 +11,8 @@
 namespace
 {
 
-constexpr int kDraftLength = 1024; // pixels
+constexpr int kDraftLength = 1024;          // pixels
+constexpr size_t kTexelsAtOnce = 2'000'000; // that follow a slider without a draft
 
 relamp::Image imageOf(const relamp::PageLayers& layers, std::vector<uint16_t> half)
 {
@@ -41,37 +42,54 @@ TexturePixels pixelsOf(const relamp::Image& image, const relamp::Page& page, Tex
 }
 
 /// Divides page after page, and keeps of each what is shown and what relighting needs.
-Solved solvedOf(std::shared_ptr<const relamp::Scan> scan, const relamp::DelightOptions& options,
-                relamp::Progress& progress)
+Paint divide(const relamp::Decomposition& found, const relamp::Scan& scan, Solved& solved,
+             relamp::Progress& progress)
 {
-    Solved solved;
-    auto found = std::make_shared<relamp::Decomposition>(relamp::delight(*scan, options, progress));
-    auto room = std::make_shared<relamp::DelitRoom>();
-    for (size_t p = 0; p < scan->pages.size(); ++p) {
-        relamp::PageLayers layers = found->layers(p, progress);
-        const relamp::Page& page = scan->pages[p];
+    Paint paint;
+    for (size_t p = 0; p < scan.pages.size(); ++p) {
+        relamp::PageLayers layers = found.layers(p, progress);
+        const relamp::Page& page = scan.pages[p];
         const relamp::Image direct = imageOf(layers, std::move(layers.direct));
         const relamp::Image indirect = imageOf(layers, std::move(layers.indirect));
-        room->albedo.push_back(imageOf(layers, std::move(layers.albedo)));
-        room->confidence.push_back(greyOf(layers));
+        paint.albedo.push_back(imageOf(layers, std::move(layers.albedo)));
+        paint.confidence.push_back(greyOf(layers));
         auto& textures = solved.textures;
         textures[PageTexture::direct].push_back(pixelsOf(direct, page, TexelFormat::rgb9e5));
         textures[PageTexture::indirect].push_back(pixelsOf(indirect, page, TexelFormat::rgb9e5));
         textures[PageTexture::albedo].push_back(
-            pixelsOf(room->albedo.back(), page, TexelFormat::srgb8));
+            pixelsOf(paint.albedo.back(), page, TexelFormat::srgb8));
         textures[PageTexture::confidence].push_back(
-            pixelsOf(room->confidence.back(), page, TexelFormat::grey8));
+            pixelsOf(paint.confidence.back(), page, TexelFormat::grey8));
         progress.check();
     }
-    room->scan = *scan;
-    room->captured = found->lights();
-    room->gather = options.gather;
-    solved.room = room;
-    solved.closure = found->closure();
-    solved.notes = found->warnings();
-    solved.decomposition = found;
+    return paint;
+}
+
+/// All but the room, and its paint.
+Paint tell(relamp::Decomposition found, std::shared_ptr<const relamp::Scan> scan, Solved& solved,
+           relamp::Progress& progress)
+{
+    Paint paint = divide(found, *scan, solved, progress);
+    solved.captured = found.lights();
+    solved.albedo = found.optionsInForce().albedo;
+    solved.closure = found.closure();
+    solved.notes = found.warnings();
+    solved.decomposition = std::make_shared<const relamp::Decomposition>(std::move(found));
     solved.scan = std::move(scan);
-    return solved;
+    return paint;
+}
+
+bool isAsFound(const std::vector<FixtureItem>& fixtures)
+{
+    return std::all_of(fixtures.begin(), fixtures.end(),
+                       [](const FixtureItem& item) { return item == kAsFound; });
+}
+
+LightDocument lightOf(const ScannedLight& scanned, const relamp::Lights& found)
+{
+    LightDocument light = scanned.light;
+    light.fixtures = carriedOver(scanned.light.fixtures, scanned.places, found, kAsFound);
+    return light;
 }
 
 } // namespace
@@ -85,24 +103,80 @@ std::vector<TexturePixels> pixelsOfPages(const std::vector<relamp::Image>& image
     return pixels;
 }
 
-void solve(const std::shared_ptr<const relamp::Scan>& scan, const relamp::DelightOptions& options,
-           const std::function<void(Solved)>& deliver, relamp::Progress& progress)
+RoomSolver::RoomSolver(std::shared_ptr<const relamp::Scan> scan) : whole_(std::move(scan)) {}
+
+Solved RoomSolver::solved(Side& side, const relamp::DelightOptions& options,
+                          const ScannedLight& scanned, relamp::Progress& progress)
+{
+    Solved solved;
+    relamp::Decomposition found = side.delighter.solve(options, progress);
+    solved.found = side.found = found.lights();
+    side.texels = found.texelCount();
+    if (side.delighter.canResolve()) {
+        const LightDocument light = lightOf(scanned, side.found);
+        solved.scanned = light.fixtures;
+        if (!isAsFound(light.fixtures))
+            found =
+                side.delighter.resolve(lightsUnder(light, side.found), options.albedo, progress);
+    }
+    Paint paint = tell(std::move(found), side.scan, solved, progress);
+    auto room = std::make_shared<relamp::DelitRoom>();
+    room->scan = *side.scan;
+    room->albedo = std::move(paint.albedo);
+    room->confidence = std::move(paint.confidence);
+    room->captured = solved.captured;
+    room->gather = options.gather;
+    solved.room = std::move(room);
+    return solved;
+}
+
+void RoomSolver::solve(const relamp::DelightOptions& options, const ScannedLight& scanned,
+                       const std::function<void(Solved)>& deliver, relamp::Progress& progress)
 {
     const bool isGather = options.solver == relamp::Solver::gather;
     if (!isGather || options.gather.quality != relamp::Quality::draft) {
         relamp::DelightOptions quick = options;
         if (options.solver == relamp::Solver::pathtrace) quick.solver = relamp::Solver::gather;
         quick.gather.quality = relamp::Quality::draft;
-        const auto coarse =
-            std::make_shared<const relamp::Scan>(relamp::coarsened(*scan, kDraftLength));
-        Solved draft = solvedOf(coarse, quick, progress);
+        if (!draft_)
+            draft_.emplace(std::make_shared<const relamp::Scan>(
+                relamp::coarsened(*whole_.scan, kDraftLength)));
+        Solved draft = solved(*draft_, quick, scanned, progress);
         draft.isDraft = true;
         deliver(std::move(draft));
     }
-    Solved whole = solvedOf(scan, options, progress);
-    whole.textures[PageTexture::flattened] = pixelsOfPages(
-        relamp::flattened(*scan, options.thesis, progress), *scan, TexelFormat::rgb9e5);
+    Solved whole = solved(whole_, options, scanned, progress);
+    const std::pair by{options.thesis.flattenReach, options.thesis.flattenRange};
+    if (flattenedBy_ != by)
+        whole.textures[PageTexture::flattened] =
+            pixelsOfPages(relamp::flattened(*whole_.scan, options.thesis, progress), *whole_.scan,
+                          TexelFormat::rgb9e5);
+    flattenedBy_ = by;
     deliver(std::move(whole));
+}
+
+Solved RoomSolver::resolved(Side& side, const relamp::AlbedoOptions& albedo,
+                            const ScannedLight& scanned, relamp::Progress& progress)
+{
+    Solved solved;
+    solved.found = side.found;
+    solved.scanned = scanned.light.fixtures;
+    const LightDocument light = lightOf(scanned, side.found);
+    solved.paint = std::make_shared<const Paint>(
+        tell(side.delighter.resolve(lightsUnder(light, side.found), albedo, progress), side.scan,
+             solved, progress));
+    return solved;
+}
+
+void RoomSolver::resolve(const relamp::AlbedoOptions& albedo, const ScannedLight& scanned,
+                         const std::function<void(Solved)>& deliver, relamp::Progress& progress)
+{
+    if (whole_.texels > kTexelsAtOnce && draft_ && draft_->delighter.canResolve()) {
+        Solved draft = resolved(*draft_, albedo, scanned, progress);
+        draft.isDraft = true;
+        deliver(std::move(draft));
+    }
+    deliver(resolved(whole_, albedo, scanned, progress));
 }
 
 Solved readSolved(const std::filesystem::path& folder, relamp::Progress& progress)
@@ -129,6 +203,7 @@ Solved readSolved(const std::filesystem::path& folder, relamp::Progress& progres
         if (images.size() == pages)
             solved.textures[which] = pixelsOfPages(images, room->scan, TexelFormat::rgb9e5);
     }
+    solved.captured = solved.found = room->captured;
     solved.scan = std::shared_ptr<const relamp::Scan>(room, &room->scan);
     solved.room = std::move(room);
     return solved;

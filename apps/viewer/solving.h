@@ -1,25 +1,47 @@
 #pragma once
 
 #include "layers.h"
+#include "light_document.h"
 #include "texture_pixels.h"
 
-#include "relamp/delight.h"
+#include "relamp/delighter.h"
 #include "relamp/relight.h"
 
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+/// Surfaces of a room, a page each.
+struct Paint
+{
+    std::vector<relamp::Image> albedo;
+    std::vector<relamp::Image> confidence;
+};
+
+/// How a room's fixtures were on the day of the scan, as a person says.
+struct ScannedLight
+{
+    LightDocument light;           // its fixtures, and white
+    std::vector<glm::vec3> places; // of these fixtures
+};
 
 /// The light of a room, found; and its pictures, ready for the graphics device.
 struct Solved
 {
-    std::shared_ptr<const relamp::DelitRoom> room;
+    std::shared_ptr<const relamp::DelitRoom> room; // none where it is the one before with `paint`
+    std::shared_ptr<const Paint> paint;
     std::map<PageTexture, std::vector<TexturePixels>> textures; // one a page
     std::shared_ptr<const relamp::Decomposition> decomposition; // of `scan`; none of a folder
     std::shared_ptr<const relamp::Scan> scan;                   // that it was made from
+    relamp::Lights captured;                                    // by which the albedo was found
+    relamp::Lights found;             // before anybody said how its fixtures were
+    std::vector<FixtureItem> scanned; // what was said
+    relamp::AlbedoOptions albedo;
     relamp::Closure closure;
     std::vector<std::string> notes;
     bool isDraft = false;
@@ -32,10 +54,45 @@ constexpr uint32_t kLargestTexture = 4096;
 std::vector<TexturePixels> pixelsOfPages(const std::vector<relamp::Image>& images,
                                          const relamp::Scan& scan, TexelFormat format);
 
-/// Takes the light out of a scan; calls `deliver` with a draft of it first, where the scan is large
-/// or the quality is not a draft's anyway, then with the whole.
-void solve(const std::shared_ptr<const relamp::Scan>& scan, const relamp::DelightOptions& options,
-           const std::function<void(Solved)>& deliver, relamp::Progress& progress);
+/// Takes the light out of a scan, again and again. To be used by one thread at a time.
+class RoomSolver
+{
+public:
+    explicit RoomSolver(std::shared_ptr<const relamp::Scan> scan);
+
+    /// Calls `deliver` with a draft first, where the scan is large or the quality is not a draft's
+    /// anyway, then with the whole.
+    void solve(const relamp::DelightOptions& options, const ScannedLight& scanned,
+               const std::function<void(Solved)>& deliver, relamp::Progress& progress);
+
+    /// The whole again, where fixtures are said to have been otherwise, or the albedo's options are
+    /// others. The solver gather has solved it before. Of a large scan the draft comes first.
+    void resolve(const relamp::AlbedoOptions& albedo, const ScannedLight& scanned,
+                 const std::function<void(Solved)>& deliver, relamp::Progress& progress);
+
+private:
+    /// A scan as one of the solvers takes it.
+    struct Side
+    {
+        explicit Side(std::shared_ptr<const relamp::Scan> of)
+            : scan(std::move(of)), delighter(*scan)
+        {}
+
+        std::shared_ptr<const relamp::Scan> scan;
+        relamp::Delighter delighter;
+        relamp::Lights found;
+        size_t texels = 0;
+    };
+
+    static Solved solved(Side& side, const relamp::DelightOptions& options,
+                         const ScannedLight& scanned, relamp::Progress& progress);
+    static Solved resolved(Side& side, const relamp::AlbedoOptions& albedo,
+                           const ScannedLight& scanned, relamp::Progress& progress);
+
+    Side whole_;
+    std::optional<Side> draft_;
+    std::optional<std::pair<float, float>> flattenedBy_; // reach and range that were delivered
+};
 
 /// What relamp delight has found before, in its folder.
 Solved readSolved(const std::filesystem::path& folder, relamp::Progress& progress);

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -16,6 +16,7 @@ namespace
 
 constexpr int kGlanceLength = 1024; // pixels of pages by which a first view is looked for
 constexpr size_t kMessages = 6;
+constexpr auto kPatience = std::chrono::seconds(1);
 
 /// Somewhere inside, until a good view is found.
 relamp::Camera firstView(const relamp::Scan& scan, const relamp::Bounds& box)
@@ -28,26 +29,7 @@ relamp::Camera firstView(const relamp::Scan& scan, const relamp::Bounds& box)
     return {eye, length > 0.0f ? way / length : glm::vec3(0, 0, -1), {0, 1, 0}, 1.3f};
 }
 
-auto tied(const relamp::GatherOptions& o)
-{
-    return std::tie(o.quality, o.rays, o.shadowRays, o.lights, o.notLights);
-}
-
-auto tied(const relamp::ThesisOptions& o)
-{
-    return std::tie(o.emitterThreshold, o.expansion, o.lightLevels, o.attenuation, o.power,
-                    o.ambient, o.mergeDistance, o.rsmSize, o.lpvSize, o.lpvSteps, o.flattenReach,
-                    o.flattenRange, o.useLpv, o.useAmbient);
-}
-
 } // namespace
-
-bool Dials::operator==(const Dials& other) const
-{
-    return solver == other.solver && samples == other.samples &&
-           tied(gather) == tied(other.gather) && tied(thesis) == tied(other.thesis) &&
-           albedo.darkest == other.albedo.darkest && albedo.fill == other.albedo.fill;
-}
 
 relamp::DelightOptions Dials::options() const
 {
@@ -62,8 +44,8 @@ relamp::DelightOptions Dials::options() const
 
 bool Edit::operator==(const Edit& other) const
 {
-    return light == other.light && dials == other.dials && view.view == other.view.view &&
-           view.exposure == other.view.exposure;
+    return light == other.light && scanned == other.scanned && dials == other.dials &&
+           view.view == other.view.view && view.exposure == other.view.exposure;
 }
 
 Studio::Studio(RoomDrawing& drawing, const relamp::EngineOptions& engine,
@@ -112,6 +94,7 @@ void Studio::say(const std::string& sentence)
 void Studio::fail(const std::string& sentence)
 {
     hasFailed_ = true;
+    resolving_.reset();
     if (stage_ == Stage::reading) stage_ = scan_ ? Stage::scanned : Stage::nothing;
     say(sentence);
 }
@@ -133,8 +116,10 @@ void Studio::open(const std::filesystem::path& path, const relamp::ScanOptions& 
 {
     stage_ = Stage::reading;
     hasFailed_ = false;
+    resolving_.reset();
     path_ = path;
     lightsFolder_ = besideScan();
+    reader_ = {};
     isCameraUntouched = true;
     isLightOfScan_ = true;
     selection = {};
@@ -161,14 +146,16 @@ void Studio::readScan(const std::filesystem::path& path, const relamp::ScanOptio
     for (const relamp::Page& page : scan->pages)
         textures.push_back(
             texturePixels(page.image, TexelFormat::srgb8, kLargestTexture, !page.ofVertices));
-    mailbox_.post(
-        [this, scan, mesh, textures = std::move(textures)] { adopt(scan, mesh, textures); });
+    const auto roomSolver = std::make_shared<RoomSolver>(scan);
+    mailbox_.post([this, scan, mesh, textures = std::move(textures), roomSolver] {
+        adopt(scan, mesh, textures, roomSolver);
+    });
     auto unlit = std::make_shared<relamp::DelitRoom>();
     unlit->scan = relamp::coarsened(*scan, kGlanceLength);
     for (const relamp::Page& page : unlit->scan.pages) unlit->albedo.push_back(page.image);
     if (scan->cameras.empty()) find(unlit, progress);
-    solve(
-        scan, dials,
+    roomSolver->solve(
+        dials, {},
         [this](Solved solved) {
             mailbox_.post([this, solved = std::make_shared<const Solved>(std::move(solved))] {
                 adopt(*solved);
@@ -186,7 +173,7 @@ void Studio::readFolder(const std::filesystem::path& path, relamp::Progress& pro
         textures.push_back(
             texturePixels(page.image, TexelFormat::srgb8, kLargestTexture, !page.ofVertices));
     mailbox_.post([this, solved, mesh, textures = std::move(textures)] {
-        adopt(solved->scan, mesh, textures);
+        adopt(solved->scan, mesh, textures, nullptr);
         adopt(*solved);
     });
     if (solved->scan->cameras.empty()) find(solved->room, progress);
@@ -202,17 +189,21 @@ void Studio::find(const std::shared_ptr<const relamp::DelitRoom>& room, relamp::
 }
 
 void Studio::adopt(std::shared_ptr<const relamp::Scan> scan, std::shared_ptr<const RoomMesh> mesh,
-                   const std::vector<TexturePixels>& pages)
+                   const std::vector<TexturePixels>& pages, std::shared_ptr<RoomSolver> roomSolver)
 {
     relighting_.setRoom(nullptr, nullptr);
     scan_ = std::move(scan);
+    roomSolver_ = std::move(roomSolver);
     mesh_ = std::move(mesh);
     bounds_ = mesh_->bounds;
     decomposition_ = nullptr;
-    captured_ = {};
+    captured_ = found_ = {};
+    resolveMilliseconds_.reset();
     closure_.reset();
     isGlanced_ = isRelit_ = false;
     edit.light = {};
+    edit.scanned.clear();
+    selection = {}; // may be of the room before
     applied_ = edit;
     history_ = History<Edit>(edit);
     drawing_.setMesh(*mesh_, scan_->pages.size());
@@ -224,40 +215,56 @@ void Studio::adopt(std::shared_ptr<const relamp::Scan> scan, std::shared_ptr<con
     for (const std::string& warning : scan_->warnings) say(warning);
 }
 
-void Studio::adopt(const Solved& solved)
+void Studio::adoptTextures(const Solved& solved)
 {
     for (const auto& [which, pages] : solved.textures)
         for (size_t p = 0; p < std::min(pages.size(), drawing_.pages()); ++p)
             drawing_.setTexture(p, which, pages[p]);
-    adoptFixtures(solved.room->captured);
     closure_ = solved.closure;
-    stage_ = solved.isDraft ? Stage::drafted : Stage::solved;
     isGlanced_ = isRelit_ = false;
+}
+
+void Studio::adopt(const Solved& solved)
+{
+    adoptTextures(solved);
+    adoptFixtures(solved);
+    stage_ = solved.isDraft ? Stage::drafted : Stage::solved;
     relighting_.setRoom(solved.room, mesh_);
     sendLight();
     if (solved.isDraft) return;
     decomposition_ = solved.decomposition;
     decomposed_ = solved.scan;
     for (const std::string& note : solved.notes) say(note);
+    if (canResolve() && edit.scanned != solved.scanned) resolve(); // it was said meanwhile
+}
+
+/// The same room with another albedo.
+void Studio::adoptResolved(const Solved& solved)
+{
+    adoptTextures(solved);
+    if (solved.isDraft) return;
+    const std::chrono::duration<double, std::milli> took =
+        std::chrono::steady_clock::now() - *resolving_;
+    resolveMilliseconds_ = took.count();
+    resolving_.reset();
+    captured_ = solved.captured;
+    relighting_.repaint(solved.paint);
+    sendLight();
+    decomposition_ = solved.decomposition;
+    if (edit.scanned != solved.scanned || edit.dials.albedo != solved.albedo) resolve();
 }
 
 /// Fixtures that are where one was keep what was said of it.
-void Studio::adoptFixtures(const relamp::Lights& captured)
+void Studio::adoptFixtures(const Solved& solved)
 {
-    constexpr float kSamePlace = 0.15f; // m
-    LightDocument next = documentOf(captured);
-    if (!isLightOfScan_) {
-        for (size_t i = 0; i < captured.fixtures.size(); ++i)
-            for (size_t j = 0; j < std::min(captured_.fixtures.size(), edit.light.fixtures.size());
-                 ++j)
-                if (glm::distance(captured.fixtures[i].centre, captured_.fixtures[j].centre) <
-                    kSamePlace)
-                    next.fixtures[i] = edit.light.fixtures[j];
-        edit.light.fixtures = next.fixtures;
-    } else {
-        edit.light = next;
-    }
-    captured_ = captured;
+    const std::vector<glm::vec3> places = placesOf(found_);
+    if (isLightOfScan_)
+        edit.light = documentOf(solved.captured);
+    else
+        edit.light.fixtures = carriedOver(edit.light.fixtures, places, solved.found, {.on = true});
+    edit.scanned = carriedOver(edit.scanned, places, solved.found, kAsFound);
+    captured_ = solved.captured;
+    found_ = solved.found;
     if (selection.kind == Selection::Kind::fixture && selection.index >= captured_.fixtures.size())
         selection = {};
     applied_ = edit;
@@ -269,7 +276,7 @@ void Studio::sendLight()
     std::vector<std::string> notes;
     relamp::Relighting lighting;
     try {
-        lighting = lightingOf(edit.light, lightsFolder_, captured_, notes);
+        lighting = lightingOf(edit.light, lightsFolder_, captured_, notes, reader_);
     } catch (const relamp::Error& error) {
         return say(error.what()); // as by a picture of the sky that is gone
     }
@@ -283,14 +290,15 @@ void Studio::commit(const std::string& step)
 {
     if (edit == applied_) return;
     history_.record(edit, step);
-    apply(applied_);
+    const Edit before = applied_;
+    apply(before);
 }
 
 void Studio::apply(const Edit& before)
 {
     const bool isLightNew = !(edit.light == before.light);
-    const bool areDialsNew = !(edit.dials == before.dials);
     edit.light.fixtures.resize(captured_.fixtures.size());
+    edit.scanned.resize(captured_.fixtures.size(), kAsFound);
     applied_ = edit;
     if (isLightNew) {
         isLightOfScan_ = false;
@@ -299,7 +307,22 @@ void Studio::apply(const Edit& before)
             selection = {};
         sendLight();
     }
-    if (areDialsNew) solveAgain();
+    follow(before);
+}
+
+/// Computes again what the dials and the light of the day of the scan decide, and no more.
+void Studio::follow(const Edit& before)
+{
+    Dials dials = before.dials;
+    const bool isScannedNew = edit.scanned != before.scanned;
+    const bool isDivisionNew = edit.dials.albedo != std::exchange(dials.albedo, edit.dials.albedo);
+    if (edit.dials != dials || (isDivisionNew && !canResolve())) return solveAgain();
+    if (!isScannedNew && !isDivisionNew) return;
+    if (canResolve()) return resolve();
+    if (stage_ == Stage::solved && edit.dials.solver == relamp::Solver::gather)
+        return solveAgain(); // a folder, of which no more is kept than its pictures
+    if (stage_ == Stage::solved)
+        say("Only the solver Gather follows what is said of lamps on the day of the scan.");
 }
 
 void Studio::undo()
@@ -322,18 +345,65 @@ void Studio::solveAgain()
 {
     if (!scan_ || stage_ == Stage::reading) return;
     hasFailed_ = false;
+    resolving_.reset();
     stage_ = Stage::scanned;
-    solver_.start([this, scan = scan_, dials = dials()](relamp::Progress& progress) {
-        solve(
-            scan, dials,
-            [this, scan](Solved solved) {
+    if (!roomSolver_) roomSolver_ = std::make_shared<RoomSolver>(scan_);
+    solver_.start([this, solver = roomSolver_, dials = dials(),
+                   scanned = scannedLight()](relamp::Progress& progress) {
+        solver->solve(
+            dials, scanned,
+            [this, solver](Solved solved) {
                 mailbox_.post(
-                    [this, scan, solved = std::make_shared<const Solved>(std::move(solved))] {
-                        if (scan == scan_) adopt(*solved);
+                    [this, solver, solved = std::make_shared<const Solved>(std::move(solved))] {
+                        if (solver == roomSolver_) adopt(*solved);
                     });
             },
             progress);
     });
+}
+
+ScannedLight Studio::scannedLight() const
+{
+    ScannedLight scanned{.light = {}, .places = placesOf(found_)};
+    scanned.light.fixtures = edit.scanned;
+    scanned.light.whiteNits = edit.light.whiteNits;
+    scanned.light.whiteKelvin = edit.light.whiteKelvin;
+    return scanned;
+}
+
+/// Whether more of the room is kept than its pictures.
+bool Studio::canResolve() const
+{
+    return stage_ == Stage::solved && roomSolver_ && decomposition_ &&
+           decomposition_->optionsInForce().solver == relamp::Solver::gather;
+}
+
+/// What runs and is soon over is shown first, or nothing would be while a slider is drawn; the
+/// newest wish follows when it is adopted.
+void Studio::resolve()
+{
+    const auto now = std::chrono::steady_clock::now();
+    if (resolving_ && now - *resolving_ < kPatience) return;
+    hasFailed_ = false;
+    resolving_ = now;
+    solver_.start([this, solver = roomSolver_, albedo = edit.dials.albedo,
+                   scanned = scannedLight()](relamp::Progress& progress) {
+        solver->resolve(
+            albedo, scanned,
+            [this, solver](Solved solved) {
+                mailbox_.post(
+                    [this, solver, solved = std::make_shared<const Solved>(std::move(solved))] {
+                        if (solver == roomSolver_ && resolving_) adoptResolved(*solved);
+                    });
+            },
+            progress);
+    });
+}
+
+void Studio::stopSolving()
+{
+    resolving_.reset();
+    solver_.cancel();
 }
 
 bool Studio::isGlanced() const

@@ -12,6 +12,7 @@
 
 #include "relamp/timeline.h"
 
+#include <chrono>
 #include <deque>
 #include <filesystem>
 #include <memory>
@@ -28,14 +29,15 @@ struct Dials
     relamp::AlbedoOptions albedo;
     int samples = 64;
 
-    bool operator==(const Dials& other) const;
+    bool operator==(const Dials& other) const = default;
     [[nodiscard]] relamp::DelightOptions options() const;
 };
 
 /// What a person may change and take back.
 struct Edit
 {
-    LightDocument light;
+    LightDocument light;              // how it shall shine now
+    std::vector<FixtureItem> scanned; // how fixtures were on the day of the scan
     relamp::ViewOptions view;
     Dials dials;
 
@@ -75,7 +77,7 @@ public:
     void undo();
     void redo();
     [[nodiscard]] const History<Edit>& history() const { return history_; }
-    void stopSolving() { solver_.cancel(); }
+    void stopSolving();
 
     void saveLights(const std::filesystem::path& file);
     void loadLights(const std::filesystem::path& file);
@@ -94,9 +96,13 @@ public:
     [[nodiscard]] const relamp::Lights& captured() const { return captured_; }
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] Stage stage() const { return stage_; }
+    /// Whether albedo is behind what was said.
+    [[nodiscard]] bool resolves() const { return resolving_.has_value(); }
     [[nodiscard]] const relamp::Bounds& bounds() const { return bounds_; }
     [[nodiscard]] const std::optional<relamp::Closure>& closure() const { return closure_; }
     [[nodiscard]] double glanceMilliseconds() const { return glanceMilliseconds_; }
+    /// Of the last time that albedo followed, until it was there to be drawn.
+    [[nodiscard]] std::optional<double> resolveMilliseconds() const { return resolveMilliseconds_; }
     /// Whether light that counts now is on the walls: glanced at, or found for every texel.
     [[nodiscard]] bool isGlanced() const;
     [[nodiscard]] bool isRelit() const;
@@ -117,12 +123,18 @@ public:
 
 private:
     void adopt(std::shared_ptr<const relamp::Scan> scan, std::shared_ptr<const RoomMesh> mesh,
-               const std::vector<TexturePixels>& pages);
+               const std::vector<TexturePixels>& pages, std::shared_ptr<RoomSolver> roomSolver);
     void adopt(const Solved& solved);
-    void adoptFixtures(const relamp::Lights& captured);
+    void adoptTextures(const Solved& solved);
+    void adoptResolved(const Solved& solved);
+    void adoptFixtures(const Solved& solved);
     void apply(const Edit& before);
+    void follow(const Edit& before);
     void sendLight();
     void solveAgain();
+    void resolve();
+    [[nodiscard]] bool canResolve() const;
+    [[nodiscard]] ScannedLight scannedLight() const;
     void fail(const std::string& sentence);
     void readScan(const std::filesystem::path& path, const relamp::ScanOptions& options,
                   relamp::Progress& progress, const relamp::DelightOptions& dials);
@@ -136,10 +148,13 @@ private:
     Mailbox mailbox_;
     std::filesystem::path path_;
     std::filesystem::path lightsFolder_; // where files lie that the light names
+    relamp::RelightingReader reader_;    // of these files
     std::shared_ptr<const relamp::Scan> scan_;
     std::shared_ptr<const RoomMesh> mesh_;
     relamp::Bounds bounds_;
-    relamp::Lights captured_;
+    relamp::Lights captured_;                // by which the albedo was found
+    relamp::Lights found_;                   // before anybody said how fixtures were
+    std::shared_ptr<RoomSolver> roomSolver_; // of the thread of `solver_`
     std::shared_ptr<const relamp::Decomposition> decomposition_;
     std::shared_ptr<const relamp::Scan> decomposed_; // the scan that it refers to
     std::optional<relamp::Closure> closure_;
@@ -149,6 +164,8 @@ private:
     bool isRelit_ = false;
     bool isLightOfScan_ = true; // nobody has changed it
     double glanceMilliseconds_ = 0.0;
+    std::optional<std::chrono::steady_clock::time_point> resolving_; // since when
+    std::optional<double> resolveMilliseconds_;
     std::optional<relamp::Timeline> timeline_;
     bool isPlaying_ = false;
     double part_ = 0.0;

@@ -46,6 +46,7 @@ void Studio::loadLights(const std::filesystem::path& file)
     std::vector<std::string> notes;
     edit.light = documentFrom(textFrom(file), file, captured_, notes);
     lightsFolder_ = file.parent_path();
+    reader_ = {}; // what it names may be another by now
     commit("Load lights");
     settle();
     for (const std::string& note : notes) say(note);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -92,6 +93,11 @@ void put(std::byte* at, TexelFormat format, glm::vec3 light)
     }
 }
 
+float powerOf2(int exponent)
+{
+    return std::bit_cast<float>(static_cast<uint32_t>(exponent + 127) << 23);
+}
+
 /// Light of one texel, as `put` stored it.
 glm::vec3 lightAt(const std::byte* at, TexelFormat format)
 {
@@ -145,22 +151,21 @@ uint32_t rgb9e5(glm::vec3 rgb)
     glm::vec3 light(0.0f);
     for (int c = 0; c < 3; ++c) light[c] = rgb[c] > 0.0f ? std::min(rgb[c], kLargest) : 0.0f;
     const float most = std::max(light.r, std::max(light.g, light.b));
-    int exponent = 0; // of 2, so that most is in [0.5, 1) of it
-    std::frexp(most, &exponent);
-    exponent = std::max(exponent, -kBias);
-    float perStep = std::ldexp(1.0f, kMantissaBits - exponent);
-    if (std::lround(most * perStep) == 1 << kMantissaBits) { // rounded up to the next power
+    // Of 2, so that most is in [0.5, 1) of it; by the float's own exponent, for there are millions.
+    int exponent = std::max(static_cast<int>(std::bit_cast<uint32_t>(most) >> 23) - 126, -kBias);
+    float perStep = powerOf2(kMantissaBits - exponent);
+    const auto mantissa = [&](float v) { return static_cast<uint32_t>(v * perStep + 0.5f); };
+    if (mantissa(most) == 1u << kMantissaBits) { // rounded up to the next power
         ++exponent;
         perStep *= 0.5f;
     }
-    const auto mantissa = [&](float v) { return static_cast<uint32_t>(std::lround(v * perStep)); };
     return mantissa(light.r) | mantissa(light.g) << 9 | mantissa(light.b) << 18 |
            static_cast<uint32_t>(exponent + kBias) << 27;
 }
 
 glm::vec3 fromRgb9e5(uint32_t packed)
 {
-    const float step = std::ldexp(1.0f, static_cast<int>(packed >> 27) - kBias - kMantissaBits);
+    const float step = powerOf2(static_cast<int>(packed >> 27) - kBias - kMantissaBits);
     return step * glm::vec3(packed & 511u, packed >> 9 & 511u, packed >> 18 & 511u);
 }
 

@@ -25,6 +25,8 @@ struct AlbedoOptions
     float darkest = 0.02f; // radiance; a weaker shading is raised to this before dividing, > 0
     bool fill = false;     // what is unlit gets the albedo of the surface around it, and by the
                            // thesis solver what is burnt out: others see to that by themselves
+
+    bool operator==(const AlbedoOptions&) const = default;
 };
 
 enum class Solver {
@@ -109,7 +111,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Takes the light out of a scan. The scan must outlive the result.
+/// Takes the light out of a scan, once; a Delighter does again and again. The scan must outlive the
+/// result.
 ///
 /// Throws Error(unsupported) where the scan's texels cannot be told apart (overlapping UVs), and
 /// Error(cancelled).

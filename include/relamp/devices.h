@@ -40,6 +40,8 @@ struct EngineOptions
 {
     Engine engine = Engine::automatic;
     std::string gpu; // index or a part of the name, as gpuDevices() tells them; empty: the best
+
+    bool operator==(const EngineOptions&) const = default;
 };
 
 /// Throws Error(device) where the options ask for a GPU that is not there: to be told before long

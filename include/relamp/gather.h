@@ -22,6 +22,8 @@ struct GatherOptions
     int shadowRays = 0;            // of a place in a penumbra, to each lamp, 1..1024; 0: by quality
     std::vector<glm::vec3> lights; // places, m, whose burnt-out surface shines
     std::vector<glm::vec3> notLights; // places, m, whose burnt-out surface does not
+
+    bool operator==(const GatherOptions&) const = default;
 };
 
 } // namespace relamp

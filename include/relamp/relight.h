@@ -97,10 +97,26 @@ RELAMP_API Relighting darkened(const Lights& captured);
 /// line and the key.
 RELAMP_API Relighting readRelighting(const std::filesystem::path& file, const Lights& captured,
                                      std::vector<std::string>& warnings);
-/// The same of a file's text; `file` is what it is called in errors, and IES profiles and pictures
-/// that it names lie beside it. Throws Error(malformed), and Error(cannotRead) of these.
-RELAMP_API Relighting relightingOf(const std::string& text, const std::filesystem::path& file,
-                                   const Lights& captured, std::vector<std::string>& warnings);
+
+/// The same of texts, again and again, as a person changes the light: IES profiles and pictures
+/// that they name are read once.
+class RELAMP_API RelightingReader
+{
+public:
+    RelightingReader();
+    ~RelightingReader();
+    RelightingReader(RelightingReader&&) noexcept;
+    RelightingReader& operator=(RelightingReader&&) noexcept;
+
+    /// `file` is what the text is called in errors, and what it names lies beside that. Throws
+    /// Error(malformed), and Error(cannotRead) of what it names.
+    [[nodiscard]] Relighting read(const std::string& text, const std::filesystem::path& file,
+                                  const Lights& captured, std::vector<std::string>& warnings);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 /// Does what a person says of fixtures: "2=off", "0=on", "all=on", "1=50%", "3=window". Throws
 /// Error(malformed) naming the setting.
@@ -157,6 +173,11 @@ public:
     ~Relighter();
     Relighter(Relighter&&) noexcept;
     Relighter& operator=(Relighter&&) noexcept;
+
+    /// Another albedo and confidence of the same room, as DelitRoom has them; what rays found is
+    /// kept. They must outlive this, or their place is taken again. A light has to be set after it.
+    /// Throws Error(sizeMismatch), and leaves all as it was, where they are of another size.
+    void repaint(std::span<const Image> albedo, std::span<const Image> confidence);
 
     /// Sets the light. Shadows are found for lights whose place or shape is new; all else is sums.
     void light(const Relighting& lighting, Progress& progress);

@@ -24,6 +24,8 @@ struct ThesisOptions
     float flattenRange = 0.2f; // of the bilateral filter, in square roots of radiance, > 0
     bool useLpv = true;        // false: no bounce light (figure 3 of the thesis)
     bool useAmbient = true;    // false: no ambient light (figure 4 of the thesis)
+
+    bool operator==(const ThesisOptions&) const = default;
 };
 
 } // namespace relamp

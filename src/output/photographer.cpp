@@ -89,7 +89,7 @@ struct Photographer::State
                                               const PictureOptions& options,
                                               Progress& progress) const
     {
-        const auto sky = [&](glm::vec3 direction) { return skyRadiance(options.sky, direction); };
+        const SeenSky sky(options.sky);
         return view.look(CameraRays(camera, {options.width, options.height}), options.samples,
                          pages, {.beyond = sky, .lamps = seenLamps(options.lamps)}, progress);
     }

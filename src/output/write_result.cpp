@@ -153,8 +153,8 @@ PreviewPicture ResultWriter::drawPreview() const
     const Decomposition::State& state = result_.state();
     const bool isDraft = result_.optionsInForce().gather.quality == Quality::draft;
     const std::vector<Camera> cameras =
-        chooseViewpoints(scan_, state.scene, isDraft ? kViewpointsOfDraft : kViewpoints);
-    return renderPreview(state.texels, state.scene, previews_, cameras, progress_);
+        chooseViewpoints(scan_, *state.scene, isDraft ? kViewpointsOfDraft : kViewpoints);
+    return renderPreview(*state.texels, *state.scene, previews_, cameras, progress_);
 }
 
 void ResultWriter::writePreview(const PreviewPicture& picture)

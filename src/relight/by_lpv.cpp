@@ -77,7 +77,7 @@ TexelShading shadingByLpv(const Relighter::State& state, std::vector<std::string
     Progress::Stage stage(progress, "bounce", state.active.lights.size() + 1);
     const auto light = std::make_shared<LpvLight>();
     std::vector<Radiance> albedo;
-    for (const Image& page : state.room.albedo) albedo.emplace_back(page);
+    for (const Image& page : state.painted) albedo.emplace_back(page);
     std::vector<BounceLight> leaving;
     for (const ActiveLight& active : state.active.lights) {
         stage.advance();

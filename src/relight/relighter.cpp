@@ -29,20 +29,25 @@ const RelightOptions& checked(const RelightOptions& options)
     return options;
 }
 
-Texels checkedTexels(const DelitRoom& room, const RayScene& scene, Progress& progress)
+void checkSizes(const Scan& scan, std::span<const Image> albedo, std::span<const Image> confidence)
 {
-    for (size_t p = 0; p < room.scan.pages.size(); ++p) {
-        const Image& page = room.scan.pages[p].image;
-        const auto isSame = [&](const std::vector<Image>& images) {
+    for (size_t p = 0; p < scan.pages.size(); ++p) {
+        const Image& page = scan.pages[p].image;
+        const auto isSame = [&](std::span<const Image> images) {
             return p < images.size() && images[p].width == page.width &&
                    images[p].height == page.height;
         };
-        if (!isSame(room.albedo) || (!room.confidence.empty() && !isSame(room.confidence)))
+        if (!isSame(albedo) || (!confidence.empty() && !isSame(confidence)))
             throw Error(ErrorCode::sizeMismatch,
                         fmt::format("page {} of the scan is {} x {}, its albedo is not; it "
                                     "belongs to another scan",
                                     p, page.width, page.height));
     }
+}
+
+Texels checkedTexels(const DelitRoom& room, const RayScene& scene, Progress& progress)
+{
+    checkSizes(room.scan, room.albedo, room.confidence);
     Texels texels = rasterizeAtlas(room.scan, progress, surfelsOf(room.gather.quality));
     checkOverlap(texels);
     separateBuried(texels, scene, progress);
@@ -60,7 +65,7 @@ Relighter::State::State(const DelitRoom& of, const RelightOptions& with, Progres
     : room(of), options(checked(with)), scene(of.scan), texels(checkedTexels(of, scene, progress)),
       radiance(collectRadiance(texels, progress)),
       transport(transportOfRoom(of, {texels, scene, radiance}, with, warningsOfRoom, progress)),
-      open(std::make_shared<const TexelMarks>(openShares(texels, scene))),
+      open(std::make_shared<const TexelMarks>(openShares(texels, scene))), painted(of.albedo),
       albedo(texels, of.albedo, of.confidence, radiance.isClipped),
       isPane(likelyPanes(scene, transport.fixtures)),
       radiosity(texels, scene, transport, radiance.isClipped, with)
@@ -73,6 +78,15 @@ Relighter::Relighter(const DelitRoom& room, const RelightOptions& options, Progr
 Relighter::~Relighter() = default;
 Relighter::Relighter(Relighter&&) noexcept = default;
 Relighter& Relighter::operator=(Relighter&&) noexcept = default;
+
+void Relighter::repaint(std::span<const Image> albedo, std::span<const Image> confidence)
+{
+    State& state = *state_;
+    checkSizes(state.room.scan, albedo, confidence);
+    state.albedo = RoomAlbedo(state.texels, albedo, confidence, state.radiance.isClipped);
+    state.painted = albedo;
+    state.shade = {};
+}
 
 void Relighter::glance(const Relighting& lighting, Progress& progress)
 {

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct Relighter::State
     SurfelRadiance radiance;
     Transport transport;
     std::shared_ptr<const TexelMarks> open; // openShares
+    std::span<const Image> painted;         // pages that `albedo` is of
     RoomAlbedo albedo;
     std::vector<uint8_t> isPane; // of captured fixtures: likelyPanes
     RadiosityLight radiosity;

@@ -110,6 +110,26 @@ TEST(Relighter, CapturedLightPutBackShowsTheRoomAsItWas)
     EXPECT_GT(-10.0 * std::log10(error / all), 36.0); // dB
 }
 
+TEST(Relighter, RepaintedIsAsIfItHadNeverBeenOtherwise)
+{
+    const DelitRoom room = litRoom();
+    Relighting lighting = darkened(room.captured);
+    setFixture(lighting, room.captured, "0=on");
+    DelitRoom other = litRoom();
+    other.albedo[0] =
+        scenes::room(scenes::LitRoom::kSize, 96, scenes::plain(glm::vec3(0.3f))).pages[0].image;
+    const Image expected = relamp::lit(other, lighting);
+
+    Progress progress;
+    Relighter relighter(room, {}, progress);
+    relighter.light(lighting, progress);
+    EXPECT_NE(relighter.radiance(0, progress).half, expected.half);
+    EXPECT_THROW(relighter.repaint({}, {}), Error);
+    relighter.repaint(other.albedo, other.confidence);
+    relighter.light(lighting, progress);
+    EXPECT_EQ(relighter.radiance(0, progress).half, expected.half);
+}
+
 TEST(Relighter, LampShinesWhenOnAndReflectsWhenOff)
 {
     const DelitRoom room = litRoom();

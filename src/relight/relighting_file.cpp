@@ -22,11 +22,11 @@ constexpr float kPi = 3.14159265f;
 constexpr float kPerDegree = kPi / 180.0f;
 
 /// A lights file being read.
-class RelightingReader
+class LightsReader
 {
 public:
-    RelightingReader(std::filesystem::path folder, const Lights& captured, NamedFiles& files,
-                     std::vector<std::string>& warnings)
+    LightsReader(std::filesystem::path folder, const Lights& captured, NamedFiles& files,
+                 std::vector<std::string>& warnings)
         : folder_(std::move(folder)), captured_(captured), files_(files), warnings_(warnings)
     {}
 
@@ -105,7 +105,7 @@ glm::vec2 sizeOf(const JsonItem& item)
     return size;
 }
 
-void RelightingReader::readShape(const JsonItem& item, NewLight& light) const
+void LightsReader::readShape(const JsonItem& item, NewLight& light) const
 {
     if (light.type != LightType::sun) light.position = item.vectorAt("position");
     const bool isAimed = light.type != LightType::point && light.type != LightType::sphere;
@@ -121,12 +121,12 @@ void RelightingReader::readShape(const JsonItem& item, NewLight& light) const
     light.angle = degrees(item, "angle", light.angle, 90.0f);
 }
 
-std::filesystem::path RelightingReader::besideFile(const JsonItem& item, const char* key) const
+std::filesystem::path LightsReader::besideFile(const JsonItem& item, const char* key) const
 {
     return folder_ / item.text(key, "");
 }
 
-void RelightingReader::readLight(const JsonItem& item)
+void LightsReader::readLight(const JsonItem& item)
 {
     // What delight writes of a fixture: the fixture itself is what shines.
     if (item.has("fixture")) return;
@@ -153,14 +153,14 @@ void RelightingReader::readLight(const JsonItem& item)
     lighting_.lights.push_back(std::move(light));
 }
 
-const IesPhotometry& RelightingReader::photometryAt(const std::filesystem::path& file)
+const IesPhotometry& LightsReader::photometryAt(const std::filesystem::path& file)
 {
     const auto known = files_.ies.find(file);
     return known != files_.ies.end() ? known->second
                                      : files_.ies.emplace(file, readIes(file)).first->second;
 }
 
-void RelightingReader::readFixture(const JsonItem& item)
+void LightsReader::readFixture(const JsonItem& item)
 {
     item.warnOfUnknown({"id", "centre", "normal", "area", "radiance", "power", "error",
                         "determined", "on", "dim", "lumens", "watts", "kelvin", "colour", "window",
@@ -197,7 +197,7 @@ void RelightingReader::readFixture(const JsonItem& item)
 }
 
 /// "off" or "on" for all of them, or a list.
-void RelightingReader::readFixtures(const JsonItem& top)
+void LightsReader::readFixtures(const JsonItem& top)
 {
     const json* fixtures = top.find("fixtures");
     if (fixtures != nullptr && fixtures->is_string()) {
@@ -212,7 +212,7 @@ void RelightingReader::readFixtures(const JsonItem& top)
     top.forEachIn("fixtures", "fixture", [&](const JsonItem& item) { readFixture(item); });
 }
 
-void RelightingReader::readSky(const JsonItem& top)
+void LightsReader::readSky(const JsonItem& top)
 {
     if (top.has("ambient")) lighting_.sky.radiance = top.lightAt("ambient");
     if (const auto sun = sunOf(top, warnings_)) // as delight writes it: where it stands
@@ -238,7 +238,7 @@ void RelightingReader::readSky(const JsonItem& top)
     sky.environment = image;
 }
 
-void RelightingReader::readWhite(const JsonItem& top)
+void LightsReader::readWhite(const JsonItem& top)
 {
     const json* object = top.find("white");
     if (object == nullptr) return;
@@ -249,7 +249,7 @@ void RelightingReader::readWhite(const JsonItem& top)
     if (const EmissionWish wish = emissionWishOf(item); wish.kelvin) white_.kelvin = *wish.kelvin;
 }
 
-Relighting RelightingReader::read(const JsonItem& top)
+Relighting LightsReader::read(const JsonItem& top)
 {
     top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient", "sun", "sky", "white"},
                       warnings_);
@@ -267,7 +267,7 @@ Relighting relightingFrom(const JsonItem& top, const std::filesystem::path& fold
                           const Lights& captured, NamedFiles& files,
                           std::vector<std::string>& warnings)
 {
-    return RelightingReader(folder, captured, files, warnings).read(top);
+    return LightsReader(folder, captured, files, warnings).read(top);
 }
 
 Relighting readRelighting(const std::filesystem::path& file, const Lights& captured,
@@ -278,12 +278,21 @@ Relighting readRelighting(const std::filesystem::path& file, const Lights& captu
     return relightingFrom(document.top(), file.parent_path(), captured, files, warnings);
 }
 
-Relighting relightingOf(const std::string& text, const std::filesystem::path& file,
-                        const Lights& captured, std::vector<std::string>& warnings)
+struct RelightingReader::State
+{
+    NamedFiles files;
+};
+
+RelightingReader::RelightingReader() : state_(std::make_unique<State>()) {}
+RelightingReader::~RelightingReader() = default;
+RelightingReader::RelightingReader(RelightingReader&&) noexcept = default;
+RelightingReader& RelightingReader::operator=(RelightingReader&&) noexcept = default;
+
+Relighting RelightingReader::read(const std::string& text, const std::filesystem::path& file,
+                                  const Lights& captured, std::vector<std::string>& warnings)
 {
     const JsonDocument document(file.string(), text, kLightsFormat);
-    NamedFiles files;
-    return relightingFrom(document.top(), file.parent_path(), captured, files, warnings);
+    return relightingFrom(document.top(), file.parent_path(), captured, state_->files, warnings);
 }
 
 } // namespace relamp

@@ -181,6 +181,29 @@ TEST(RelightingFile, NamesTheLineAndTheKeyOfWhatIsWrong)
     EXPECT_THAT(refusal("{\n\"lights\": [}"), HasSubstr("line 2"));
 }
 
+TEST(RelightingReader, ReadsWhatTextsNameOnce)
+{
+    const scenes::TemporaryFolder folder;
+    Image sky;
+    sky.width = 2;
+    sky.height = 1;
+    sky.encoded = {0, 0, 0, 255, 255, 255};
+    Progress progress;
+    writeImage(sky, folder / "sky.png", progress);
+    std::vector<std::string> warnings;
+    RelightingReader reader;
+    const auto read = [&](const char* turn) {
+        return reader
+            .read(std::string(R"({"sky": {"environment": "sky.png", "turn": )") + turn + "}}",
+                  folder / "lights.json", twoFixtures(), warnings)
+            .sky;
+    };
+    const Sky first = read("0");
+    const Sky second = read("90");
+    EXPECT_EQ(first.environment, second.environment);
+    EXPECT_GT(second.turn, first.turn);
+}
+
 TEST(FixtureSetting, DoesWhatAPersonSays)
 {
     const Lights captured = twoFixtures();

@@ -41,23 +41,29 @@ glm::vec3 SkyBins::middleOf(size_t bin)
                        (static_cast<float>(bin / kAround) + 0.5f) / kUp);
 }
 
-glm::vec3 skyRadiance(const Sky& sky, glm::vec3 direction)
+SeenSky::SeenSky(const Sky& sky) : sky_(sky)
 {
-    if (!sky.environment) return sky.radiance;
-    const Image& image = *sky.environment;
-    const Radiance picture(image);
-    const glm::vec2 place = placeInSky(direction, sky.turn);
+    if (sky.environment) picture_.emplace(*sky.environment);
+}
+
+glm::vec3 SeenSky::operator()(glm::vec3 direction) const
+{
+    if (!picture_) return sky_.radiance;
+    const Image& image = *sky_.environment;
+    const glm::vec2 place = placeInSky(direction, sky_.turn);
     const auto width = static_cast<size_t>(image.width);
     const auto height = static_cast<size_t>(image.height);
     const auto column =
         static_cast<size_t>((place.x - std::floor(place.x)) * static_cast<float>(width));
     const auto row = static_cast<size_t>(place.y * static_cast<float>(height));
-    return sky.radiance * picture[std::min(row, height - 1) * width + std::min(column, width - 1)];
+    return sky_.radiance *
+           (*picture_)[std::min(row, height - 1) * width + std::min(column, width - 1)];
 }
 
 std::vector<glm::vec3> skyInBins(const Sky& sky)
 {
     if (!sky.environment) return std::vector<glm::vec3>(SkyBins::kCount, sky.radiance);
+    const SeenSky seen(sky);
     std::vector<glm::vec3> bins(SkyBins::kCount);
     forEach(bins.size(), [&](size_t bin) {
         glm::vec3 sum(0.0f);
@@ -65,8 +71,7 @@ std::vector<glm::vec3> skyInBins(const Sky& sky)
             for (size_t i = 0; i < kSamples; ++i) {
                 const float x = (static_cast<float>(i) + 0.5f) / kSamples;
                 const float y = (static_cast<float>(j) + 0.5f) / kSamples;
-                sum += skyRadiance(
-                    sky,
+                sum += seen(
                     directionAt((static_cast<float>(bin % SkyBins::kAround) + x) / SkyBins::kAround,
                                 (static_cast<float>(bin / SkyBins::kAround) + y) / SkyBins::kUp));
             }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "relamp/image.h"
 #include "relamp/relight.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -21,8 +23,18 @@ struct SkyBins
     static glm::vec3 middleOf(size_t bin);
 };
 
-/// Radiance of the sky in a direction.
-glm::vec3 skyRadiance(const Sky& sky, glm::vec3 direction);
+/// What is seen of a sky, which must outlive this: radiance in a direction.
+class SeenSky
+{
+public:
+    explicit SeenSky(const Sky& sky);
+
+    [[nodiscard]] glm::vec3 operator()(glm::vec3 direction) const;
+
+private:
+    const Sky& sky_;
+    std::optional<Radiance> picture_;
+};
 
 /// Mean radiance of every bin.
 std::vector<glm::vec3> skyInBins(const Sky& sky);

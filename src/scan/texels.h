@@ -86,6 +86,8 @@ struct SurfelOptions
     double smallest = 0.03;    // m
     double largest = 0.12;     // m
     bool layered = false;      // one surfel a layer: see separateLayers
+
+    bool operator==(const SurfelOptions&) const = default;
 };
 
 /// Rasterises the atlas once and sorts its texels into surfels.

@@ -105,7 +105,7 @@ void shadeDirect(const GatheredLight& light, const PageTexels& page, size_t begi
     for (size_t l = 0; l < light.lamps.size(); ++l) {
         bool isSeen = false;
         forEachRunOf(page, begin, block, [&](uint32_t surfel, size_t first, size_t end) {
-            isSeen |= light.visibility.at(l, surfel, block, first, end, share);
+            isSeen |= light.visibility->at(l, surfel, block, first, end, share);
         });
         if (!isSeen) continue;
         openIrradiance(block, light.lamps[l].patches, open);
@@ -146,9 +146,9 @@ SurfelLighting lightOnSurfels(const Surfels& surfels, const GatheredLight& light
             openIrradiance(block, light.lamps[l].patches, open);
             for (size_t i = 0; i < block.count; ++i) {
                 const auto s = static_cast<uint32_t>(begin + i);
-                light.visibility.at(l, s, block, i, i + 1, share);
+                light.visibility->at(l, s, block, i, i + 1, share);
                 result.irradiance[s] += open[i] * share[i] * light.lamps[l].radiance;
-                if (light.visibility.isPartial(l, s))
+                if (light.visibility->isPartial(l, s))
                     partly[i] += open[i] * luminance(light.lamps[l].radiance);
             }
         }

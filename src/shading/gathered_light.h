@@ -23,7 +23,7 @@ struct LitLamp
 struct GatheredLight
 {
     std::vector<LitLamp> lamps;
-    Visibility visibility;           // of the same lamps
+    std::shared_ptr<const Visibility> visibility; // of the same lamps
     std::vector<glm::vec3> indirect; // irradiance at surfels' fronts that did not come from a lamp
 };
 

@@ -45,7 +45,9 @@ void forEachShaded(const std::vector<AreaLight>& lamps, glm::vec3 indirect, cons
         lit.push_back({LampPatches(light), {3.0f, 2.0f, 1.0f}});
     }
     const auto light = std::make_shared<GatheredLight>(
-        GatheredLight{std::move(lit), Visibility(floor.texels, floor.rays, lamps, coarse, {}),
+        GatheredLight{std::move(lit),
+                      std::make_shared<const Visibility>(floor.texels, floor.rays, lamps, coarse,
+                                                         VisibilityOptions{}),
                       std::vector<glm::vec3>(floor.texels.surfels.count(), indirect)});
     const TexelShading shade = shadingOf(floor.texels, light);
     const TexelLoader loader(floor.texels, 0);

@@ -71,15 +71,15 @@ std::vector<glm::uvec2> probesOfSurfels(const Visibility::Probes& probes)
 LampTermsGpu::LampTermsGpu(const gpu::Device& device, const Surfels& surfels,
                            const GatheredLight& light, std::vector<float> scales)
     : device_(device), keep_(device, kLampTermsSpirv), sum_(device, kLampTermsSumSpirv),
-      scales_(std::move(scales)), probes_(device, placesOf(light.visibility.probes())),
-      probesOf_(device, probesOfSurfels(light.visibility.probes())),
+      scales_(std::move(scales)), probes_(device, placesOf(light.visibility->probes())),
+      probesOf_(device, probesOfSurfels(light.visibility->probes())),
       radiance_(device, termsOf(light.lamps.size(), 2)),
       written_(device, radiance_.buffer().size(), gpu::Buffer::Place::host)
 {
     for (size_t l = 0; l < light.lamps.size(); ++l)
         lamps_.push_back({{device, entriesOf(light.lamps[l].patches)},
-                          {device, seenBy(light.visibility, l, surfels.count())},
-                          {device, inFours(light.visibility.sharesOf(l))}});
+                          {device, seenBy(*light.visibility, l, surfels.count())},
+                          {device, inFours(light.visibility->sharesOf(l))}});
 }
 
 void LampTermsGpu::setPowers(gpu::Commands& commands, std::span<const glm::vec3> radiance)

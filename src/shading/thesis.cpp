@@ -35,6 +35,21 @@ std::vector<Blocker> blockersOf(const Surfels& surfels)
     return blockers;
 }
 
+std::vector<float> inputsOfBounce(const Lights& lights, const ThesisOptions& dials)
+{
+    std::vector<float> inputs{dials.flattenReach,
+                              dials.flattenRange,
+                              dials.mergeDistance.value_or(0.0f),
+                              static_cast<float>(dials.rsmSize),
+                              static_cast<float>(dials.lpvSize),
+                              static_cast<float>(dials.lpvSteps)};
+    for (const PointLight& light : lights.points)
+        for (const glm::vec3 v : {light.position, light.normal, light.intensity,
+                                  glm::vec3(light.radius, light.fixture, 0.0f)})
+            inputs.insert(inputs.end(), {v.x, v.y, v.z});
+    return inputs;
+}
+
 } // namespace
 
 void toShading(RgbBlock& block, size_t count, float power, glm::vec3 ambient)
@@ -88,21 +103,35 @@ std::shared_ptr<const Lpv> spread(const Texels& texels, std::span<const BounceLi
     return lpv;
 }
 
+std::shared_ptr<const Lpv> ThesisStages::bounce(const Lights& lights, const ThesisOptions& dials,
+                                                Progress& progress)
+{
+    const Flattened& surface = flattened_.of({dials.flattenReach, dials.flattenRange}, [&] {
+        return flatten(texels_, {dials.flattenReach, dials.flattenRange}, progress);
+    });
+    Progress::Stage stage(progress, "bounce", 2);
+    std::vector<BounceLight> lit =
+        reflectiveShadowMaps(texels_, scene_, lightsOfShadowMaps(lights, dials), dials.rsmSize);
+    for (BounceLight& light : lit) light.flux *= surface.at(light.page, light.pixel);
+    stage.advance();
+    return spread(texels_, lit, dials);
+}
+
+ThesisShading ThesisStages::solve(const Lights& lights, const ThesisOptions& dials,
+                                  Progress& progress)
+{
+    ThesisShading shading{.dials = deriveDials(dials, lights, boundsOf(*texels_.scan)),
+                          .lights = LightArrays(lights.points)};
+    if (!dials.useLpv || lights.points.empty()) return shading;
+    shading.bounce = bounce_.of(inputsOfBounce(lights, shading.dials),
+                                [&] { return bounce(lights, shading.dials, progress); });
+    return shading;
+}
+
 ThesisShading solveThesis(const Texels& texels, const RayScene& scene, const Lights& lights,
                           const ThesisOptions& dials, Progress& progress)
 {
-    ThesisShading shading{.dials = deriveDials(dials, lights, boundsOf(*texels.scan)),
-                          .lights = LightArrays(lights.points)};
-    if (!dials.useLpv || lights.points.empty()) return shading;
-
-    const Flattened surface = flatten(texels, {dials.flattenReach, dials.flattenRange}, progress);
-    Progress::Stage stage(progress, "bounce", 2);
-    std::vector<BounceLight> lit = reflectiveShadowMaps(
-        texels, scene, lightsOfShadowMaps(lights, shading.dials), dials.rsmSize);
-    for (BounceLight& light : lit) light.flux *= surface.at(light.page, light.pixel);
-    stage.advance();
-    shading.bounce = spread(texels, lit, shading.dials);
-    return shading;
+    return ThesisStages(texels, scene).solve(lights, dials, progress);
 }
 
 } // namespace relamp

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/kept.h"
 #include "flatten/flatten.h"
 #include "lights/emitters.h"
 #include "relamp/lights.h"
@@ -45,8 +46,28 @@ ThesisOptions deriveDials(const ThesisOptions& dials, const Lights& lights, cons
 std::shared_ptr<const Lpv> spread(const Texels& texels, std::span<const BounceLight> leaving,
                                   const ThesisOptions& dials);
 
-/// The whole shading but power and ambient, which stay as `dials` has them: flattened texture,
-/// reflective shadow maps of the merged lights, light propagation volume.
+/// The CPU's stages, again and again: one runs where something that it depends on is not as it was.
+class ThesisStages
+{
+public:
+    /// Both must outlive this.
+    ThesisStages(const Texels& texels, const RayScene& scene) : texels_(texels), scene_(scene) {}
+
+    /// The whole shading but power and ambient, which stay as `dials` has them: flattened texture,
+    /// reflective shadow maps of the merged lights, light propagation volume.
+    ThesisShading solve(const Lights& lights, const ThesisOptions& dials, Progress& progress);
+
+private:
+    [[nodiscard]] std::shared_ptr<const Lpv> bounce(const Lights& lights,
+                                                    const ThesisOptions& dials, Progress& progress);
+
+    const Texels& texels_;
+    const RayScene& scene_;
+    Kept<std::vector<float>, Flattened> flattened_;
+    Kept<std::vector<float>, std::shared_ptr<const Lpv>> bounce_;
+};
+
+/// Once.
 ThesisShading solveThesis(const Texels& texels, const RayScene& scene, const Lights& lights,
                           const ThesisOptions& dials, Progress& progress);
 

@@ -2,33 +2,49 @@
 
 #include "albedo/gather_closure.h"
 #include "fit/stray.h"
+#include "relamp/error.h"
 #include "shading/buried.h"
 #include "shading/lit_sides.h"
 #include "solve/found_room.h"
-#include "solve/resolve.h"
 
+#include <algorithm>
+#include <cmath>
+#include <span>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace relamp
 {
-Solution solveByGather(const Texels& texels, const RayScene& scene, const DelightOptions& options,
-                       Progress& progress)
+namespace
 {
-    Solution solution{.options = options};
-    FoundRoom found = findRoom(texels, scene, options, progress);
-    solution.warnings = found.warnings;
-    solution.options.gather = found.options;
-    solution.shining = shiningOf(found);
 
-    const Progress::Stage stage(progress, "shadows");
-    const auto rate = [&](const SolvedRoom& solved) {
-        const FoundRoom& room = solved.found;
-        solution.closure = closeLoop(room.hits, room.radiance, room.sides, room.found.ambient);
-        solution.trust = trustByView(room.hits, texels.surfels.count());
-        doubtEdges(texels.surfels, room.radiance, solved.lighting, solution.trust);
-    };
-    const SolvedRoom solved = solvedRoom(texels, scene, std::move(found), rate);
+/// How far a room's light is right.
+struct Rating
+{
+    Closure closure;
+    std::vector<SurfelTrust> trust;
+};
+
+Rating rate(const Texels& texels, const SolvedRoom& solved)
+{
     const FoundRoom& room = solved.found;
+    Rating rating{closeLoop(room.hits, room.radiance, room.sides, room.found.ambient),
+                  trustByView(room.hits, texels.surfels.count())};
+    doubtEdges(texels.surfels, room.radiance, solved.lighting, rating.trust);
+    return rating;
+}
+
+Solution solutionOf(const Texels& texels, const SolvedRoom& solved, const DelightOptions& options,
+                    Rating rating)
+{
+    const FoundRoom& room = solved.found;
+    Solution solution{.options = options};
+    solution.options.gather = room.options;
+    solution.warnings = room.warnings;
+    solution.shining = shiningOf(room);
+    solution.closure = rating.closure;
+    solution.trust = std::move(rating.trust);
     std::vector<glm::vec3> irradiance = withoutStray(solved.lighting.irradiance, solved.stray);
     for (size_t s = 0; s < irradiance.size(); ++s) irradiance[s] *= solved.lit[s];
     solution.shade = withRims(texels, shadingOf(texels, solved), room.radiance, irradiance);
@@ -37,6 +53,134 @@ Solution solveByGather(const Texels& texels, const RayScene& scene, const Deligh
     solution.lights = lightsOf(room);
     solution.merged = solution.lights.points;
     return solution;
+}
+
+void check(glm::vec3 light, const std::string& what)
+{
+    for (int c = 0; c < 3; ++c)
+        if (!std::isfinite(light[c]) || light[c] < 0.0f)
+            throw Error(ErrorCode::malformed, what + " must be finite and not negative");
+}
+
+/// Throws where these cannot be the room's lights under other powers.
+void checkPowers(const Lights& lights, const Lights& ofRoom)
+{
+    if (lights.fixtures.size() != ofRoom.fixtures.size())
+        throw Error(ErrorCode::sizeMismatch,
+                    fmt::format("the room has {} fixtures and {} were given; change their radiance "
+                                "and leave their number as it is",
+                                ofRoom.fixtures.size(), lights.fixtures.size()));
+    for (size_t f = 0; f < lights.fixtures.size(); ++f)
+        check(lights.fixtures[f].radiance, fmt::format("the radiance of fixture {}", f));
+    check(lights.ambient, "ambient light");
+    if (!lights.sun) return;
+    if (!ofRoom.sun)
+        throw Error(ErrorCode::sizeMismatch,
+                    "no sun shines into the room; it has to be solved anew with one");
+    check(lights.sun->irradiance, "the sun's irradiance");
+}
+
+/// One radiance for a group: the mean by area, or what all have.
+glm::vec3 meanOf(std::span<const Fixture> group)
+{
+    const auto isFirst = [&](const Fixture& f) { return f.radiance == group[0].radiance; };
+    if (std::all_of(group.begin(), group.end(), isFirst)) return group[0].radiance;
+    glm::vec3 sum(0.0f);
+    float area = 0.0f;
+    for (const Fixture& fixture : group) {
+        sum += fixture.area * fixture.radiance;
+        area += fixture.area;
+    }
+    return sum / area;
+}
+
+/// What a person says is known; a lamp that is as it was found is as sure as then.
+void setRadiance(FoundLamp& lamp, glm::vec3 radiance, const Fixture& found)
+{
+    const bool isAsFound = radiance == found.radiance;
+    lamp.radiance = radiance;
+    lamp.logError = isAsFound ? found.error : glm::vec3(0.0f);
+    lamp.isDetermined = !isAsFound || found.determined;
+}
+
+glm::vec3 shareOf(glm::vec3 part, glm::vec3 whole)
+{
+    glm::vec3 share(1.0f);
+    for (int c = 0; c < 3; ++c)
+        if (whole[c] > 0.0f) share[c] = part[c] / whole[c];
+    return share;
+}
+
+} // namespace
+
+bool GatherSolver::isOfKept(const DelightOptions& options) const
+{
+    return kept_ && !options.lights && !kept_->asked.lights &&
+           options.gather == kept_->asked.gather;
+}
+
+Solution GatherSolver::solve(const DelightOptions& options, Progress& progress)
+{
+    if (isOfKept(options)) {
+        kept_->asked = options;
+        return resolve(kept_->found, options.albedo, progress);
+    }
+    FoundRoom found =
+        findRoom(texels_, scene_, options, progress, kept_ ? &kept_->room.found : nullptr);
+    const Progress::Stage stage(progress, "shadows");
+    Rating rating;
+    Kept kept{.room = solvedRoom(texels_, scene_, std::move(found),
+                                 [&](const SolvedRoom& room) { rating = rate(texels_, room); }),
+              .asked = options};
+    kept.found = lightsOf(kept.room.found);
+    for (const FoundLamp& lamp : kept.room.found.found.lamps)
+        kept.radiances.push_back(lamp.radiance);
+    kept_ = std::move(kept);
+    return solutionOf(texels_, kept_->room, options, std::move(rating));
+}
+
+/// Patches of sun that light the room like lamps follow the sun.
+LampPowers GatherSolver::setPowers(const Lights& lights)
+{
+    FoundRoom& room = kept_->room.found;
+    LampPowers powers{.ambient = lights.ambient};
+    glm::vec3 share(1.0f);
+    if (room.sun) {
+        room.sun->sun.irradiance = lights.sun ? lights.sun->irradiance : glm::vec3(0.0f);
+        share = shareOf(room.sun->sun.irradiance, kept_->found.sun->irradiance);
+    }
+    size_t fixture = 0;
+    for (size_t l = 0; l < room.found.lamps.size(); ++l) {
+        FoundLamp& lamp = room.found.lamps[l];
+        if (lamp.isSunlit) {
+            lamp.radiance = share * kept_->radiances[l];
+        } else {
+            const size_t singles = singlesOf(lamp).size();
+            setRadiance(lamp, meanOf(std::span(lights.fixtures).subspan(fixture, singles)),
+                        kept_->found.fixtures[fixture]);
+            fixture += singles;
+        }
+        powers.lamps.push_back(lamp.radiance);
+    }
+    if (room.sun) powers.lamps.push_back(sunRadiance(room.sun->sun));
+    return powers;
+}
+
+Solution GatherSolver::resolve(const Lights& lights, const AlbedoOptions& albedo,
+                               Progress& progress)
+{
+    checkPowers(lights, kept_->found);
+    Progress::Stage stage(progress, "resolve", 2);
+    SolvedRoom& room = kept_->room;
+    const LampPowers powers = setPowers(lights);
+    room.found.shines = shinesOf(room.found);
+    relamp::resolve(texels_, room, powers);
+    stage.advance();
+    Rating rating = rate(texels_, room);
+    stage.advance();
+    DelightOptions options = kept_->asked;
+    options.albedo = albedo;
+    return solutionOf(texels_, room, options, std::move(rating));
 }
 
 } // namespace relamp

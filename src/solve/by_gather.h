@@ -2,14 +2,50 @@
 
 #include "scan/rays.h"
 #include "scan/texels.h"
+#include "solve/resolve.h"
 #include "solve/solution.h"
+
+#include <optional>
+#include <vector>
+
+#include <glm/vec3.hpp>
 
 namespace relamp
 {
 
 /// The default: lamps are what the walls say they are, direct light has area and shadows, and the
 /// scan itself is the light field that bounce light is gathered from.
-Solution solveByGather(const Texels& texels, const RayScene& scene, const DelightOptions& options,
-                       Progress& progress);
+///
+/// Keeps the room that it has solved, for other powers and options.
+class GatherSolver
+{
+public:
+    /// Both must outlive this and its solutions.
+    GatherSolver(const Texels& texels, const RayScene& scene) : texels_(texels), scene_(scene) {}
+
+    /// What rays met is kept from the last time where it is the same, and all but the division
+    /// where only the albedo's options are others.
+    Solution solve(const DelightOptions& options, Progress& progress);
+    /// As Delighter::resolve().
+    Solution resolve(const Lights& lights, const AlbedoOptions& albedo, Progress& progress);
+    [[nodiscard]] bool hasSolved() const { return kept_.has_value(); }
+
+private:
+    /// A room, which may have other powers by now, and how its lamps were found.
+    struct Kept
+    {
+        SolvedRoom room;
+        DelightOptions asked;
+        Lights found;
+        std::vector<glm::vec3> radiances; // of all lamps
+    };
+
+    [[nodiscard]] bool isOfKept(const DelightOptions& options) const;
+    LampPowers setPowers(const Lights& lights);
+
+    const Texels& texels_;
+    const RayScene& scene_;
+    std::optional<Kept> kept_;
+};
 
 } // namespace relamp

@@ -8,7 +8,6 @@
 #include "lights/expand.shared.h"
 #include "lights/fixtures.h"
 #include "relamp/error.h"
-#include "solve/thesis_engine.h"
 
 #include <memory>
 #include <utility>
@@ -104,13 +103,27 @@ std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelLight& light,
 
 } // namespace
 
-Solution solveByThesis(const Texels& texels, const RayScene& scene, const DelightOptions& options,
-                       Progress& progress)
+ThesisSolver::ThesisSolver(const Texels& texels, const RayScene& scene)
+    : texels_(texels), scene_(scene), stages_(texels, scene)
+{}
+
+const ThesisSolver::Emission& ThesisSolver::emissionOf(const ThesisOptions& thesis,
+                                                       Progress& progress)
+{
+    const std::vector<float> inputs{thesis.emitterThreshold, thesis.expansion,
+                                    static_cast<float>(thesis.lightLevels)};
+    return emission_.of(inputs, [&] {
+        Emission found{collectLight(texels_, emitterOptions(thesis), progress), {}};
+        found.lights = findLights(found.light, texels_, thesis, progress);
+        return found;
+    });
+}
+
+Solution ThesisSolver::solve(const DelightOptions& options, Progress& progress)
 {
     checkAttenuation(options.thesis);
     Solution solution{.options = options};
-    SurfelLight light = collectLight(texels, emitterOptions(options.thesis), progress);
-    const Lights found = findLights(light, texels, options.thesis, progress);
+    const auto& [light, found] = emissionOf(options.thesis, progress);
     const Lights& lights = options.lights ? *options.lights : found;
     if (lights.points.empty() && !options.lights)
         solution.warnings.emplace_back(
@@ -118,23 +131,25 @@ Solution solveByThesis(const Texels& texels, const RayScene& scene, const Deligh
             "has ambient light alone; give it lights with --lights");
 
     const ThesisOptions dials = options.lights ? dialsFor(lights, options.thesis) : options.thesis;
-    const auto engine = std::make_shared<ThesisEngine>(texels, scene, options.engine);
-    const auto shading = std::make_shared<ThesisShading>(engine->solve(lights, dials, progress));
+    const std::shared_ptr<ThesisEngine> engine = engine_.of(
+        options.engine, [&] { return std::make_shared<ThesisEngine>(texels_, options.engine); });
+    const auto shading =
+        std::make_shared<ThesisShading>(engine->solve(stages_, lights, dials, progress));
     if (!engine->note().empty()) solution.warnings.push_back(engine->note());
-    setDials(*shading, texels, light, lights, progress);
+    setDials(*shading, texels_, light, lights, progress);
     {
         const Progress::Stage stage(progress, "closure");
         solution.closure =
-            closeLoop(texels, scene, light, lights, *shading, options.albedo.darkest);
+            closeLoop(texels_, scene_, light, lights, *shading, options.albedo.darkest);
     }
 
     if (options.albedo.fill)
-        solution.fill = fillOf(texels.surfels, light, *shading, options.albedo.darkest);
+        solution.fill = fillOf(texels_.surfels, light, *shading, options.albedo.darkest);
     solution.options.thesis = shading->dials;
     solution.lights = lights;
     scalePower(solution.lights, *shading->dials.power, shading->ambient);
     solution.merged = lightsOfShadowMaps(solution.lights, shading->dials);
-    solution.shining = {std::vector<uint8_t>(texels.surfels.count(), 0),
+    solution.shining = {std::vector<uint8_t>(texels_.surfels.count(), 0),
                         options.thesis.emitterThreshold};
     for (const Emitter& emitter : light.emitters) solution.shining.surfels[emitter.surfel] = 1;
     solution.options.engine = {engine->name() == "cpu" ? Engine::cpu : Engine::gpu, engine->name()};

@@ -1,15 +1,45 @@
 #pragma once
 
+#include "base/kept.h"
+#include "lights/emitters.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
+#include "shading/thesis.h"
 #include "solve/solution.h"
+#include "solve/thesis_engine.h"
+
+#include <memory>
+#include <vector>
 
 namespace relamp
 {
 
 /// Choi's system: median cut of what is burnt out, point lights without shadows, bounce light by
 /// RSM and LPV, ambient light; dials that are left open follow from the scan.
-Solution solveByThesis(const Texels& texels, const RayScene& scene, const DelightOptions& options,
-                       Progress& progress);
+///
+/// Stages run again only where something that they depend on is not as it was the last time.
+class ThesisSolver
+{
+public:
+    /// Both must outlive this and its solutions.
+    ThesisSolver(const Texels& texels, const RayScene& scene);
+
+    Solution solve(const DelightOptions& options, Progress& progress);
+
+private:
+    struct Emission
+    {
+        SurfelLight light; // with the emitters of `lights`
+        Lights lights;
+    };
+
+    const Emission& emissionOf(const ThesisOptions& thesis, Progress& progress);
+
+    const Texels& texels_;
+    const RayScene& scene_;
+    ThesisStages stages_;
+    Kept<std::vector<float>, Emission> emission_;
+    Kept<EngineOptions, std::shared_ptr<ThesisEngine>> engine_;
+};
 
 } // namespace relamp

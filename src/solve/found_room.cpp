@@ -119,8 +119,7 @@ void keepSunlit(const FoundLamps& all, FoundRoom& room)
 void settle(const FoundLamps& all, const Texels& texels, const RayScene& scene,
             const std::optional<Lights>& given, FoundRoom& room)
 {
-    const size_t surfels = texels.surfels.count();
-    room.shines = shinesOf(room.found, surfels);
+    room.shines = shinesOf(room);
     if (!given) room.sides = sidesOf(texels, scene, room);
     if (given && !given->sun) {
         room.sides = sidesOf(texels, scene, room);
@@ -132,8 +131,18 @@ void settle(const FoundLamps& all, const Texels& texels, const RayScene& scene,
     if (!sun) return;
     room.sun = letIn(*sun, texels, room.hits, std::move(outside));
     keepSunlit(all, room);
-    room.shines = shinesOf(room.found, surfels);
+    room.shines = shinesOf(room);
     room.sides = sidesOf(texels, scene, room);
+}
+
+/// Where the lamps are that shine, and no more of them.
+FoundLamps litOf(const FoundRoom& room, bool withSunlit)
+{
+    FoundLamps lit;
+    for (const FoundLamp& lamp : room.found.lamps)
+        if (lamp.radiance != glm::vec3(0.0f) && (withSunlit || !lamp.isSunlit))
+            lit.lamps.push_back({.patches = lamp.patches});
+    return lit;
 }
 
 } // namespace
@@ -144,13 +153,18 @@ SurfelOptions surfelsOf(Quality quality)
 }
 
 FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOptions& options,
-                   Progress& progress)
+                   Progress& progress, const FoundRoom* before)
 {
     FoundRoom room;
-    room.radiance = collectRadiance(texels, progress);
     room.options = withRays(options.gather, texels.surfels.count());
-    room.hits = castHitLists(texels, scene, room.radiance, static_cast<size_t>(room.options.rays),
-                             progress);
+    if (before != nullptr && before->options.rays == room.options.rays) {
+        room.radiance = before->radiance;
+        room.hits = before->hits;
+    } else {
+        room.radiance = collectRadiance(texels, progress);
+        room.hits = castHitLists(texels, scene, room.radiance,
+                                 static_cast<size_t>(room.options.rays), progress);
+    }
     FoundLamps all = findLamps(texels, scene, room.hits, room.radiance, room.options, progress);
     room.warnings = all.warnings;
     room.found = options.lights ? asGiven(*options.lights, all) : all;
@@ -179,11 +193,14 @@ Lights lightsOf(const FoundRoom& room)
     return lights;
 }
 
+std::vector<uint8_t> shinesOf(const FoundRoom& room)
+{
+    return shinesOf(litOf(room, true), room.radiance.plain.size());
+}
+
 Shining shiningOf(const FoundRoom& room)
 {
-    FoundLamps lamps = room.found;
-    std::erase_if(lamps.lamps, [](const FoundLamp& lamp) { return lamp.isSunlit; });
-    return {shinesOf(lamps, room.shines.size()), 0.0f};
+    return {shinesOf(litOf(room, false), room.radiance.plain.size()), 0.0f};
 }
 
 std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radiance,

@@ -45,12 +45,17 @@ struct FoundRoom
 };
 
 /// Finds the lamps and their radiances by what they do to the walls, and the sun by the patch that
-/// it throws; where the options name lights, it is these. All lamps have been looked at.
+/// it throws; where the options name lights, it is these. All lamps have been looked at. `before`:
+/// the same texels under other options, or null; where as many rays are wanted, what they met is
+/// taken from there.
 FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOptions& options,
-                   Progress& progress);
+                   Progress& progress, const FoundRoom* before = nullptr);
 
 /// Lamps and the sun as people see and edit them.
 Lights lightsOf(const FoundRoom& room);
+
+/// Marks the surfels whose burnt-out texels belong to a lamp that shines, or are a patch of sun.
+std::vector<uint8_t> shinesOf(const FoundRoom& room);
 
 /// The texels that are a lamp's own; a patch of sun is not.
 Shining shiningOf(const FoundRoom& room);

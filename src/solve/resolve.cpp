@@ -19,24 +19,26 @@ std::vector<glm::vec3> indirectOf(const Texels& texels, const SolvedRoom& room)
     return indirectOfFronts(texels.surfels, found.hits, found.sides, found.found.ambient);
 }
 
-std::shared_ptr<GatheredLight> lightOf(const Texels& texels, const RayScene& scene,
-                                       const FoundRoom& room, std::vector<glm::vec3> indirect)
+std::shared_ptr<const GatheredLight> lightOf(const Texels& texels, const RayScene& scene,
+                                             const FoundRoom& room, std::vector<glm::vec3> indirect)
 {
     std::vector<LitLamp> lamps;
     const auto rays = static_cast<size_t>(room.options.shadowRays);
-    Visibility visibility(texels, scene, {}, {}, {});
+    const auto visibility = std::make_shared<Visibility>(
+        texels, scene, std::span<const AreaLight>(), std::span<const std::vector<AreaSample>>(),
+        VisibilityOptions{});
     for (const FoundLamp& lamp : room.found.lamps) {
         const AreaLight area(lamp.patches);
         const size_t singles = singlesOf(lamp).size();
         lamps.push_back({LampPatches(area), lamp.radiance});
-        visibility.add(scene, area, lamp.onSides, rays * raysToGroup(singles));
+        visibility->add(scene, area, lamp.onSides, rays * raysToGroup(singles));
     }
     if (const auto& sun = room.sun) {
         lamps.push_back({LampPatches(sun->disc), sunRadiance(sun->sun)});
-        visibility.add(*sun->outside, sun->disc, sun->onSides, rays);
+        visibility->add(*sun->outside, sun->disc, sun->onSides, rays);
     }
-    return std::make_shared<GatheredLight>(
-        GatheredLight{std::move(lamps), std::move(visibility), std::move(indirect)});
+    return std::make_shared<const GatheredLight>(
+        GatheredLight{std::move(lamps), visibility, std::move(indirect)});
 }
 
 } // namespace
@@ -76,14 +78,17 @@ void resolve(const Texels& texels, SolvedRoom& room, const LampPowers& powers)
 {
     FoundRoom& found = room.found;
     std::vector<glm::vec3> direct(found.hits.sideOfList.size(), glm::vec3(0.0f));
+    const auto light = std::make_shared<GatheredLight>(*room.light);
     for (size_t l = 0; l < powers.lamps.size(); ++l) {
-        room.light->lamps[l].radiance = powers.lamps[l];
+        light->lamps[l].radiance = powers.lamps[l];
         addDirect(onSidesOf(room, l), powers.lamps[l], direct);
     }
     found.found.ambient = powers.ambient;
     found.sides = lightSides(texels, found.hits, found.radiance, std::move(direct), found.shines,
                              powers.ambient);
-    room.light->indirect = indirectOf(texels, room);
+    light->indirect = indirectOf(texels, room);
+    room.lighting = lightOnSurfels(texels.surfels, *light);
+    room.light = light;
 }
 
 TexelShading shadingOf(const Texels& texels, const SolvedRoom& room)

@@ -20,10 +20,10 @@ namespace relamp
 struct SolvedRoom
 {
     FoundRoom found;
-    std::shared_ptr<GatheredLight> light; // its lamps are those of `found`, then the sun
-    StrayLight stray{};                   // of the first solution, as is what follows
-    SurfelLighting lighting;
-    std::vector<float> lit; // of surfels, as findShade()
+    std::shared_ptr<const GatheredLight> light; // its lamps are those of `found`, then the sun
+    SurfelLighting lighting;                    // what it brings to surfels
+    StrayLight stray{};                         // of the first solution, as is what follows
+    std::vector<float> lit;                     // of surfels, as findShade()
 };
 
 /// Shadows, indirect light and shade of a room whose lamps are known. Shade takes one thread:
@@ -44,7 +44,7 @@ LampPowers powersOf(const SolvedRoom& room);
 std::span<const AreaSample> onSidesOf(const SolvedRoom& room, size_t lamp);
 
 /// Changes the powers and all light that follows from them; casts no ray and fits nothing again.
-/// The same powers give the same light, to the bit.
+/// The same powers give the same light, to the bit. What shades by the light before goes on to.
 void resolve(const Texels& texels, SolvedRoom& room, const LampPowers& powers);
 
 /// Shading of the room's texels, but for the light that the texture shows at the rims of what is

@@ -24,7 +24,8 @@ void store(glm::vec3 rgb, RgbBlock& block, size_t i)
 
 } // namespace
 
-/// A device, what it works with, and the irradiance of the page that was asked for last.
+/// A device, what it works with, and the irradiance of the page that was asked for last, under the
+/// shading that it was asked of.
 struct ThesisEngine::Gpu
 {
     Gpu(std::unique_ptr<gpu::Device> theDevice, const Texels& texels)
@@ -33,15 +34,14 @@ struct ThesisEngine::Gpu
 
     std::unique_ptr<gpu::Device> device;
     ThesisGpu thesis;
-    size_t page = ~size_t{0};
+    const ThesisShading* lit = nullptr;
+    size_t page = 0;
     std::vector<glm::uvec2> direct;
     std::vector<glm::uvec2> indirect;
 };
 
-ThesisEngine::ThesisEngine(const Texels& texels, const RayScene& scene,
-                           const EngineOptions& options)
-    : texels_(texels), scene_(scene),
-      isFree_(options.engine == Engine::automatic && options.gpu.empty())
+ThesisEngine::ThesisEngine(const Texels& texels, const EngineOptions& options)
+    : texels_(texels), isFree_(options.engine == Engine::automatic && options.gpu.empty())
 {
     try {
         if (auto device = gpu::deviceFor(options))
@@ -60,21 +60,23 @@ void ThesisEngine::giveUp(const Error& error)
     note_ = fmt::format("{}; the CPU took over", error.what());
 }
 
-ThesisShading ThesisEngine::solve(const Lights& lights, const ThesisOptions& dials,
-                                  Progress& progress)
+ThesisShading ThesisEngine::solve(ThesisStages& stages, const Lights& lights,
+                                  const ThesisOptions& dials, Progress& progress)
 {
-    if (!gpu_) return solveThesis(texels_, scene_, lights, dials, progress);
+    const std::unique_lock lock(mutex_);
+    if (!gpu_) return stages.solve(lights, dials, progress);
     ThesisShading shading{.dials = deriveDials(dials, lights, boundsOf(*texels_.scan)),
                           .lights = LightArrays(lights.points)};
     try {
         Progress::Stage stage(progress, "bounce");
+        gpu_->lit = nullptr;
         gpu_->thesis.bounce(frameOf(shading, lights));
         if (dials.useLpv && !lights.points.empty()) shading.bounce = gpu_->thesis.volume();
         return shading;
     } catch (const Error& error) {
         giveUp(error);
     }
-    return solveThesis(texels_, scene_, lights, dials, progress);
+    return stages.solve(lights, dials, progress);
 }
 
 void ThesisEngine::shadeTexels(const ThesisShading& shading, const Lights& lights,
@@ -93,11 +95,14 @@ bool ThesisEngine::irradianceOnGpu(const ThesisShading& shading, const Lights& l
     const std::unique_lock lock(mutex_);
     if (!gpu_) return false;
     try {
-        if (gpu_->page != at.page) {
+        if (gpu_->lit != &shading) gpu_->thesis.bounce(frameOf(shading, lights));
+        if (gpu_->lit != &shading || gpu_->page != at.page) {
+            gpu_->lit = nullptr;
             gpu_->thesis.page(frameOf(shading, lights), at.page);
             gpu_->direct = gpu_->thesis.direct();
             gpu_->indirect = gpu_->thesis.indirect();
             gpu_->page = at.page;
+            gpu_->lit = &shading;
         }
     } catch (const Error& error) {
         giveUp(error);

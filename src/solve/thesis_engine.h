@@ -3,7 +3,6 @@
 #include "gpu/device.h"
 #include "relamp/devices.h"
 #include "relamp/error.h"
-#include "scan/rays.h"
 #include "scan/texels.h"
 #include "shading/texel_shading.h"
 #include "shading/thesis.h"
@@ -24,14 +23,16 @@ namespace relamp
 class ThesisEngine
 {
 public:
-    /// `texels` and `scene` must outlive this. Throws Error(device) where a GPU is asked for and
+    /// `texels` must outlive this. Throws Error(device) where a GPU is asked for and
     /// there is none.
-    ThesisEngine(const Texels& texels, const RayScene& scene, const EngineOptions& options);
+    ThesisEngine(const Texels& texels, const EngineOptions& options);
     ~ThesisEngine();
 
-    /// As solveThesis().
-    ThesisShading solve(const Lights& lights, const ThesisOptions& dials, Progress& progress);
-    /// As shade(), of the texels of a page. Thread safe; `lights` are those of solve().
+    /// As `stages` do it, which are the CPU's of the same texels.
+    ThesisShading solve(ThesisStages& stages, const Lights& lights, const ThesisOptions& dials,
+                        Progress& progress);
+    /// As shade(), of the texels of a page. Thread safe; `shading` and `lights` are those of any
+    /// solve().
     struct TexelsAt
     {
         size_t page;
@@ -53,7 +54,6 @@ private:
                          size_t count, ShadingBlock& out);
 
     const Texels& texels_;
-    const RayScene& scene_;
     bool isFree_; // nobody asked for this engine
     std::mutex mutex_;
     std::unique_ptr<Gpu> gpu_; // null: the CPU

@@ -4,7 +4,7 @@
 set -euo pipefail
 
 readonly layers='base gpu image scan lights flatten shading fit albedo solve decomposition_state.h relight output
-                 delight.cpp verify.cpp bench.cpp'
+                 delight.cpp delighter.cpp verify.cpp bench.cpp'
 
 includes() { grep -rnE '^ *# *include' --include='*.'{h,cpp,comp} "$@" || true; }
 

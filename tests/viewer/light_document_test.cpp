@@ -22,12 +22,35 @@ TEST(LightDocument, AsItWasFoundIsTheLightOfTheScan)
     std::vector<std::string> notes;
     const relamp::Lights captured = twoFixtures();
 
-    const relamp::Relighting light = lightingOf(documentOf(captured), {}, captured, notes);
+    relamp::RelightingReader reader;
+    const relamp::Relighting light = lightingOf(documentOf(captured), {}, captured, notes, reader);
 
     EXPECT_THAT(notes, testing::IsEmpty());
     ASSERT_EQ(light.fixtures.size(), 2u);
     EXPECT_EQ(light.fixtures[0].fixture.radiance, captured.fixtures[0].radiance);
     EXPECT_EQ(light.sky.radiance, captured.ambient);
+}
+
+TEST(LightDocument, SaysHowFixturesWereOnTheDayOfTheScan)
+{
+    const relamp::Lights found = twoFixtures();
+    LightDocument scanned{.fixtures = {kAsFound, kAsFound}};
+    EXPECT_EQ(lightsUnder(scanned, found).fixtures[0].radiance, found.fixtures[0].radiance);
+
+    scanned.fixtures[0].dim = 0.5f;
+    scanned.fixtures[1].on = false;
+    const relamp::Lights lights = lightsUnder(scanned, found);
+    EXPECT_EQ(lights.fixtures[0].radiance, glm::vec3(10.0f));
+    EXPECT_EQ(lights.fixtures[1].radiance, glm::vec3(0.0f));
+    EXPECT_EQ(lights.ambient, found.ambient);
+}
+
+TEST(LightDocument, WhatWasSaidStaysWithTheFixtureThatIsThere)
+{
+    const FixtureItem dimmed{.on = true, .dim = 0.5f};
+    const std::vector<glm::vec3> places{{1.02f, 2, 0}, {5, 2, 0}};
+    EXPECT_THAT(carriedOver({dimmed, {}}, places, twoFixtures(), kAsFound),
+                testing::ElementsAre(kAsFound, dimmed));
 }
 
 TEST(LightDocument, IsReadAsItWasWritten)

@@ -185,6 +185,46 @@ TEST(ViewerProgram, ShowsARoomTakesItApartAndLightsItAnew)
     EXPECT_GT(likeness(readImage(file("sky.exr")), photograph(sky), 0.05f), 0.95);
 }
 
+// What is said of a lamp on the day of the scan changes the albedo, what is said of it now does
+// not.
+TEST(ViewerProgram, AlbedoFollowsALampOfTheDayOfTheScan)
+{
+    const scenes::TemporaryFolder out;
+    const auto file = [&](const char* name) { return (out / name).string(); };
+    const auto picture = [&](const char* name) {
+        return "wait solve\nscreenshot " + file(name) + " view\n";
+    };
+    const Outcome outcome =
+        view({}, "set quality draft\nset panels off\nset marks off\nopen " +
+                     (kBedroom / "scan.glb").string() + "\nwait scan\n" + kCamera + "press 6\n" +
+                     picture("found.exr") + "set fixture.0.dim 0.5\n" + picture("now.exr") +
+                     "press ctrl+z\nset scanned.0.dim 2\n" + picture("brighter.exr") +
+                     "set scanned.0.on off\n" + picture("off.exr") + "press ctrl+z\n" +
+                     picture("undone.exr") +
+                     // One after the other, while the last is followed.
+                     "set scanned.0.dim 3\nset scanned.0.kelvin 6500\nset scanned.0.dim 1\n" +
+                     "press ctrl+z\npress ctrl+z\npress ctrl+z\npress ctrl+z\n" +
+                     picture("again.exr") + "press ctrl+y\n" + picture("redone.exr") +
+                     "press 8\nwait relit\nscreenshot " + file("relit.exr") + " view\npress 1\n" +
+                     "screenshot " + file("scan.exr") + " view\nquit\n");
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+
+    const auto read = [&](const char* name) { return readImage(file(name)); };
+    const glm::vec3 found = meanOf(read("found.exr"));
+    const glm::vec3 brighter = meanOf(read("brighter.exr"));
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_LT(brighter[c], 0.9f * found[c]);
+        EXPECT_GT(meanOf(read("off.exr"))[c], 1.1f * found[c]);
+    }
+    EXPECT_EQ(likeness(read("now.exr"), read("found.exr"), 1e-6f), 1.0);
+    EXPECT_EQ(likeness(read("again.exr"), read("found.exr"), 1e-6f), 1.0);
+    EXPECT_EQ(likeness(read("undone.exr"), read("brighter.exr"), 1e-6f), 1.0);
+    EXPECT_EQ(likeness(read("redone.exr"), read("brighter.exr"), 1e-6f), 1.0);
+    // The darker albedo under the brighter lamp is the scan.
+    const glm::vec3 ratio = meanOf(read("relit.exr")) / meanOf(read("scan.exr"));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0f, 0.2f);
+}
+
 TEST(ViewerProgram, OutlivesWhateverIsDoneToIt)
 {
     // Drawn as on a graphics card, which no other test does.

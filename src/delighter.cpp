@@ -1,0 +1,122 @@
+#include "relamp/delighter.h"
+
+#include "decomposition_state.h"
+#include "relamp/error.h"
+#include "shading/buried.h"
+#include "solve/by_gather.h"
+#include "solve/by_pathtrace.h"
+#include "solve/by_thesis.h"
+#include "solve/found_room.h"
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace relamp
+{
+namespace
+{
+
+/// The thesis filters within surfels, the others look about from each and need them small.
+SurfelOptions surfelsFor(const DelightOptions& options)
+{
+    return options.solver == Solver::thesis ? SurfelOptions{} : surfelsOf(options.gather.quality);
+}
+
+void checkEngine(const DelightOptions& options)
+{
+    if (options.solver == Solver::thesis) return;
+    if (options.engine.engine != Engine::gpu && options.engine.gpu.empty()) return;
+    throw Error(ErrorCode::unsupported,
+                "the GPU computes the thesis solver alone: leave --engine and --gpu out, or take "
+                "--solver thesis");
+}
+
+} // namespace
+
+struct Delighter::State
+{
+    explicit State(const Scan& of) : scan(of) {}
+
+    void prepare(const DelightOptions& options, Progress& progress);
+    Solution solve(const DelightOptions& options, Progress& progress);
+    [[nodiscard]] Decomposition decompositionOf(Solution solution) const;
+
+    const Scan& scan;
+    std::shared_ptr<const RayScene> scene;
+    std::shared_ptr<const Texels> texels;
+    SurfelOptions surfels; // of `texels`
+    std::optional<GatherSolver> gather;
+    std::optional<ThesisSolver> thesis;
+    Solver last = Solver::pathtrace; // that solved; nothing was: none that resolves
+};
+
+/// Rays and texels, where they are not there yet. Solvers that know others go.
+void Delighter::State::prepare(const DelightOptions& options, Progress& progress)
+{
+    if (!scene) {
+        const Progress::Stage stage(progress, "bvh");
+        scene = std::make_shared<const RayScene>(scan);
+    }
+    const SurfelOptions wanted = surfelsFor(options);
+    if (texels && surfels == wanted) return;
+    gather.reset();
+    thesis.reset();
+    texels.reset();
+    auto found = std::make_shared<Texels>(rasterizeAtlas(scan, progress, wanted));
+    checkOverlap(*found);
+    if (options.solver != Solver::thesis) separateBuried(*found, *scene, progress);
+    texels = std::move(found);
+    surfels = wanted;
+    gather.emplace(*texels, *scene);
+    thesis.emplace(*texels, *scene);
+}
+
+Solution Delighter::State::solve(const DelightOptions& options, Progress& progress)
+{
+    switch (options.solver) {
+    case Solver::thesis:
+        return thesis->solve(options, progress);
+    case Solver::pathtrace:
+        return solveByPathtrace(*texels, *scene, options, progress);
+    case Solver::gather:
+        break;
+    }
+    return gather->solve(options, progress);
+}
+
+Decomposition Delighter::State::decompositionOf(Solution solution) const
+{
+    return Decomposition(std::make_unique<Decomposition::State>(
+        Decomposition::State{scene, texels, std::move(solution)}));
+}
+
+Delighter::Delighter(const Scan& scan) : state_(std::make_unique<State>(scan)) {}
+Delighter::~Delighter() = default;
+Delighter::Delighter(Delighter&&) noexcept = default;
+Delighter& Delighter::operator=(Delighter&&) noexcept = default;
+
+Decomposition Delighter::solve(const DelightOptions& options, Progress& progress)
+{
+    checkEngine(options);
+    state_->prepare(options, progress);
+    Solution solution = state_->solve(options, progress);
+    state_->last = options.solver;
+    return state_->decompositionOf(std::move(solution));
+}
+
+bool Delighter::canResolve() const
+{
+    return state_->last == Solver::gather && state_->gather && state_->gather->hasSolved();
+}
+
+Decomposition Delighter::resolve(const Lights& lights, const AlbedoOptions& albedo,
+                                 Progress& progress)
+{
+    if (!canResolve())
+        throw Error(ErrorCode::unsupported,
+                    "lamps of a room can be changed when the solver gather has solved it");
+    return state_->decompositionOf(state_->gather->resolve(lights, albedo, progress));
+}
+
+} // namespace relamp

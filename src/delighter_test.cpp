@@ -1,0 +1,267 @@
+#include "relamp/delighter.h"
+
+#include "base/half.h"
+#include "relamp/error.h"
+#include "scenes/gpu_scene.h"
+#include "scenes/lit_room.h"
+#include "scenes/many_lamps.h"
+#include "scenes/sun_room.h"
+
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include <gmock/gmock.h>
+
+namespace relamp
+{
+namespace
+{
+
+DelightOptions draft()
+{
+    DelightOptions options;
+    options.gather.quality = Quality::draft;
+    return options;
+}
+
+DelightOptions thesis()
+{
+    return {.solver = Solver::thesis};
+}
+
+PageLayers layersOf(const Decomposition& result)
+{
+    Progress progress;
+    return result.layers(0, progress);
+}
+
+void expectSame(const Decomposition& a, const Decomposition& b)
+{
+    EXPECT_EQ(lightsAsJson(a.lights()), lightsAsJson(b.lights()));
+    EXPECT_EQ(a.closure().rmsError, b.closure().rmsError);
+    EXPECT_EQ(a.warnings(), b.warnings());
+    const PageLayers first = layersOf(a);
+    const PageLayers second = layersOf(b);
+    EXPECT_EQ(first.albedo, second.albedo);
+    EXPECT_EQ(first.direct, second.direct);
+    EXPECT_EQ(first.indirect, second.indirect);
+    EXPECT_EQ(first.emission, second.emission);
+    EXPECT_EQ(first.confidence, second.confidence);
+    EXPECT_EQ(first.doubt, second.doubt);
+    EXPECT_EQ(first.area, second.area);
+}
+
+double sumOf(const std::vector<uint16_t>& halves)
+{
+    double sum = 0.0;
+    for (const uint16_t half : halves) sum += static_cast<double>(floatFromHalf(half));
+    return sum;
+}
+
+ErrorCode codeOf(const std::function<void()>& work)
+{
+    try {
+        work();
+    } catch (const Error& error) {
+        return error.code();
+    }
+    ADD_FAILURE() << "nothing was thrown";
+    return ErrorCode::cannotRead;
+}
+
+/// A room that is solved and can be resolved.
+struct Room
+{
+    explicit Room(Scan of) : scan(std::move(of)), delighter(scan)
+    {
+        found.emplace(delighter.solve(draft(), progress));
+    }
+
+    [[nodiscard]] Decomposition resolve(const Lights& lights)
+    {
+        return delighter.resolve(lights, draft().albedo, progress);
+    }
+
+    Scan scan;
+    Delighter delighter;
+    Progress progress;
+    std::optional<Decomposition> found;
+};
+
+Lights brighter(Lights lights, float factor)
+{
+    for (Fixture& fixture : lights.fixtures) fixture.radiance *= factor;
+    return lights;
+}
+
+} // namespace
+
+TEST(Delighter, SolvesAsDelightDoesWhateverItSolvedBefore)
+{
+    Room room(scenes::LitRoom().scan);
+    expectSame(*room.found, delight(room.scan, draft(), room.progress));
+
+    DelightOptions other = draft();
+    other.gather.notLights = {scenes::LitRoom::kSheetCentre};
+    other.gather.shadowRays = 4;
+    expectSame(room.delighter.solve(other, room.progress),
+               delight(room.scan, other, room.progress));
+
+    other.albedo.fill = true;
+    other.albedo.darkest = 0.1f;
+    expectSame(room.delighter.solve(other, room.progress),
+               delight(room.scan, other, room.progress));
+    expectSame(room.delighter.solve(draft(), room.progress), *room.found);
+}
+
+TEST(Delighter, DialsOfTheThesisAreThoseOfDelight)
+{
+    const Scan scan = scenes::LitRoom().scan;
+    Progress progress;
+    Delighter delighter(scan);
+    DelightOptions options = thesis();
+    const Decomposition first = delighter.solve(options, progress);
+    const PageLayers before = layersOf(first);
+    const std::function<void()> dials[] = {[&] { options.thesis.power = 2.0f; },
+                                           [&] { options.thesis.lpvSteps = 3; },
+                                           [&] { options.thesis.flattenRange = 1.0f; },
+                                           [&] { options.thesis.lightLevels = 3; },
+                                           [&] { options.thesis.emitterThreshold = 0.5f; },
+                                           [&] { options.thesis.useLpv = false; }};
+    for (const auto& turn : dials) {
+        turn();
+        expectSame(delighter.solve(options, progress), delight(scan, options, progress));
+    }
+    EXPECT_EQ(layersOf(first).albedo, before.albedo);
+}
+
+TEST(Delighter, TheSameLightsGiveTheSameRoom)
+{
+    Room room(scenes::LitRoom().scan);
+    const Lights& lights = room.found->lights();
+    ASSERT_EQ(lights.fixtures.size(), 1u);
+    expectSame(room.resolve(lights), *room.found);
+
+    const PageLayers before = layersOf(*room.found);
+    const Decomposition other = room.resolve(brighter(lights, 2.0f));
+    EXPECT_NEAR(sumOf(layersOf(other).direct) / sumOf(before.direct), 2.0, 0.01);
+    EXPECT_LT(sumOf(layersOf(other).albedo), 0.8 * sumOf(before.albedo));
+    EXPECT_FLOAT_EQ(other.lights().fixtures[0].radiance.r, 2.0f * lights.fixtures[0].radiance.r);
+    EXPECT_EQ(other.lights().fixtures[0].error, glm::vec3(0.0f)); // somebody said so
+    EXPECT_EQ(layersOf(*room.found).albedo, before.albedo);
+
+    expectSame(room.resolve(lights), *room.found);
+}
+
+TEST(Delighter, ResultsOutliveIt)
+{
+    const Scan scan = scenes::LitRoom().scan;
+    std::optional<Decomposition> found;
+    std::optional<Decomposition> resolved;
+    {
+        Delighter delighter(scan);
+        Progress progress;
+        found.emplace(delighter.solve(draft(), progress));
+        resolved.emplace(
+            delighter.resolve(brighter(found->lights(), 0.5f), draft().albedo, progress));
+        static_cast<void>(delighter.solve(thesis(), progress)); // which needs other texels
+    }
+    EXPECT_GT(sumOf(layersOf(*resolved).albedo), sumOf(layersOf(*found).albedo));
+}
+
+TEST(Delighter, ALampThatIsOffIsWall)
+{
+    Room room(scenes::LitRoom().scan);
+    const PageLayers found = layersOf(*room.found);
+    EXPECT_FALSE(found.emission.empty());
+    const PageLayers dark = layersOf(room.resolve(brighter(room.found->lights(), 0.0f)));
+    EXPECT_TRUE(dark.emission.empty());
+    EXPECT_EQ(sumOf(dark.direct), 0.0);
+    EXPECT_EQ(dark.area[static_cast<size_t>(Doubt::shines)], 0.0);
+}
+
+TEST(Delighter, TheSunIsALampToo)
+{
+    Room room(scenes::SunRoom(glm::vec3(3.0f)).scan);
+    Lights lights = room.found->lights();
+    ASSERT_TRUE(lights.sun);
+    expectSame(room.resolve(lights), *room.found);
+
+    lights.sun->irradiance *= 0.5f;
+    lights.ambient += glm::vec3(0.1f);
+    const Decomposition dimmed = room.resolve(lights);
+    EXPECT_EQ(lightsAsJson(dimmed.lights()), lightsAsJson(lights));
+    EXPECT_LT(sumOf(layersOf(dimmed).direct), sumOf(layersOf(*room.found).direct));
+    expectSame(room.resolve(room.found->lights()), *room.found);
+}
+
+TEST(Delighter, LampsOfAGroupGetTheirMean)
+{
+    Room room(scenes::ManyLamps(12, 8).scan);
+    Lights lights = room.found->lights();
+    ASSERT_GT(lights.fixtures.size(), 64u);
+    expectSame(room.resolve(lights), *room.found);
+
+    glm::vec3 before(0.0f);
+    glm::vec3 after(0.0f);
+    lights.fixtures[0].radiance *= 3.0f;
+    for (const Fixture& fixture : lights.fixtures) before += fixture.power();
+    const Decomposition resolved = room.resolve(lights);
+    for (const Fixture& fixture : resolved.lights().fixtures) after += fixture.power();
+    EXPECT_NEAR(after.g / before.g, 1.0f, 1e-4f);
+}
+
+TEST(Delighter, RefusesWhatAreNotItsLightsAndGoesOn)
+{
+    Room room(scenes::LitRoom().scan);
+    const Lights& found = room.found->lights();
+    Lights lights;
+    EXPECT_EQ(codeOf([&] { static_cast<void>(room.resolve(lights)); }), ErrorCode::sizeMismatch);
+    lights = found;
+    lights.sun.emplace();
+    EXPECT_EQ(codeOf([&] { static_cast<void>(room.resolve(lights)); }), ErrorCode::sizeMismatch);
+    for (const float wrong :
+         {-1.0f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        lights = found;
+        lights.fixtures[0].radiance.g = wrong;
+        EXPECT_EQ(codeOf([&] { static_cast<void>(room.resolve(lights)); }), ErrorCode::malformed);
+    }
+    Progress cancelled;
+    cancelled.cancel();
+    EXPECT_EQ(codeOf([&] {
+                  static_cast<void>(room.delighter.resolve(brighter(found, 2.0f), {}, cancelled));
+              }),
+              ErrorCode::cancelled);
+    EXPECT_EQ(codeOf([&] { static_cast<void>(room.delighter.solve(thesis(), cancelled)); }),
+              ErrorCode::cancelled);
+    Delighter fresh(room.scan);
+    EXPECT_EQ(codeOf([&] { static_cast<void>(fresh.resolve(found, {}, room.progress)); }),
+              ErrorCode::unsupported);
+}
+
+class GpuDelighter : public scenes::GpuTest
+{};
+
+// They share what lies on the device.
+TEST_F(GpuDelighter, EarlierResultsStayWhatTheyAre)
+{
+    const Scan scan = scenes::LitRoom().scan;
+    Progress progress;
+    Delighter delighter(scan);
+    DelightOptions options = thesis();
+    options.engine.engine = Engine::gpu;
+    const Decomposition first = delighter.solve(options, progress);
+    const PageLayers before = layersOf(first);
+    options.thesis.lpvSteps = 3;
+    options.thesis.attenuation = glm::vec3(1.0f, 0.0f, 1.0f);
+    const Decomposition second = delighter.solve(options, progress);
+    const PageLayers after = layersOf(second);
+    EXPECT_NE(after.indirect, before.indirect);
+    EXPECT_EQ(layersOf(first).albedo, before.albedo);
+    EXPECT_EQ(layersOf(second).albedo, after.albedo);
+    EXPECT_EQ(layersOf(first).indirect, before.indirect);
+    expectSame(second, delight(scan, options, progress));
+}
+
+} // namespace relamp
