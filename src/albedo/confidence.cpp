@@ -12,7 +12,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kSafelyBelow = 0.9f;
 constexpr float kWellLit = 4.0f;   // times `darkest`
 constexpr float kMuchLacks = 2.0f; // times the shading
 

@@ -15,6 +15,8 @@ namespace
 
 constexpr int kMostPasses = 256; // each goes about two surfels inwards
 constexpr int kSmoothings = 32;
+constexpr float kSomeWhole = 0.5f; // channels
+constexpr float kBlack = 1e-3f;
 constexpr float kOtherPaint = 0.4f; // in the logarithm: half as bright again, or two thirds
 
 /// Mean of what is around, over and over: what meets in the middle does so without an edge.
@@ -84,30 +86,35 @@ std::vector<glm::vec3> fillFromAround(const Surfels& surfels, std::span<const gl
     return filled;
 }
 
-glm::vec3 filledAlbedo(const Divided& own, glm::vec3 around, glm::bvec3 isBurntOut,
-                       glm::bvec3 isUnlit)
+glm::vec3 filledAlbedo(const Divided& own, glm::vec3 around, glm::vec3 burntOut, glm::bvec3 isUnlit)
 {
+    const glm::vec3 least = own.albedo / own.lack;
     float whole = 0.0f;
     float theirs = 0.0f;
-    float brightest = 0.0f;
+    float count = 0.0f;
+    float brightest = 0.0f; // of what is burnt out
+    float most = 1.0f;      // times around, that is as bright
     for (int c = 0; c < 3; ++c) {
-        if (isUnlit[c] || isBurntOut[c]) continue;
-        whole += own.albedo[c];
-        theirs += around[c];
-        brightest = std::max(brightest, own.albedo[c]);
+        const float isWhole = isUnlit[c] ? 0.0f : 1.0f - burntOut[c];
+        whole += isWhole * own.albedo[c];
+        theirs += isWhole * around[c];
+        count += isWhole;
+        if (isUnlit[c]) continue;
+        brightest = std::max(brightest, least[c]);
+        most = std::max(most, least[c] / std::max(around[c], kBlack));
     }
-    const float scale = theirs > 0.0f ? whole / theirs : 1.0f;
-    const float like = theirs > 0.0f ? likeness(scale) : 1.0f;
+    const bool isTold = count > kSomeWhole && theirs > 0.0f;
+    const float scale = isTold ? whole / theirs : 1.0f;
+    const float like = likeness(isTold ? scale : most);
+    const float grey = isTold ? whole / count : brightest;
     glm::vec3 filled = own.albedo;
     for (int c = 0; c < 3; ++c) {
         const float theirColor = std::min(scale * around[c], kWhitestPaper);
-        if (isUnlit[c]) {
+        const float guess = std::max(grey + like * (theirColor - grey), least[c]);
+        if (isUnlit[c])
             filled[c] = theirColor;
-        } else if (isBurntOut[c]) {
-            const float least = own.albedo[c] / own.lack;
-            const float grey = std::max(brightest, least);
-            filled[c] = std::max(grey + like * (theirColor - grey), least);
-        }
+        else
+            filled[c] += burntOut[c] * (guess - filled[c]);
     }
     return filled;
 }

@@ -26,7 +26,8 @@ struct Divided
 
 /// Albedo of a texel of which channels are burnt out or unlit. What a burnt-out channel shows is
 /// the least that it can be, and the less sure the more light lacks. `around`: of the surface.
-glm::vec3 filledAlbedo(const Divided& own, glm::vec3 around, glm::bvec3 isBurntOut,
+/// `burntOut`: 0..1, how likely a channel is: what several photos were blended to may be in part.
+glm::vec3 filledAlbedo(const Divided& own, glm::vec3 around, glm::vec3 burntOut,
                        glm::bvec3 isUnlit);
 
 } // namespace relamp

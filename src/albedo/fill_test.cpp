@@ -49,25 +49,25 @@ TEST(Fill, WhatNothingReachesIsGrey)
 
 TEST(Fill, WhatIsBurntOutIsAsAroundButNeverDarkerThanItShows)
 {
-    const glm::bvec3 all(true);
+    const glm::vec3 all(1.0f);
     const glm::bvec3 none(false);
     const glm::vec3 around(0.8f, 0.7f, 0.6f);
     EXPECT_EQ(filledAlbedo({glm::vec3(0.3f)}, around, all, none), around);
     EXPECT_EQ(filledAlbedo({glm::vec3(0.9f)}, around, all, none), glm::vec3(0.9f));
-    EXPECT_EQ(filledAlbedo({glm::vec3(0.3f)}, around, none, none), glm::vec3(0.3f));
+    EXPECT_EQ(filledAlbedo({glm::vec3(0.3f)}, around, glm::vec3(0.0f), none), glm::vec3(0.3f));
 }
 
 TEST(Fill, ShadingThatNoPaintAgreesWithTellsNothing)
 {
     const glm::vec3 around(0.8f, 0.7f, 0.6f);
-    EXPECT_EQ(filledAlbedo({glm::vec3(0.9f), 1.8f}, around, glm::bvec3(true), glm::bvec3(false)),
+    EXPECT_EQ(filledAlbedo({glm::vec3(0.9f), 1.8f}, around, glm::vec3(1.0f), glm::bvec3(false)),
               around);
 }
 
 // A red stripe beside a white one, both burnt out in red.
 TEST(Fill, ChannelsThatAreWholeSayHowBrightTheOthersAre)
 {
-    const glm::bvec3 red(true, false, false);
+    const glm::vec3 red(1, 0, 0);
     const glm::bvec3 none(false);
     const glm::vec3 same = filledAlbedo({{0.4f, 0.5f, 0.25f}}, {0.6f, 0.5f, 0.25f}, red, none);
     EXPECT_NEAR(same.r, 0.6f, 1e-6f);
@@ -78,10 +78,31 @@ TEST(Fill, ChannelsThatAreWholeSayHowBrightTheOthersAre)
     EXPECT_LT(other.r, 0.55f);
 }
 
+// White cloth beside green: all channels are at white, and under warm light need the least of red.
+TEST(Fill, WhatIsBurntOutInAllChannelsHasNoHueOfItsOwn)
+{
+    const glm::vec3 filled = filledAlbedo({{0.7f, 0.8f, 0.88f}}, {0.3f, 0.45f, 0.2f},
+                                          glm::vec3(1.0f), glm::bvec3(false));
+    EXPECT_GT(filled.r, 0.8f);
+    EXPECT_NEAR(filled.g, 0.88f, 0.05f);
+    EXPECT_NEAR(filled.b, 0.88f, 0.01f);
+}
+
+// Blended of photos that are burnt out and others that are not.
+TEST(Fill, WhatMayBeBurntOutIsFilledInPart)
+{
+    const glm::vec3 around(0.8f, 0.7f, 0.6f);
+    const glm::vec3 half =
+        filledAlbedo({{0.6f, 0.7f, 0.6f}}, around, {0.5f, 0, 0}, glm::bvec3(false));
+    EXPECT_GT(half.r, 0.65f);
+    EXPECT_LT(half.r, 0.7f);
+    EXPECT_EQ(half.g, 0.7f);
+}
+
 TEST(Fill, WhatIsUnlitIsAsAroundWhateverItShows)
 {
     const glm::vec3 around(0.8f, 0.7f, 0.6f);
-    EXPECT_EQ(filledAlbedo({glm::vec3(0.9f)}, around, glm::bvec3(false), glm::bvec3(true)), around);
+    EXPECT_EQ(filledAlbedo({glm::vec3(0.9f)}, around, glm::vec3(0.0f), glm::bvec3(true)), around);
 }
 
 } // namespace relamp

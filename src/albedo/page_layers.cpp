@@ -4,6 +4,7 @@
 #include "albedo/divide.h"
 #include "albedo/fill.h"
 #include "base/half.h"
+#include "base/ramp.h"
 #include "image/burnt_out.shared.h"
 #include "image/gutter.h"
 #include "image/transfer.h"
@@ -85,11 +86,11 @@ void LayerMaker::fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 a
 {
     const glm::bvec3 isUnlit =
         options_.fill ? glm::lessThan(shading, glm::vec3(options_.darkest)) : glm::bvec3(false);
-    const glm::bvec3 isBurntOut =
-        clips_ ? glm::greaterThanEqual(radiance, glm::vec3(kBurntOut)) : glm::bvec3(false);
-    if (!glm::any(isUnlit) && !glm::any(isBurntOut)) return;
+    glm::vec3 burntOut(0.0f);
+    for (int c = 0; c < 3 && clips_; ++c) burntOut[c] = ramp(kSafelyBelow, kBurntOut, radiance[c]);
+    if (!glm::any(isUnlit) && burntOut == glm::vec3(0.0f)) return;
     const glm::vec3 own(floatFromHalf(rho[0]), floatFromHalf(rho[1]), floatFromHalf(rho[2]));
-    const glm::vec3 filled = filledAlbedo({own, lack}, around, isBurntOut, isUnlit);
+    const glm::vec3 filled = filledAlbedo({own, lack}, around, burntOut, isUnlit);
     for (int c = 0; c < 3; ++c) rho[c] = halfFromFloat(filled[c]);
 }
 

@@ -9,6 +9,10 @@ SHARED_BEGIN
 // spot by a few of its 255 steps.
 SHARED_CONST kBurntOut = 0.97f;
 
+// What is darker was seen as it is: photos are blended to a texture, and some of them may be burnt
+// out where others are not.
+SHARED_CONST kSafelyBelow = 0.9f;
+
 SHARED_FN float brightestChannel(vec3 rgb)
 {
     return max(rgb.x, max(rgb.y, rgb.z));
