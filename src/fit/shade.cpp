@@ -199,9 +199,10 @@ std::vector<float> findShade(const Surfels& surfels, const SurfelRadiance& radia
     return sharesOf(sheet, Settling(sheet, paint).run());
 }
 
-TexelShading withShade(const Texels& texels, TexelShading shade, std::vector<float> lit)
+TexelShading withShade(const Texels& texels, TexelShading shade, std::span<const float> lit)
 {
     std::vector<glm::vec3> shares;
+    shares.reserve(lit.size());
     for (const float share : lit) shares.emplace_back(kPi * share);
     return [&texels, shade = std::move(shade),
             shares = std::make_shared<const std::vector<glm::vec3>>(std::move(shares))](

@@ -22,6 +22,6 @@ std::vector<float> findShade(const Surfels& surfels, const SurfelRadiance& radia
                              std::span<const glm::vec3> irradiance);
 
 /// The shading, darkened by that, interpolated between surfels.
-TexelShading withShade(const Texels& texels, TexelShading shade, std::vector<float> lit);
+TexelShading withShade(const Texels& texels, TexelShading shade, std::span<const float> lit);
 
 } // namespace relamp

@@ -1,5 +1,6 @@
 #include "relamp/result.h"
 
+#include "base/call_all.h"
 #include "base/fail.h"
 #include "base/file.h"
 #include "base/half.h"
@@ -16,8 +17,6 @@
 #include "scan/gltf_write.h"
 
 #include <algorithm>
-
-#include <tbb/parallel_invoke.h>
 
 namespace relamp
 {
@@ -132,10 +131,9 @@ void ResultWriter::writePage(size_t page, const PageLayers& layers, Progress::St
         writeExr(file(layer, page, "exr"), rgb, size);
         stage.advance();
     };
-    tbb::parallel_invoke(
-        [&] { writeAlbedo(page, layers); }, [&] { writeDoubts(page, layers); },
-        [&] { write("albedo", layers.albedo); }, [&] { write("shading", shading); },
-        [&] { write("direct", layers.direct); }, [&] { write("indirect", layers.indirect); });
+    callAll([&] { writeAlbedo(page, layers); }, [&] { writeDoubts(page, layers); },
+            [&] { write("albedo", layers.albedo); }, [&] { write("shading", shading); },
+            [&] { write("direct", layers.direct); }, [&] { write("indirect", layers.indirect); });
     stage.advance();
 }
 
@@ -183,7 +181,7 @@ void ResultWriter::run()
         previews_.push_back(previewOf(scan_.pages[page], layers));
         for (size_t d = 0; d < kDoubts; ++d) area_[d] += layers.area[d];
         const PreviewPicture preview = isLast ? drawPreview() : PreviewPicture{};
-        tbb::parallel_invoke(
+        callAll(
             [&] {
                 if (isLast) writePreview(preview);
             },

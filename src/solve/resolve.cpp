@@ -1,12 +1,11 @@
 #include "solve/resolve.h"
 
+#include "base/call_all.h"
 #include "fit/lamp_groups.h"
 #include "fit/shade.h"
 
 #include <algorithm>
 #include <utility>
-
-#include <tbb/parallel_invoke.h>
 
 namespace relamp
 {
@@ -51,7 +50,7 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
     room.stray = fitStray(texels, room.found.radiance, shadingOf(texels, room.light));
     room.lighting = lightOnSurfels(texels.surfels, *room.light);
     std::vector<float> lit;
-    tbb::parallel_invoke(
+    callAll(
         [&] {
             lit = findShade(texels.surfels, room.found.radiance,
                             withoutStray(room.lighting.irradiance, room.stray));
