@@ -51,12 +51,20 @@ struct Plane
 
     [[nodiscard]] bool holds(glm::vec3 position, glm::vec3 facing) const
     {
-        return glm::dot(facing, normal) > kPlaneFacing &&
-               std::abs(glm::dot(position, normal) - offset) < kPlaneThickness;
+        return nearness(position, facing) > 0.0f;
+    }
+
+    /// 1 in the plane, 0 beyond its thickness.
+    [[nodiscard]] float nearness(glm::vec3 position, glm::vec3 facing) const
+    {
+        if (glm::dot(facing, normal) <= kPlaneFacing) return 0.0f;
+        const float distance = (glm::dot(position, normal) - offset) / kPlaneThickness;
+        return std::max(1.0f - distance * distance, 0.0f);
     }
 };
 
-/// The plane that holds most of the members' area, of a few tried.
+/// The plane that holds most of the members' area, of a few tried. What lies on it counts more than
+/// what is near, or a plane between a panel and its ceiling would hold both.
 Plane largestPlane(const SurfelRadiance& radiance, const Members& members)
 {
     constexpr size_t kTried = 24;
@@ -73,10 +81,10 @@ Plane largestPlane(const SurfelRadiance& radiance, const Members& members)
             area = 0.0f;
             for (const uint32_t i : members) {
                 const ClippedPatch& patch = radiance.clipped[i];
-                if (!plane.holds(patch.position, patch.normal)) continue;
-                normal += patch.area * patch.normal;
-                position += patch.area * patch.position;
-                area += patch.area;
+                const float held = patch.area * plane.nearness(patch.position, patch.normal);
+                normal += held * patch.normal;
+                position += held * patch.position;
+                area += held;
             }
             if (area <= 0.0f) break;
             plane.normal = glm::normalize(normal);
