@@ -1,5 +1,6 @@
 #include "fit/lamps.h"
 
+#include "base/call_all.h"
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "fit/bright_walls.h"
@@ -92,7 +93,7 @@ private:
     size_t dropExplained();
     void dropNeedless(float missedIfWall);
     [[nodiscard]] std::vector<uint8_t> goneWith(size_t f) const;
-    const std::vector<MaterialPair>& pairsOf(const FitData& data, size_t perPlace);
+    void drawAllPairs();
     [[nodiscard]] std::vector<float> rises();
     void joinPieces();
     [[nodiscard]] BrightWalls walls() const;
@@ -127,7 +128,7 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
     choosePlaces(options.quality == Quality::draft ? kPlacesOfDraft : kPlaces);
     if (places_.size() > 1) chooseBurntOut();
     findAround();
-    takeCandidates(options);
+    callAll([&] { takeCandidates(options); }, [&] { drawAllPairs(); });
 }
 
 std::vector<SoughtLamp> LampSearch::sought(size_t raysPerOrigin) const
@@ -296,12 +297,14 @@ std::vector<std::pair<uint32_t, uint32_t>> LampSearch::alikes() const
     return alike;
 }
 
-/// Drawn once: what places show of their material does not change with the lamps.
-const std::vector<MaterialPair>& LampSearch::pairsOf(const FitData& data, size_t perPlace)
+/// Once: what places show of their material does not change with the lamps.
+void LampSearch::drawAllPairs()
 {
-    const auto [pairs, isNew] = pairs_.try_emplace(perPlace);
-    if (isNew) pairs->second = drawPairs(data, places_, texels_.surfels, perPlace);
-    return pairs->second;
+    FitData seen;
+    for (size_t i = 0; i + burntOut_.size() < places_.size(); ++i)
+        seen.radiance.push_back(radiance_.plain[places_[i]]);
+    for (const size_t perPlace : {kPairsFirst, kPairsOfTrial, kPairs})
+        pairs_[perPlace] = drawPairs(seen, places_, texels_.surfels, perPlace);
 }
 
 void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
@@ -311,7 +314,7 @@ void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
         for (const ClippedPatch& patch : suspect.candidate.patches)
             if (patch.surfel != Surfels::kNone) field_.shines[patch.surfel] = 1;
     const FitData data = dataFor();
-    const auto& pairs = pairsOf(data, pairsPerPlace);
+    const auto& pairs = pairs_.at(pairsPerPlace);
     PowersOptions options{.oneChannel = oneChannel, .alike = alikes()};
     if (isFitted_) { // most of it is known; a narrower loss finds the rest
         options.firstScale = 2.0 * options.lastScale;
@@ -456,7 +459,7 @@ std::vector<uint8_t> LampSearch::goneWith(size_t f) const
 std::vector<float> LampSearch::rises()
 {
     const FitData data = dataFor();
-    const auto& pairs = pairsOf(data, kPairsOfTrial);
+    const auto& pairs = pairs_.at(kPairsOfTrial);
     PowersOptions options{.firstScale = PowersOptions{}.lastScale, .oneChannel = true};
     options.alike = alikes();
     options.start = powers_.radiance;
