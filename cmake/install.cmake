@@ -4,6 +4,7 @@ include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/relamp)
 install(TARGETS relamp EXPORT relamp_targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS relamp_formats LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS relamp_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 if(NOT RELAMP_SANITIZE)
     install(TARGETS relamp_view RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -10,9 +10,11 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <limits>
 #include <new>
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 namespace
 {
@@ -28,6 +30,14 @@ int endOutput(int exitCode)
     return kWorldIsWrong;
 }
 
+/// What is freed stays for what comes next, up to the end, which is near. Large arrays would else go
+/// back to the system, which clears every page that it gives.
+void keepMemory()
+{
+    mallopt(M_MMAP_THRESHOLD, 1 << 30);
+    mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+}
+
 int report(const relamp::Error& error)
 {
     endProgressDisplay(Talk::normal);
@@ -41,6 +51,7 @@ int main(int argc, char** argv)
 {
     std::signal(SIGPIPE, SIG_IGN); // a reader that went away, or a file size limit, is an error
     std::signal(SIGXFSZ, SIG_IGN); // to report, not a reason to vanish
+    keepMemory();
 
     CLI::App app(
         "Takes the light out of a scanned room: albedo, lights, and a room that can be relit.",

@@ -2,7 +2,7 @@
 
 #include <thread>
 
-#include <OpenImageIO/imageio.h>
+#include <OpenEXR/ImfThreading.h>
 #include <tbb/global_control.h>
 
 namespace relamp
@@ -22,8 +22,7 @@ ThreadLimit::ThreadLimit(int count)
     const size_t threads =
         count > 0 ? static_cast<size_t>(count) : std::thread::hardware_concurrency();
     control_ = std::make_unique<Control>(threads);
-    OIIO::attribute("threads", static_cast<int>(threads));
-    OIIO::attribute("exr_threads", static_cast<int>(threads));
+    Imf::setGlobalThreadCount(static_cast<int>(threads));
 }
 
 ThreadLimit::~ThreadLimit() = default;

@@ -1,7 +1,9 @@
 #include "fit/lamps.h"
 
+#include "base/call_all.h"
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
+#include "fit/bright_walls.h"
 #include "fit/lamp_groups.h"
 #include "fit/missed.h"
 #include "fit/pairs.h"
@@ -23,7 +25,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr size_t kMostCandidates = 64;
 constexpr size_t kSteps = 4; // of the search, as progress tells
 constexpr size_t kPlaces = 6000;
@@ -37,10 +38,7 @@ constexpr float kAboutWhite = 2.0f;  // luminance; a wall lights its surrounding
 constexpr float kHardlyWhite = 1.4f; // at the first look, which few rays make dim
 constexpr float kHardlyPower = 0.001f;
 constexpr float kLeastPower = 0.003f; // share of the room's; below, a lamp does not matter
-constexpr float kBrightWall = 0.75f;  // albedo of what burns out first
 constexpr float kExplained = 0.8f;    // of white
-constexpr size_t kLooks = 16;         // surfels of a candidate, to see what lights it
-constexpr size_t kRaysToWall = 4;     // from each place of a side
 constexpr float kAround = 1.6f;       // surfel sizes
 constexpr int kMostRounds = 6;
 constexpr size_t kPairsOfTrial = 4;
@@ -95,13 +93,12 @@ private:
     size_t dropExplained();
     void dropNeedless(float missedIfWall);
     [[nodiscard]] std::vector<uint8_t> goneWith(size_t f) const;
-    const std::vector<MaterialPair>& pairsOf(const FitData& data, size_t perPlace);
+    void drawAllPairs();
     [[nodiscard]] std::vector<float> rises();
     void joinPieces();
-    void addLight(size_t suspect, std::span<const uint32_t> lists,
-                  std::span<glm::vec3> irradiance) const;
-    [[nodiscard]] float brightnessOfWallAt(size_t suspect) const;
-    [[nodiscard]] bool isExplained(size_t suspect) const;
+    [[nodiscard]] BrightWalls walls() const;
+    [[nodiscard]] float brightnessOfWall(const BrightWalls& walls, size_t suspect) const;
+    [[nodiscard]] bool isExplained(const BrightWalls& walls, size_t suspect) const;
     [[nodiscard]] FitData dataFor() const;
     void addGathered(const Gathered& gathered, uint32_t place, size_t at, FitData& data) const;
 
@@ -131,7 +128,7 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
     choosePlaces(options.quality == Quality::draft ? kPlacesOfDraft : kPlaces);
     if (places_.size() > 1) chooseBurntOut();
     findAround();
-    takeCandidates(options);
+    callAll([&] { takeCandidates(options); }, [&] { drawAllPairs(); });
 }
 
 std::vector<SoughtLamp> LampSearch::sought(size_t raysPerOrigin) const
@@ -300,12 +297,14 @@ std::vector<std::pair<uint32_t, uint32_t>> LampSearch::alikes() const
     return alike;
 }
 
-/// Drawn once: what places show of their material does not change with the lamps.
-const std::vector<MaterialPair>& LampSearch::pairsOf(const FitData& data, size_t perPlace)
+/// Once: what places show of their material does not change with the lamps.
+void LampSearch::drawAllPairs()
 {
-    const auto [pairs, isNew] = pairs_.try_emplace(perPlace);
-    if (isNew) pairs->second = drawPairs(data, places_, texels_.surfels, perPlace);
-    return pairs->second;
+    FitData seen;
+    for (size_t i = 0; i + burntOut_.size() < places_.size(); ++i)
+        seen.radiance.push_back(radiance_.plain[places_[i]]);
+    for (const size_t perPlace : {kPairsFirst, kPairsOfTrial, kPairs})
+        pairs_[perPlace] = drawPairs(seen, places_, texels_.surfels, perPlace);
 }
 
 void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
@@ -315,7 +314,7 @@ void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
         for (const ClippedPatch& patch : suspect.candidate.patches)
             if (patch.surfel != Surfels::kNone) field_.shines[patch.surfel] = 1;
     const FitData data = dataFor();
-    const auto& pairs = pairsOf(data, pairsPerPlace);
+    const auto& pairs = pairs_.at(pairsPerPlace);
     PowersOptions options{.oneChannel = oneChannel, .alike = alikes()};
     if (isFitted_) { // most of it is known; a narrower loss finds the rest
         options.firstScale = 2.0 * options.lastScale;
@@ -354,47 +353,24 @@ size_t LampSearch::dropWalls(float leastRadiance, float leastShare)
     return dropped + dropHalves();
 }
 
-/// Fronts of some of its surfels, to see what lights it.
-std::vector<uint32_t> looksAt(const Candidate& candidate)
+BrightWalls LampSearch::walls() const
 {
-    std::vector<uint32_t> lists;
-    for (const ClippedPatch& patch : candidate.patches)
-        if (patch.surfel != Surfels::kNone) lists.push_back(patch.surfel);
-    const size_t looks = std::min(kLooks, lists.size());
-    for (size_t k = 0; k < looks; ++k) lists[k] = lists[k * lists.size() / looks];
-    lists.resize(looks);
-    return lists;
+    std::vector<std::span<const ClippedPatch>> lamps;
+    for (const Suspect& suspect : suspects_) lamps.emplace_back(suspect.candidate.patches);
+    return {texels_, scene_, hits_, lamps};
 }
 
-/// Adds the irradiance that a lamp to be brings to the sides that `lists` name.
-void LampSearch::addLight(size_t suspect, std::span<const uint32_t> lists,
-                          std::span<glm::vec3> irradiance) const
+float LampSearch::brightnessOfWall(const BrightWalls& walls, size_t f) const
 {
-    const SoughtLamp lamp{AreaLight(suspects_[suspect].candidate.patches), kRaysToWall};
-    addDirect(directOfLists(texels_, scene_, hits_, {&lamp, 1}, lists).front(),
-              suspects_[suspect].radiance, irradiance);
-}
-
-/// Radiance that a bright wall in its place would have by the light of the others.
-float LampSearch::brightnessOfWallAt(size_t f) const
-{
-    const std::vector<uint32_t> lists = looksAt(suspects_[f].candidate);
-    const Gathered gathered = gather(hits_, field_, lists);
-    std::vector<glm::vec3> irradiance;
-    for (size_t k = 0; k < lists.size(); ++k)
-        irradiance.push_back(gathered.irradiance[k] + powers_.ambient * gathered.missed[k]);
-    for (size_t other = 0; other < suspects_.size(); ++other)
-        if (other != f) addLight(other, lists, irradiance);
-    const auto middle = irradiance.begin() + static_cast<ptrdiff_t>(irradiance.size() / 2);
-    std::nth_element(irradiance.begin(), middle, irradiance.end(),
-                     [](glm::vec3 a, glm::vec3 b) { return luminance(a) < luminance(b); });
-    return irradiance.empty() ? 0.0f : kBrightWall * luminance(*middle) / kPi;
+    std::vector<glm::vec3> radiances;
+    for (const Suspect& suspect : suspects_) radiances.push_back(suspect.radiance);
+    return walls.insteadOf(f, field_, powers_.ambient, radiances);
 }
 
 /// Whether a wall in its place would be burnt out, and it is hardly brighter than that wall.
-bool LampSearch::isExplained(size_t f) const
+bool LampSearch::isExplained(const BrightWalls& walls, size_t f) const
 {
-    const float wall = brightnessOfWallAt(f);
+    const float wall = brightnessOfWall(walls, f);
     const float above = std::log(luminance(suspects_[f].radiance) / std::max(wall, 1.0f));
     return wall > kExplained && above < 0.7f + 2.0f * suspects_[f].logError.g;
 }
@@ -408,8 +384,9 @@ size_t LampSearch::dropExplained()
         return suspects_[a].power() < suspects_[b].power();
     });
     std::vector<uint8_t> gone(suspects_.size(), 0);
+    const BrightWalls ofAll = walls();
     for (const size_t f : order) {
-        if (suspects_[f].isGiven || suspects_[f].isUnseen || !isExplained(f)) continue;
+        if (suspects_[f].isGiven || suspects_[f].isUnseen || !isExplained(ofAll, f)) continue;
         gone[f] = 1;
         suspects_[f].radiance = glm::vec3(0.0f); // it explains nobody any more
     }
@@ -482,7 +459,7 @@ std::vector<uint8_t> LampSearch::goneWith(size_t f) const
 std::vector<float> LampSearch::rises()
 {
     const FitData data = dataFor();
-    const auto& pairs = pairsOf(data, kPairsOfTrial);
+    const auto& pairs = pairs_.at(kPairsOfTrial);
     PowersOptions options{.firstScale = PowersOptions{}.lastScale, .oneChannel = true};
     options.alike = alikes();
     options.start = powers_.radiance;
@@ -505,11 +482,12 @@ void LampSearch::dropNeedless(float missedIfWall)
 {
     while (suspects_.size() > 1) {
         std::vector<float> need = rises();
+        const BrightWalls ofAll = walls();
         for (size_t f = 0; f < need.size(); ++f) {
             const bool likeWall =
                 suspects_[f].isUnseen || fades(texels_, radiance_, suspects_[f].candidate);
             const float least =
-                likeWall ? missedIfWall : missedAtLeast(brightnessOfWallAt(f), missedIfWall);
+                likeWall ? missedIfWall : missedAtLeast(brightnessOfWall(ofAll, f), missedIfWall);
             const bool stays = suspects_[f].isGiven || least <= 0.0f;
             need[f] = stays ? std::numeric_limits<float>::max() : need[f] / least;
         }

@@ -6,16 +6,16 @@
 #include "image/chroma.h"
 #include "image/damage.h"
 #include "image/exr_header.h"
-#include "image/memory_reader.h"
+#include "image/jpeg.h"
+#include "image/other_formats.h"
+#include "image/png.h"
 #include "image/transfer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <memory>
 #include <string_view>
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 namespace relamp
@@ -31,30 +31,23 @@ constexpr int64_t kMostPixels = int64_t{1} << 29;
 constexpr int64_t kAnyFileMayUnpackTo = int64_t{1} << 26;
 constexpr int64_t kMostExpansion = 1100;
 
-/// Only the channels that mean colour and opacity: 1, 2, 3 or 4 of them.
-int64_t channelsToRead(const OIIO::ImageSpec& spec)
-{
-    const int colors = spec.nchannels >= 3 ? 3 : 1;
-    return spec.alpha_channel == colors ? colors + 1 : colors;
-}
-
 int64_t mayUnpackTo(size_t bytes)
 {
     return kAnyFileMayUnpackTo + kMostExpansion * static_cast<int64_t>(bytes);
 }
 
-void checkSize(const OIIO::ImageSpec& spec, size_t bytes, const std::string& name)
+void checkSize(const PictureHeader& header, size_t bytes, const std::string& name)
 {
-    const int64_t width = spec.width;
-    const int64_t height = spec.height;
-    if (width <= 0 || height <= 0 || spec.nchannels <= 0 || spec.depth > 1)
+    const int64_t width = header.width;
+    const int64_t height = header.height;
+    if (width <= 0 || height <= 0 || header.channels <= 0 || header.depth > 1)
         malformed(name, "is not a flat picture");
     if (width > kLargestSide || height > kLargestSide || width * height > kMostPixels)
         malformed(name, fmt::format("its header claims {} x {} pixels, more than relamp works on; "
                                     "scale it down",
                                     width, height));
-    const int64_t sampleSize = spec.format.basesize() == 1 ? 1 : sizeof(float);
-    if (width * height * channelsToRead(spec) * sampleSize > mayUnpackTo(bytes))
+    const int64_t sampleSize = header.isOfBytes ? 1 : sizeof(float);
+    if (width * height * header.channelsToRead() * sampleSize > mayUnpackTo(bytes))
         malformed(name, fmt::format("its header claims {} x {} pixels, but the file has only {} "
                                     "bytes; it is damaged",
                                     width, height, bytes));
@@ -96,24 +89,27 @@ void checkExr(std::span<const std::byte> bytes, const std::string& name)
                                     bytes.size()));
 }
 
-std::unique_ptr<OIIO::ImageInput> openImage(OIIO::Filesystem::IOProxy& reader,
-                                            std::span<const std::byte> bytes,
-                                            const std::string& name)
+void checkWhole(std::span<const std::byte> bytes, const std::string& format,
+                const std::string& name)
 {
-    const std::string format = formatOf(bytes, name);
     if (format == "jpeg" && !isWholeJpeg(bytes))
         malformed(name, "the JPEG is cut off; copy it again");
     if (format == "png" && !isWholePng(bytes))
         malformed(name, "the PNG is cut off or damaged; copy it again");
     if (format == "openexr") checkExr(bytes, name);
-    OIIO::ImageSpec hints;
-    hints["oiio:UnassociatedAlpha"] = 1;
-    OIIO::ImageSpec spec;
-    auto input = OIIO::ImageInput::create(format);
-    if (!input || !input->set_ioproxy(&reader) || !input->open(name, spec, hints))
-        malformed(name, fmt::format("cannot be decoded as {}: {}", format,
-                                    input ? input->geterror() : OIIO::geterror()));
-    return input;
+}
+
+Picture readPicture(std::span<const std::byte> bytes, const std::string& format,
+                    const std::string& name)
+{
+    const auto check = [&](const PictureHeader& header) { checkSize(header, bytes.size(), name); };
+    try {
+        if (format == "jpeg") return readJpeg(bytes, check);
+        if (format == "png") return readPng(bytes, check);
+        return readOtherFormat(bytes, format, check);
+    } catch (const UndecodablePicture& reason) {
+        malformed(name, fmt::format("cannot be decoded as {}: {}", format, reason.what()));
+    }
 }
 
 /// The colour of every pixel, with grey spread over the three channels.
@@ -142,27 +138,13 @@ void takeAlpha(const std::vector<From>& from, size_t channels, size_t at,
     if (std::all_of(alpha.begin(), alpha.end(), [](uint8_t a) { return a == 255; })) alpha.clear();
 }
 
-template<class Sample>
-std::vector<Sample> readSamples(OIIO::ImageInput& input, size_t channels, const std::string& name)
-{
-    const OIIO::ImageSpec& spec = input.spec();
-    std::vector<Sample> samples(static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height) *
-                                channels);
-    const OIIO::TypeDesc type = OIIO::BaseTypeFromC<Sample>::value;
-    if (!input.read_image(0, 0, 0, static_cast<int>(channels), type, samples.data()))
-        malformed(name, fmt::format("cannot be decoded: {}", input.geterror()));
-    return samples;
-}
-
 float finiteOrZero(float value)
 {
     return std::isfinite(value) && value > 0.0f ? value : 0.0f;
 }
 
-void readBytes(OIIO::ImageInput& input, Transfer transfer, const std::string& name, Image& image)
+void takeSamples(std::vector<uint8_t>&& samples, size_t channels, Transfer transfer, Image& image)
 {
-    const auto channels = static_cast<size_t>(channelsToRead(input.spec()));
-    auto samples = readSamples<uint8_t>(input, channels, name);
     image.transfer = transfer == Transfer::linear ? Transfer::linear : Transfer::srgb;
     const auto same = [](uint8_t v) { return v; };
     if (channels % 2 == 0) takeAlpha(samples, channels, channels - 1, image.alpha, same);
@@ -172,10 +154,8 @@ void readBytes(OIIO::ImageInput& input, Transfer transfer, const std::string& na
         takeRgb(samples, channels, image.encoded, same);
 }
 
-void readFloats(OIIO::ImageInput& input, Transfer transfer, const std::string& name, Image& image)
+void takeSamples(std::vector<float>&& samples, size_t channels, Transfer transfer, Image& image)
 {
-    const auto channels = static_cast<size_t>(channelsToRead(input.spec()));
-    const auto samples = readSamples<float>(input, channels, name);
     image.transfer = Transfer::linear;
     const bool encoded = transfer == Transfer::srgb;
     takeRgb(samples, channels, image.half, [&](float value) {
@@ -192,25 +172,22 @@ void readFloats(OIIO::ImageInput& input, Transfer transfer, const std::string& n
 
 Image readImage(std::span<const std::byte> bytes, const std::string& name, Transfer transfer)
 {
-    MemoryReader reader(bytes);
-    const auto input = openImage(reader, bytes, name);
-    checkSize(input->spec(), bytes.size(), name);
+    const std::string format = formatOf(bytes, name);
+    checkWhole(bytes, format, name);
+    Picture picture = readPicture(bytes, format, name);
+    const PictureHeader& header = picture.header;
 
-    const OIIO::TypeDesc type = input->spec().format;
     Image image;
-    image.width = input->spec().width;
-    image.height = input->spec().height;
-    image.wasJpeg = std::string_view(input->format_name()) == "jpeg";
-    image.clipsAtWhite = !type.is_floating_point();
+    image.width = static_cast<int>(header.width);
+    image.height = static_cast<int>(header.height);
+    image.wasJpeg = format == "jpeg";
+    image.clipsAtWhite = !header.isOfFloats;
     if (transfer == Transfer::automatic)
         transfer = image.clipsAtWhite ? Transfer::srgb : Transfer::linear;
-    const std::string subsampling = input->spec().get_string_attribute("jpeg:subsampling", "4:4:4");
-    if (type.basesize() == 1)
-        readBytes(*input, transfer, name, image);
-    else
-        readFloats(*input, transfer, name, image);
-    if (image.wasJpeg && subsampling != "4:4:4")
-        sharpenChroma(image.encoded, image.width, image.height);
+    const auto channels = static_cast<size_t>(header.channelsToRead());
+    std::visit([&](auto& samples) { takeSamples(std::move(samples), channels, transfer, image); },
+               picture.samples);
+    if (header.halvesColor) sharpenChroma(image.encoded, image.width, image.height);
     return image;
 }
 

@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+
+#include <glm/gtc/type_ptr.hpp>
 
 namespace relamp
 {
@@ -18,11 +21,12 @@ constexpr int kWidth = 640; // of one picture
 constexpr int kHeight = 400;
 constexpr int kColumns = 3;
 constexpr size_t kRow = size_t{kColumns} * kWidth;
-constexpr size_t kShadingColumn = size_t{2} * kWidth; // the last
-constexpr int kSamples = 2;                           // of a pixel
-constexpr int kLongestSide = 2048;                    // of a page in a preview
-constexpr float kNothing = 0.02f;                     // where no surface is seen
-constexpr float kBackside = 0.08f;                    // where one is seen from behind
+constexpr size_t kShadingColumn = kColumns - 1;
+constexpr double kWhite = 0.95;    // quantile of the shading that is shown as white
+constexpr int kSamples = 2;        // of a pixel
+constexpr int kLongestSide = 2048; // of a page in a preview
+constexpr float kNothing = 0.02f;  // where no surface is seen
+constexpr float kBackside = 0.08f; // where one is seen from behind
 
 glm::vec3 rgbAt(const std::vector<uint16_t>& layer, size_t pixel)
 {
@@ -30,9 +34,9 @@ glm::vec3 rgbAt(const std::vector<uint16_t>& layer, size_t pixel)
     return {floatFromHalf(rgb[0]), floatFromHalf(rgb[1]), floatFromHalf(rgb[2])};
 }
 
-void put(std::vector<uint16_t>& layer, size_t pixel, glm::vec3 rgb)
+void put(uint16_t* samples, glm::vec3 rgb)
 {
-    for (int c = 0; c < 3; ++c) layer[3 * pixel + static_cast<size_t>(c)] = halfFromFloat(rgb[c]);
+    for (int c = 0; c < 3; ++c) samples[c] = halfFromFloat(rgb[c]);
 }
 
 /// Mean of `valueOf(pixel)` over the page's pixels that make up one of the preview's.
@@ -50,13 +54,20 @@ glm::vec3 meanOf(const PageLayers& layers, const PreviewPage& preview, size_t x,
     return sum / static_cast<float>((endX - x * step) * (endY - y * step));
 }
 
-/// One pixel of all three pictures.
-using Columns = std::array<glm::vec3, kColumns>;
+/// One pixel of all three pictures: R, G, B of each.
+using Columns = std::array<float, PreviewPage::kSamples>;
+
+Columns grey(float value)
+{
+    Columns columns{};
+    columns.fill(value);
+    return columns;
+}
 
 Columns look(const Texels& texels, const std::vector<PreviewPage>& pages, const Hit& hit)
 {
-    if (hit.missed()) return {glm::vec3(kNothing), glm::vec3(kNothing), glm::vec3(kNothing)};
-    if (!hit.front) return {glm::vec3(kBackside), glm::vec3(kBackside), glm::vec3(kBackside)};
+    if (hit.missed()) return grey(kNothing);
+    if (!hit.front) return grey(kBackside);
     const PixelMix mix = pixelsAt(texels, hit);
     const PreviewPage& page = pages[mix.page];
     const auto width = static_cast<uint32_t>(texels.scan->pages[mix.page].image.width);
@@ -66,36 +77,47 @@ Columns look(const Texels& texels, const std::vector<PreviewPage>& pages, const 
         const size_t small =
             size_t{mix.pixel[k] / width / shrink} * static_cast<size_t>(page.size.width) +
             mix.pixel[k] % width / shrink;
-        columns[0] += mix.weight[k] * rgbAt(page.scanned, small);
-        columns[1] += mix.weight[k] * rgbAt(page.albedo, small);
-        columns[2] += mix.weight[k] * rgbAt(page.shading, small);
+        const uint16_t* samples = &page.samples[PreviewPage::kSamples * small];
+        for (size_t i = 0; i < columns.size(); ++i)
+            columns[i] += mix.weight[k] * floatFromHalf(samples[i]);
     }
     return columns;
 }
 
 /// Linear pixels of one camera's row, the three pictures side by side.
 void renderRow(const Texels& texels, const RayScene& scene, const std::vector<PreviewPage>& pages,
-               const Camera& camera, int y, glm::vec3* row)
+               const Camera& camera, int y, std::span<glm::vec3> row)
 {
     RowOfRays rays;
     lookAlong(y, kSamples, CameraRays(camera, {kWidth, kHeight}), scene, rays,
               [&](size_t x, const Ray&, const Hit& hit) {
                   const Columns columns = look(texels, pages, hit);
                   for (size_t c = 0; c < kColumns; ++c)
-                      row[c * kWidth + x] += columns[c] / static_cast<float>(kSamples);
+                      row[c * kWidth + x] +=
+                          glm::make_vec3(&columns[3 * c]) / static_cast<float>(kSamples);
               });
 }
 
-/// What the shading is divided by to be shown.
-float whiteOfShading(const std::vector<glm::vec3>& linear)
+/// What the shading is divided by to be shown: its quantile where that is above 1.
+float whiteOf(const std::vector<glm::vec3>& shading)
 {
-    std::vector<float> values;
-    for (size_t i = 0; i < linear.size(); ++i)
-        if (i % kRow >= kShadingColumn) values.push_back(linear[i].g);
-    const auto at =
-        values.begin() + static_cast<ptrdiff_t>(0.95 * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return std::max(1.0f, *at);
+    std::vector<float> bright;
+    for (const glm::vec3 light : shading)
+        if (light.g > 1.0f) bright.push_back(light.g);
+    const auto at = static_cast<size_t>(kWhite * static_cast<double>(shading.size() - 1));
+    const size_t dark = shading.size() - bright.size();
+    if (at < dark) return 1.0f;
+    const auto white = bright.begin() + static_cast<ptrdiff_t>(at - dark);
+    std::nth_element(bright.begin(), white, bright.end());
+    return *white;
+}
+
+/// sRGB of linear pixels, which are multiplied by `scale`.
+void develop(std::span<const glm::vec3> linear, float scale, uint8_t* rgb)
+{
+    static const SrgbFromHalf srgb;
+    for (const glm::vec3 pixel : linear)
+        for (int c = 0; c < 3; ++c) *rgb++ = srgb(halfFromFloat(scale * pixel[c]));
 }
 
 } // namespace
@@ -109,17 +131,15 @@ PreviewPage previewOf(const Page& page, const PageLayers& layers)
                     (layers.height + preview.shrink - 1) / preview.shrink};
     const auto width = static_cast<size_t>(preview.size.width);
     const auto height = static_cast<size_t>(preview.size.height);
-    for (auto* layer : {&preview.scanned, &preview.albedo, &preview.shading})
-        layer->resize(3 * width * height);
+    preview.samples.resize(PreviewPage::kSamples * width * height);
     const Radiance radiance(page.image);
     forEach(height, [&](size_t y) {
         for (size_t x = 0; x < width; ++x) {
-            const size_t pixel = y * width + x;
-            put(preview.scanned, pixel,
-                meanOf(layers, preview, x, y, [&](size_t i) { return radiance[i]; }));
-            put(preview.albedo, pixel,
+            uint16_t* samples = &preview.samples[PreviewPage::kSamples * (y * width + x)];
+            put(samples, meanOf(layers, preview, x, y, [&](size_t i) { return radiance[i]; }));
+            put(samples + 3,
                 meanOf(layers, preview, x, y, [&](size_t i) { return rgbAt(layers.albedo, i); }));
-            put(preview.shading, pixel, meanOf(layers, preview, x, y, [&](size_t i) {
+            put(samples + 6, meanOf(layers, preview, x, y, [&](size_t i) {
                     return rgbAt(layers.direct, i) + rgbAt(layers.indirect, i);
                 }));
         }
@@ -132,23 +152,21 @@ PreviewPicture renderPreview(const Texels& texels, const RayScene& scene,
                              const std::vector<Camera>& cameras, const Progress& progress)
 {
     const size_t rows = cameras.size() * kHeight;
-    std::vector<glm::vec3> linear(rows * kRow, glm::vec3(0.0f));
-    forEach(rows, [&](size_t row) {
-        renderRow(texels, scene, pages, cameras[row / kHeight], static_cast<int>(row % kHeight),
-                  &linear[row * kRow]);
+    PreviewPicture picture{{static_cast<int>(kRow), static_cast<int>(rows)},
+                           std::vector<uint8_t>(3 * rows * kRow)};
+    constexpr size_t kBefore = kShadingColumn * kWidth; // of a row, pixels
+    std::vector<glm::vec3> shading(rows * kWidth);
+    forEach(rows, [&](size_t y) {
+        std::vector<glm::vec3> row(kRow, glm::vec3(0.0f));
+        renderRow(texels, scene, pages, cameras[y / kHeight], static_cast<int>(y % kHeight), row);
+        develop(std::span(row).first(kBefore), 1.0f, &picture.rgb[3 * y * kRow]);
+        std::copy(row.begin() + kBefore, row.end(), &shading[y * kWidth]);
         progress.check();
     });
-    const float white = whiteOfShading(linear);
-    static const SrgbFromHalf srgb;
-    PreviewPicture picture{{static_cast<int>(kRow), static_cast<int>(rows)},
-                           std::vector<uint8_t>(3 * linear.size())};
-    forEachChunk(linear.size(), 4096, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-            const float scale = i % kRow >= kShadingColumn ? 1.0f / white : 1.0f;
-            for (int c = 0; c < 3; ++c)
-                picture.rgb[3 * i + static_cast<size_t>(c)] =
-                    srgb(halfFromFloat(scale * linear[i][c]));
-        }
+    const float scale = 1.0f / whiteOf(shading);
+    forEach(rows, [&](size_t y) {
+        develop(std::span(shading).subspan(y * kWidth, kWidth), scale,
+                &picture.rgb[3 * (y * kRow + kBefore)]);
     });
     return picture;
 }

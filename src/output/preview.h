@@ -14,14 +14,15 @@
 namespace relamp
 {
 
-/// The layers that a preview shows of one page, small: linear half RGB.
+/// The layers that a preview shows of one page, small: linear half RGB as scanned, of its albedo,
+/// of its shading. What is looked up together lies together.
 struct PreviewPage
 {
+    static constexpr size_t kSamples = 9; // of a pixel
+
     Size size;
     int shrink = 1; // pages' pixels a pixel here, along each side
-    std::vector<uint16_t> scanned;
-    std::vector<uint16_t> albedo;
-    std::vector<uint16_t> shading;
+    std::vector<uint16_t> samples;
 };
 
 /// Shrinks a page's layers to what a picture needs.

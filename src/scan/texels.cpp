@@ -213,7 +213,7 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions&
     texels.surfels.key = std::move(surfelKeys);
     sumSurfels(texels);
     if (surfels.layered) separateLayers(texels);
-    findNeighbors(texels.surfels);
+    if (surfels.connected) findNeighbors(texels.surfels);
 
     const auto covered = static_cast<double>(texels.count());
     texels.overlapShare = covered > 0.0 ? std::min(1.0, ambiguous / covered) : 0.0;

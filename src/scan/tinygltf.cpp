@@ -1,6 +1,6 @@
 // tinygltf's own code. Debian's shared library of it was built with another layout of the class
 // TinyGLTF than the header that comes with it (SetFsCallbacks overwrites a string), so the one
-// header is compiled here. Pictures are OpenImageIO's business, hence no stb.
+// header is compiled here. Pictures are read in src/image, hence no stb.
 
 #include <nlohmann/json.hpp>
 

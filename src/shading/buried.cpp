@@ -194,8 +194,7 @@ void separateBuried(Texels& texels, const RayScene& scene, Progress& progress)
 {
     Progress::Stage stage(progress, "buried", texels.pages.size() + 2);
     const TexelMarks buried = findBuried(texels, scene, stage);
-    if (buried.empty()) return;
-    splitSurfels(texels, buried, SurfelPart::buried);
+    if (!buried.empty()) splitSurfels(texels, buried, SurfelPart::buried);
     findNeighbors(texels.surfels);
     stage.advance();
 }

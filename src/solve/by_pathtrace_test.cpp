@@ -4,6 +4,7 @@
 #include "relamp/delight.h"
 #include "relamp/threads.h"
 #include "scenes/scenes.h"
+#include "shading/buried.h"
 
 #include <cmath>
 
@@ -32,6 +33,7 @@ struct LitRoom
         : scan(scenes::room(kSize, 40, paper)), scene(scan),
           texels(rasterizeAtlas(scan, progress, surfelsOf(Quality::standard)))
     {
+        separateBuried(texels, scene, progress);
         const TracedRoom room = roomWith(radiance);
         const PathTracer tracer(texels, scene, room);
         const PageTexels& page = texels.pages[0];

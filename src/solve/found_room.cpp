@@ -149,7 +149,8 @@ FoundLamps litOf(const FoundRoom& room, bool withSunlit)
 
 SurfelOptions surfelsOf(Quality quality)
 {
-    return {.texelsAcross = quality == Quality::draft ? 4.0 : 2.0, .layered = true};
+    return {
+        .texelsAcross = quality == Quality::draft ? 4.0 : 2.0, .layered = true, .connected = false};
 }
 
 FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOptions& options,

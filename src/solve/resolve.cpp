@@ -47,8 +47,9 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
 {
     SolvedRoom room{.found = std::move(found)};
     room.light = lightOf(texels, scene, room.found, indirectOf(texels, room));
-    room.stray = fitStray(texels, room.found.radiance, shadingOf(texels, room.light));
-    room.lighting = lightOnSurfels(texels.surfels, *room.light);
+    callAll(
+        [&] { room.stray = fitStray(texels, room.found.radiance, shadingOf(texels, room.light)); },
+        [&] { room.lighting = lightOnSurfels(texels.surfels, *room.light); });
     std::vector<float> lit;
     callAll(
         [&] {

@@ -16,11 +16,11 @@ expect() { # what, where
 
 depends=$(dpkg-deb --field "$deb" Depends)
 echo "Depends: $depends"
-for library in libassimp5 libdraco7 libembree3-3 libfmt9 libopenimageio2.4 libtbb12 libstdc++6; do
+for library in libassimp5 libdraco7 libembree3-3 libfmt9 libopenexr-3-1-30 libopenimageio2.4 libtbb12 libstdc++6; do
     expect "$library " "$depends "
 done
 contents=$(dpkg-deb --contents "$deb")
-for file in bin/relamp bin/relamp-view librelamp.so. include/relamp/scan.h relampConfig.cmake man/man1/relamp.1; do
+for file in bin/relamp bin/relamp-view librelamp.so. librelamp_formats.so include/relamp/scan.h relampConfig.cmake man/man1/relamp.1; do
     expect "$file" "$contents"
 done
 exit $missing

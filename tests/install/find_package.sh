@@ -19,6 +19,22 @@ v 0 1 0 1 1 1
 f 1 2 3
 f 1 3 4
 END
+# What OpenImageIO reads: the program loads a library of its own for it, from where it was installed.
+(printf '\0\0\2\0\0\0\0\0\0\0\0\0\2\0\2\0\30\0' && printf 'BGRBGRBGRBGR') >"$work/four.tga"
+printf 'newmtl paint\nmap_Kd four.tga\n' >"$work/textured.mtl"
+cat >"$work/textured.obj" <<'END'
+mtllib textured.mtl
+v 0 0 0
+v 1 0 0
+v 0 1 0
+vt 0 0
+vt 1 0
+vt 0 1
+usemtl paint
+f 1/1 2/2 3/3
+END
+"$prefix/bin/relamp" info "$work/textured.obj"
+
 cmake -S "$here/consumer" -B "$work/consumer" -G Ninja -DCMAKE_PREFIX_PATH="$prefix"
 cmake --build "$work/consumer"
 triangles=$("$work/consumer/consumer" "$scan")

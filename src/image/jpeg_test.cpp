@@ -1,0 +1,73 @@
+#include "image/jpeg.h"
+
+#include "image/write_image.h"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+#include <jpeglib.h>
+
+namespace relamp
+{
+namespace
+{
+
+using testing::Each;
+
+void anySize(const PictureHeader& /*header*/) {}
+
+/// Eight by eight of one colour as a printer has it: 255 is no ink.
+std::vector<uint8_t> inFourInks(std::array<uint8_t, 4> inks)
+{
+    jpeg_compress_struct jpeg{};
+    jpeg_error_mgr errors{};
+    jpeg.err = jpeg_std_error(&errors);
+    jpeg_create_compress(&jpeg);
+    unsigned char* bytes = nullptr;
+    unsigned long size = 0;
+    jpeg_mem_dest(&jpeg, &bytes, &size);
+    jpeg.image_width = jpeg.image_height = 8;
+    jpeg.input_components = 4;
+    jpeg.in_color_space = JCS_CMYK;
+    jpeg_set_defaults(&jpeg);
+    jpeg_start_compress(&jpeg, TRUE);
+    std::vector<uint8_t> line;
+    for (int i = 0; i < 8; ++i) line.insert(line.end(), inks.begin(), inks.end());
+    for (int i = 0; i < 8; ++i) {
+        uint8_t* row = line.data();
+        jpeg_write_scanlines(&jpeg, &row, 1);
+    }
+    jpeg_finish_compress(&jpeg);
+    jpeg_destroy_compress(&jpeg);
+    std::vector<uint8_t> file(bytes, bytes + size);
+    std::free(bytes);
+    return file;
+}
+
+} // namespace
+
+TEST(Jpeg, WhatIsWrittenIsNearlyReadAgain)
+{
+    const auto file = encodeJpeg(std::vector<uint8_t>(3 * 16 * 8, 100), {16, 8});
+    const Picture picture = readJpeg(std::as_bytes(std::span(file)), anySize);
+    EXPECT_EQ(picture.header.width, 16);
+    EXPECT_EQ(picture.header.height, 8);
+    EXPECT_EQ(picture.header.channelsToRead(), 3);
+    EXPECT_THAT(std::get<std::vector<uint8_t>>(picture.samples),
+                Each(testing::AllOf(testing::Ge(99), testing::Le(101))));
+}
+
+// 200 of 255 of a colour under 128 of 255 of black: 200 * 128 / 255 = 100.
+TEST(Jpeg, InksBecomeColours)
+{
+    const auto file = inFourInks({200, 200, 200, 128});
+    const Picture picture = readJpeg(std::as_bytes(std::span(file)), anySize);
+    EXPECT_EQ(picture.header.channelsToRead(), 3);
+    const auto& samples = std::get<std::vector<uint8_t>>(picture.samples);
+    EXPECT_EQ(samples.size(), 3u * 8 * 8);
+    EXPECT_THAT(samples, Each(testing::AllOf(testing::Ge(98), testing::Le(102))));
+}
+
+} // namespace relamp
