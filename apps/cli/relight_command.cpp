@@ -47,6 +47,13 @@ relamp::Relighting lightingOf(const RelightArguments& arguments, const relamp::L
     return lighting;
 }
 
+bool isDark(const relamp::Relighting& lighting)
+{
+    return lighting.lights.empty() && lighting.sky.radiance == glm::vec3(0.0f) &&
+           std::all_of(lighting.fixtures.begin(), lighting.fixtures.end(),
+                       [](const auto& lit) { return lit.fixture.radiance == glm::vec3(0.0f); });
+}
+
 /// What is asked for beside light, found before anything takes long.
 struct Wish
 {
@@ -119,6 +126,9 @@ void write(RelightArguments& arguments, const relamp::DelitRoom& room,
     if (arguments.picture.isFilm())
         relamp::checkFilm(filmOf(arguments.picture, wish), arguments.output);
     const relamp::Relighting lighting = lightingOf(arguments, room.captured, notes);
+    if (isDark(lighting) && !wish.timeline)
+        notes.emplace_back("nothing shines, so all is black; --fixture all=on turns the room's own "
+                           "lights on, --lights brings new ones");
     if (!arguments.keepNothing) arguments.options.transport = room.transport;
     relamp::Relighter relighter(room, arguments.options, progress);
     relighter.light(lighting, progress);

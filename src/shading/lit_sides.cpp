@@ -72,7 +72,7 @@ public:
             float sum = 0.0f;
             for (size_t k = sides_[i].first; k < sides_[i + 1].first; ++k) sum += open[k];
             const float mean = sum / static_cast<float>(originsOf(i).size());
-            seen[i].visible *= mean / seen[i].open;
+            seen[i].visible = seen[i].visible / seen[i].open * mean; // all of it is all
             seen[i].open = mean;
         }
     }

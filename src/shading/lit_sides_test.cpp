@@ -130,12 +130,12 @@ TEST(LitSides, DirectOfListsIsThePanelsFormFactor)
     float expected = 0.0f;
     for (const uint32_t s : box.facing(kUp)) {
         const float exact = scenes::irradianceFrom(panel, box.texels.surfels.position[s], kUp);
-        EXPECT_NEAR(direct[s].open, exact, 0.12f * exact);
+        EXPECT_NEAR(direct[s].open, exact, 0.02f * exact);
         EXPECT_EQ(direct[s].visible, direct[s].open);
         sum += direct[s].open;
         expected += exact;
     }
-    EXPECT_NEAR(sum, expected, 0.01f * expected);
+    EXPECT_NEAR(sum, expected, 0.002f * expected);
 }
 
 TEST(LitSides, IndirectOfAFurnaceIsWhatItsWallsSend)

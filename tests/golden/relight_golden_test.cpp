@@ -156,6 +156,13 @@ TEST_F(RelightProgram, SaysWhatIsWrongAndLeavesNothing)
     EXPECT_EQ(runRelamp({"relight", room()}).exitCode, 2);
 }
 
+TEST_F(RelightProgram, SaysThatNothingShines)
+{
+    const Outcome run = runRelamp({"relight", room(), "--bake", "-o", out("dark.exr")});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("nothing shines"));
+}
+
 TEST_F(RelightProgram, StopsWhenAskedTo)
 {
     const Outcome run =
