@@ -30,8 +30,8 @@ int endOutput(int exitCode)
     return kWorldIsWrong;
 }
 
-/// What is freed stays for what comes next, up to the end, which is near. Large arrays would else go
-/// back to the system, which clears every page that it gives.
+/// What is freed stays for what comes next, up to the end, which is near. Large arrays would else
+/// go back to the system, which clears every page that it gives.
 void keepMemory()
 {
     mallopt(M_MMAP_THRESHOLD, 1 << 30);
