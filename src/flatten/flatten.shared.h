@@ -1,16 +1,10 @@
 #ifndef RELAMP_FLATTEN_SHARED_H
 #define RELAMP_FLATTEN_SHARED_H
 
+#include "base/biweight.shared.h"
 #include "base/shared.h"
 
 SHARED_BEGIN
-
-// Tukey's biweight: a bell that ends at q = 1. q is a squared distance over a squared reach.
-SHARED_FN float biweight(float q)
-{
-    const float inside = max(1.0f - q, 0.0f);
-    return inside * inside;
-}
 
 // Joint bilateral weight (Petschnigg et al. 2004) of a sample on the surface: near in space and
 // near in colour. Colours are square roots of radiance, where equal steps look about equal.

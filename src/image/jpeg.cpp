@@ -92,6 +92,8 @@ bool JpegReader::readHeader(std::span<const std::byte> bytes)
     jpeg_create_decompress(&jpeg_);
     jpeg_mem_src(&jpeg_, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
     jpeg_read_header(&jpeg_, TRUE);
+    const J_COLOR_SPACE space = jpeg_.out_color_space;
+    if (space != JCS_GRAYSCALE && space != JCS_CMYK) jpeg_.out_color_space = JCS_RGB; // or it fails
     jpeg_calc_output_dimensions(&jpeg_);
     header_.width = jpeg_.output_width;
     header_.height = jpeg_.output_height;

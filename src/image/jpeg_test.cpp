@@ -2,9 +2,9 @@
 
 #include "image/write_image.h"
 
-#include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <span>
 
 #include <gmock/gmock.h>
 #include <jpeglib.h>
@@ -18,8 +18,8 @@ using testing::Each;
 
 void anySize(const PictureHeader& /*header*/) {}
 
-/// Eight by eight of one colour as a printer has it: 255 is no ink.
-std::vector<uint8_t> inFourInks(std::array<uint8_t, 4> inks)
+/// Eight by eight alike pixels.
+std::vector<uint8_t> jpegOf(std::span<const uint8_t> pixel, J_COLOR_SPACE space)
 {
     jpeg_compress_struct jpeg{};
     jpeg_error_mgr errors{};
@@ -29,12 +29,12 @@ std::vector<uint8_t> inFourInks(std::array<uint8_t, 4> inks)
     unsigned long size = 0;
     jpeg_mem_dest(&jpeg, &bytes, &size);
     jpeg.image_width = jpeg.image_height = 8;
-    jpeg.input_components = 4;
-    jpeg.in_color_space = JCS_CMYK;
+    jpeg.input_components = static_cast<int>(pixel.size());
+    jpeg.in_color_space = space;
     jpeg_set_defaults(&jpeg);
     jpeg_start_compress(&jpeg, TRUE);
     std::vector<uint8_t> line;
-    for (int i = 0; i < 8; ++i) line.insert(line.end(), inks.begin(), inks.end());
+    for (int i = 0; i < 8; ++i) line.insert(line.end(), pixel.begin(), pixel.end());
     for (int i = 0; i < 8; ++i) {
         uint8_t* row = line.data();
         jpeg_write_scanlines(&jpeg, &row, 1);
@@ -62,12 +62,20 @@ TEST(Jpeg, WhatIsWrittenIsNearlyReadAgain)
 // 200 of 255 of a colour under 128 of 255 of black: 200 * 128 / 255 = 100.
 TEST(Jpeg, InksBecomeColours)
 {
-    const auto file = inFourInks({200, 200, 200, 128});
+    constexpr uint8_t kInks[] = {200, 200, 200, 128}; // 255 is no ink
+    const auto file = jpegOf(kInks, JCS_CMYK);
     const Picture picture = readJpeg(std::as_bytes(std::span(file)), anySize);
     EXPECT_EQ(picture.header.channelsToRead(), 3);
     const auto& samples = std::get<std::vector<uint8_t>>(picture.samples);
     EXPECT_EQ(samples.size(), 3u * 8 * 8);
     EXPECT_THAT(samples, Each(testing::AllOf(testing::Ge(98), testing::Le(102))));
+}
+
+TEST(Jpeg, ColoursThatNobodyKnowsAreRefused)
+{
+    constexpr uint8_t kTwo[] = {200, 128};
+    const auto file = jpegOf(kTwo, JCS_UNKNOWN);
+    EXPECT_THROW((void)readJpeg(std::as_bytes(std::span(file)), anySize), UndecodablePicture);
 }
 
 } // namespace relamp

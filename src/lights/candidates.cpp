@@ -1,7 +1,7 @@
 #include "lights/candidates.h"
 
+#include "base/biweight.shared.h"
 #include "base/disjoint_sets.h"
-#include "flatten/flatten.shared.h"
 #include "lights/expand.shared.h"
 
 #include <algorithm>

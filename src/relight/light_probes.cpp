@@ -1,7 +1,7 @@
 #include "relamp/light_probes.h"
 
+#include "base/biweight.shared.h"
 #include "base/parallel.h"
-#include "flatten/flatten.shared.h"
 #include "relight/relighter_state.h"
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 #ifndef RELAMP_VISIBILITY_SHARED_H
 #define RELAMP_VISIBILITY_SHARED_H
 
-#include "base/shared.h"
-#include "flatten/flatten.shared.h"
+#include "base/biweight.shared.h"
 
 SHARED_BEGIN
 
