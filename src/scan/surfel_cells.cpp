@@ -87,9 +87,9 @@ size_t SurfelCells::slotOf(uint64_t key) const
     return slot;
 }
 
-const SurfelCells::Brick& SurfelCells::brickAt(glm::ivec3 brick) const
+uint64_t SurfelCells::keyOfBrick(glm::ivec3 brick)
 {
-    return bricks_[slotOf(mortonOf(brick))];
+    return mortonOf(brick);
 }
 
 SurfelCells::Range SurfelCells::rangeOf(const Brick& brick, uint64_t cell) const

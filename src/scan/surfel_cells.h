@@ -63,9 +63,11 @@ public:
     };
     [[nodiscard]] Range operator[](glm::ivec3 cell) const;
 
-    /// Calls `visit(cell, range)` for all cells of the box `low` .. `high` that surfels are in.
-    template<class Visit>
-    void forEachFilled(glm::ivec3 low, glm::ivec3 high, const Visit& visit) const;
+    /// Calls `visit(range)` for the cells of the box `low` .. `high` that surfels of `leastKey` or
+    /// above are in and that `matters(cell)` is true for.
+    template<class Matters, class Visit>
+    void forEachFilled(glm::ivec3 low, glm::ivec3 high, uint64_t leastKey, const Matters& matters,
+                       const Visit& visit) const;
 
 private:
     static constexpr int kEdge = 4; // of a brick, in cells
@@ -77,7 +79,7 @@ private:
         uint32_t first = 0;  // of its filled cells, in begins_
     };
     [[nodiscard]] size_t slotOf(uint64_t key) const;
-    [[nodiscard]] const Brick& brickAt(glm::ivec3 brick) const;
+    [[nodiscard]] static uint64_t keyOfBrick(glm::ivec3 brick);
     [[nodiscard]] Range rangeOf(const Brick& brick, uint64_t cell) const;
 
     /// Place in its brick of the cell with a Morton code.
@@ -94,20 +96,26 @@ private:
     std::vector<uint32_t> begins_; // first surfel of each filled cell, then the number of surfels
 };
 
-template<class Visit>
-void SurfelCells::forEachFilled(glm::ivec3 low, glm::ivec3 high, const Visit& visit) const
+template<class Matters, class Visit>
+void SurfelCells::forEachFilled(glm::ivec3 low, glm::ivec3 high, uint64_t leastKey,
+                                const Matters& matters, const Visit& visit) const
 {
     const glm::ivec3 first = low / kEdge;
     const glm::ivec3 last = high / kEdge;
+    const uint64_t leastCell = leastKey / SurfelGrid::kFacings;
+    const uint64_t leastBrick = leastCell / kCells;
     for (int z = first.z; z <= last.z; ++z)
         for (int y = first.y; y <= last.y; ++y)
             for (int x = first.x; x <= last.x; ++x) {
-                const Brick& brick = brickAt({x, y, z});
+                const uint64_t key = keyOfBrick({x, y, z});
+                if (key < leastBrick) continue;
+                const Brick& brick = bricks_[slotOf(key)];
                 const glm::ivec3 corner = kEdge * glm::ivec3(x, y, z);
                 uint64_t wanted = brick.filled & boxOf(low - corner, high - corner);
+                if (key == leastBrick) wanted &= ~uint64_t{0} << leastCell % kCells;
                 for (; wanted != 0; wanted &= wanted - 1) {
                     const auto cell = static_cast<uint64_t>(std::countr_zero(wanted));
-                    visit(corner + placeOf(cell), rangeOf(brick, cell));
+                    if (matters(corner + placeOf(cell))) visit(rangeOf(brick, cell));
                 }
             }
 }

@@ -60,18 +60,29 @@ TEST(SurfelCells, OfABoxAreVisitedOnceEach)
     for (const glm::ivec3 low : {glm::ivec3(0), glm::ivec3(3, 0, 5), glm::ivec3(7, 4, 2),
                                  glm::ivec3(SurfelGrid::kMostCells - 9)}) {
         const glm::ivec3 high = low + 4;
-        std::map<Cell, uint32_t> visited;
-        cells.forEachFilled(low, high, [&](glm::ivec3 cell, SurfelCells::Range range) {
-            visited[{cell.x, cell.y, cell.z}] += range.end - range.begin;
-        });
-        std::map<Cell, uint32_t> wanted = crowd.surfelsIn;
-        std::erase_if(wanted, [&](const auto& entry) {
-            const auto [x, y, z] = entry.first;
-            const glm::ivec3 cell(x, y, z);
-            return glm::any(glm::lessThan(cell, low)) || glm::any(glm::greaterThan(cell, high));
-        });
-        EXPECT_FALSE(wanted.empty());
-        EXPECT_EQ(visited, wanted);
+        for (const uint64_t leastKey : {uint64_t{0}, SurfelGrid::firstKeyOf(low + 1) + 5}) {
+            std::map<Cell, uint32_t> visited;
+            glm::ivec3 cell(0);
+            cells.forEachFilled(
+                low, high, leastKey,
+                [&](glm::ivec3 asked) {
+                    cell = asked;
+                    return cell.x != low.x + 2;
+                },
+                [&](SurfelCells::Range range) {
+                    visited[{cell.x, cell.y, cell.z}] += range.end - range.begin;
+                });
+            std::map<Cell, uint32_t> wanted = crowd.surfelsIn;
+            std::erase_if(wanted, [&](const auto& entry) {
+                const auto [x, y, z] = entry.first;
+                const glm::ivec3 at(x, y, z);
+                return glm::any(glm::lessThan(at, low)) || glm::any(glm::greaterThan(at, high)) ||
+                       x == low.x + 2 ||
+                       SurfelGrid::firstKeyOf(at) + SurfelGrid::kFacings <= leastKey;
+            });
+            EXPECT_FALSE(wanted.empty());
+            EXPECT_EQ(visited, wanted);
+        }
     }
 }
 

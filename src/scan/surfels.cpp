@@ -94,13 +94,11 @@ void connectNeighbors(Surfels& surfels)
         std::vector<Pair>& pairs = found[begin / kChunk];
         for (size_t s = begin; s < end; ++s)
             surfels.forEachInReach(
-                surfels.position[s],
+                surfels.position[s], surfels.key[s],
+                [&](glm::vec3 way) { return mayHoldNeighbor(surfels.normal[s], way); },
                 [&](size_t other) {
                     if (other > s && isSameSurface(surfels, s, other))
                         pairs.emplace_back(static_cast<uint32_t>(s), static_cast<uint32_t>(other));
-                },
-                [&](glm::vec3 way, uint32_t last) {
-                    return last > s && mayHoldNeighbor(surfels.normal[s], way);
                 });
     });
     surfels.firstNeighbor.assign(count + 1, 1); // itself

@@ -51,32 +51,37 @@ struct Surfels
     [[nodiscard]] uint32_t find(glm::vec3 place, glm::vec3 facing) const;
 
     /// Calls `visit(surfel)` for all whose cell is at most two from that of `place`: all within a
-    /// distance of `size`, and more; of cells that `matters(way, last)` is true for: the way to the
-    /// cell's middle, in cells, and the last surfel there.
-    template<class Visit, class Matters>
-    void forEachInReach(glm::vec3 place, const Visit& visit, const Matters& matters) const;
+    /// distance of `size`, and more.
     template<class Visit>
     void forEachInReach(glm::vec3 place, const Visit& visit) const
     {
-        forEachInReach(place, visit, [](glm::vec3, uint32_t) { return true; });
+        forEachInReach(
+            place, 0, [](glm::vec3) { return true; }, visit);
     }
+    /// The same for cells that surfels of `leastKey` or above are in and that `matters(way)` is
+    /// true for: the way to the cell's middle, in cells.
+    template<class Matters, class Visit>
+    void forEachInReach(glm::vec3 place, uint64_t leastKey, const Matters& matters,
+                        const Visit& visit) const;
 };
 
 /// Finds for every surfel those within two cells' reach whose surface goes on from its own: not
 /// turned away by more than 60 degrees, not on another level, and buried like it or open like it.
 void connectNeighbors(Surfels& surfels);
 
-template<class Visit, class Matters>
-void Surfels::forEachInReach(glm::vec3 place, const Visit& visit, const Matters& matters) const
+template<class Matters, class Visit>
+void Surfels::forEachInReach(glm::vec3 place, uint64_t leastKey, const Matters& matters,
+                             const Visit& visit) const
 {
     const glm::vec3 at = grid.inCells(place);
     const glm::ivec3 home = grid.cellOf(place);
     const glm::ivec3 low = glm::max(home - 2, glm::ivec3(0));
     const glm::ivec3 high = glm::min(home + 2, glm::ivec3(SurfelGrid::kMostCells - 1));
-    cells.forEachFilled(low, high, [&](glm::ivec3 cell, SurfelCells::Range range) {
-        if (!matters(glm::vec3(cell) + 0.5f - at, range.end - 1)) return;
-        for (uint32_t surfel = range.begin; surfel < range.end; ++surfel) visit(size_t{surfel});
-    });
+    cells.forEachFilled(
+        low, high, leastKey, [&](glm::ivec3 cell) { return matters(glm::vec3(cell) + 0.5f - at); },
+        [&](SurfelCells::Range range) {
+            for (uint32_t surfel = range.begin; surfel < range.end; ++surfel) visit(size_t{surfel});
+        });
 }
 
 } // namespace relamp

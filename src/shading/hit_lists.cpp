@@ -6,6 +6,7 @@
 #include "shading/sampling.shared.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace relamp
@@ -130,10 +131,12 @@ float Caster::noiseOf(std::span<const HitTarget> targets) const
 std::vector<Side> newBacks(const HitLists& lists, size_t firstList)
 {
     std::vector<uint8_t> seen(lists.listOfSide.size(), 0);
-    for (size_t i = lists.firstTarget[firstList]; i < lists.targets.size(); ++i) {
-        const HitTarget target = lists.targets[i];
-        if (!target.isNothing() && target.side().isBack()) seen[target.side().index] = 1;
-    }
+    const auto targets = std::span(lists.targets).subspan(lists.firstTarget[firstList]);
+    forEachChunk(targets.size(), size_t{1} << 16, [&](size_t begin, size_t end) {
+        for (const HitTarget target : targets.subspan(begin, end - begin))
+            if (!target.isNothing() && target.side().isBack())
+                std::atomic_ref(seen[target.side().index]).store(1, std::memory_order_relaxed);
+    });
     std::vector<Side> backs;
     for (uint32_t side = 1; side < seen.size(); side += 2)
         if (seen[side] != 0 && lists.listOfSide[side] == HitLists::kNoList) backs.push_back({side});
