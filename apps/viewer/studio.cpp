@@ -91,6 +91,14 @@ void Studio::say(const std::string& sentence)
     if (messages.size() > kMessages) messages.pop_front();
 }
 
+/// What is to be said of a solution, each once.
+void Studio::tell(const std::vector<std::string>& notes)
+{
+    for (const std::string& note : notes)
+        if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) say(note);
+    notes_ = notes;
+}
+
 void Studio::fail(const std::string& sentence)
 {
     hasFailed_ = true;
@@ -108,7 +116,7 @@ std::filesystem::path Studio::besideScan() const
 relamp::DelightOptions Studio::dials() const
 {
     relamp::DelightOptions options = edit.dials.options();
-    if (options.solver == relamp::Solver::thesis) options.engine = engine_; // of no other
+    if (options.solver != relamp::Solver::pathtrace) options.engine = engine_; // that has none
     return options;
 }
 
@@ -234,7 +242,8 @@ void Studio::adopt(const Solved& solved)
     if (solved.isDraft) return;
     decomposition_ = solved.decomposition;
     decomposed_ = solved.scan;
-    for (const std::string& note : solved.notes) say(note);
+    notes_.clear();
+    tell(solved.notes);
     if (canResolve() && edit.scanned != solved.scanned) resolve(); // it was said meanwhile
 }
 
@@ -251,6 +260,7 @@ void Studio::adoptResolved(const Solved& solved)
     relighting_.repaint(solved.paint);
     sendLight();
     decomposition_ = solved.decomposition;
+    tell(solved.notes);
     if (edit.scanned != solved.scanned || edit.dials.albedo != solved.albedo) resolve();
 }
 

@@ -135,6 +135,7 @@ private:
     void resolve();
     [[nodiscard]] bool canResolve() const;
     [[nodiscard]] ScannedLight scannedLight() const;
+    void tell(const std::vector<std::string>& notes);
     void fail(const std::string& sentence);
     void readScan(const std::filesystem::path& path, const relamp::ScanOptions& options,
                   relamp::Progress& progress, const relamp::DelightOptions& dials);
@@ -158,6 +159,7 @@ private:
     std::shared_ptr<const relamp::Decomposition> decomposition_;
     std::shared_ptr<const relamp::Scan> decomposed_; // the scan that it refers to
     std::optional<relamp::Closure> closure_;
+    std::vector<std::string> notes_; // on the solution, that were told
     Stage stage_ = Stage::nothing;
     bool hasFailed_ = false;
     bool isGlanced_ = false;
