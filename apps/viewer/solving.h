@@ -47,18 +47,33 @@ struct Solved
     bool isDraft = false;
 };
 
-/// What a graphics device takes of a page at most, in pixels along its longer side.
-constexpr uint32_t kLargestTexture = 4096;
+/// Pictures of pages as a graphics device takes them.
+class PageShrinker
+{
+public:
+    PageShrinker(const relamp::Scan& scan, const TextureLimits& limits)
+        : scan_(&scan), length_(limits.lengthFor(scan))
+    {}
 
-/// Pixels of pages in the format that suits what they show.
-std::vector<TexturePixels> pixelsOfPages(const std::vector<relamp::Image>& images,
-                                         const relamp::Scan& scan, TexelFormat format);
+    /// A picture of a page.
+    [[nodiscard]] TexturePixels operator()(const relamp::Image& image, size_t page,
+                                           TexelFormat format) const;
+    /// One of each page.
+    [[nodiscard]] std::vector<TexturePixels> operator()(const std::vector<relamp::Image>& images,
+                                                        TexelFormat format) const;
+    /// The scan's own.
+    [[nodiscard]] std::vector<TexturePixels> textures() const;
+
+private:
+    const relamp::Scan* scan_;
+    uint32_t length_;
+};
 
 /// Takes the light out of a scan, again and again. To be used by one thread at a time.
 class RoomSolver
 {
 public:
-    explicit RoomSolver(std::shared_ptr<const relamp::Scan> scan);
+    RoomSolver(std::shared_ptr<const relamp::Scan> scan, const TextureLimits& limits);
 
     /// Calls `deliver` with a draft first, where the scan is large or the quality is not a draft's
     /// anyway, then with the whole.
@@ -84,15 +99,17 @@ private:
         size_t texels = 0;
     };
 
-    static Solved solved(Side& side, const relamp::DelightOptions& options,
-                         const ScannedLight& scanned, relamp::Progress& progress);
-    static Solved resolved(Side& side, const relamp::AlbedoOptions& albedo,
-                           const ScannedLight& scanned, relamp::Progress& progress);
+    Solved solved(Side& side, const relamp::DelightOptions& options, const ScannedLight& scanned,
+                  relamp::Progress& progress);
+    Solved resolved(Side& side, const relamp::AlbedoOptions& albedo, const ScannedLight& scanned,
+                    relamp::Progress& progress);
 
+    TextureLimits limits_;
     Side whole_;
     std::optional<Side> draft_;
     std::optional<std::pair<float, float>> flattenedBy_; // reach and range that were delivered
 };
 
 /// What relamp delight has found before, in its folder.
-Solved readSolved(const std::filesystem::path& folder, relamp::Progress& progress);
+Solved readSolved(const std::filesystem::path& folder, const TextureLimits& limits,
+                  relamp::Progress& progress);

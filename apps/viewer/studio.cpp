@@ -50,8 +50,8 @@ bool Edit::operator==(const Edit& other) const
 
 Studio::Studio(RoomDrawing& drawing, const relamp::EngineOptions& engine,
                std::function<void()> wake)
-    : drawing_(drawing), engine_(engine), mailbox_(wake), history_(edit),
-      relighting_(engine,
+    : drawing_(drawing), limits_(drawing.limits()), engine_(engine), mailbox_(wake), history_(edit),
+      relighting_({engine, limits_},
                   {.glance =
                        [this](std::vector<relamp::LightAtPlace> light, double milliseconds) {
                            mailbox_.post([this, light = std::move(light), milliseconds] {
@@ -148,13 +148,9 @@ void Studio::readScan(const std::filesystem::path& path, const relamp::ScanOptio
 {
     const auto scan =
         std::make_shared<const relamp::Scan>(relamp::readScan(path, options, progress));
-    std::vector<relamp::Image> pages;
     auto mesh = std::make_shared<const RoomMesh>(roomMesh(*scan));
-    std::vector<TexturePixels> textures;
-    for (const relamp::Page& page : scan->pages)
-        textures.push_back(
-            texturePixels(page.image, TexelFormat::srgb8, kLargestTexture, !page.ofVertices));
-    const auto roomSolver = std::make_shared<RoomSolver>(scan);
+    std::vector<TexturePixels> textures = PageShrinker(*scan, limits_).textures();
+    const auto roomSolver = std::make_shared<RoomSolver>(scan, limits_);
     mailbox_.post([this, scan, mesh, textures = std::move(textures), roomSolver] {
         adopt(scan, mesh, textures, roomSolver);
     });
@@ -174,12 +170,9 @@ void Studio::readScan(const std::filesystem::path& path, const relamp::ScanOptio
 
 void Studio::readFolder(const std::filesystem::path& path, relamp::Progress& progress)
 {
-    auto solved = std::make_shared<const Solved>(readSolved(path, progress));
+    auto solved = std::make_shared<const Solved>(readSolved(path, limits_, progress));
     auto mesh = std::make_shared<const RoomMesh>(roomMesh(*solved->scan));
-    std::vector<TexturePixels> textures;
-    for (const relamp::Page& page : solved->scan->pages)
-        textures.push_back(
-            texturePixels(page.image, TexelFormat::srgb8, kLargestTexture, !page.ofVertices));
+    std::vector<TexturePixels> textures = PageShrinker(*solved->scan, limits_).textures();
     mailbox_.post([this, solved, mesh, textures = std::move(textures)] {
         adopt(solved->scan, mesh, textures, nullptr);
         adopt(*solved);
@@ -357,7 +350,7 @@ void Studio::solveAgain()
     hasFailed_ = false;
     resolving_.reset();
     stage_ = Stage::scanned;
-    if (!roomSolver_) roomSolver_ = std::make_shared<RoomSolver>(scan_);
+    if (!roomSolver_) roomSolver_ = std::make_shared<RoomSolver>(scan_, limits_);
     solver_.start([this, solver = roomSolver_, dials = dials(),
                    scanned = scannedLight()](relamp::Progress& progress) {
         solver->solve(

@@ -145,6 +145,7 @@ private:
     [[nodiscard]] relamp::DelightOptions dials() const;
 
     RoomDrawing& drawing_;
+    TextureLimits limits_;
     relamp::EngineOptions engine_;
     Mailbox mailbox_;
     std::filesystem::path path_;
