@@ -72,17 +72,12 @@ Paint tell(relamp::Decomposition found, std::shared_ptr<const relamp::Scan> scan
     return paint;
 }
 
-bool isAsFound(const std::vector<FixtureItem>& fixtures)
+/// What was said, of the fixtures that were found now.
+ScannedItems itemsOf(const ScannedLight& scanned, const relamp::Lights& found)
 {
-    return std::all_of(fixtures.begin(), fixtures.end(),
-                       [](const FixtureItem& item) { return item == kAsFound; });
-}
-
-LightDocument lightOf(const ScannedLight& scanned, const relamp::Lights& found)
-{
-    LightDocument light = scanned.light;
-    light.fixtures = carriedOver(scanned.light.fixtures, scanned.places, found, kAsFound);
-    return light;
+    ScannedItems items = scanned.items;
+    items.fixtures = carriedOver(scanned.items.fixtures, scanned.places, found, kAsFound);
+    return items;
 }
 
 } // namespace
@@ -121,11 +116,10 @@ Solved RoomSolver::solved(Side& side, const relamp::DelightOptions& options,
     solved.found = side.found = found.lights();
     side.texels = found.texelCount();
     if (side.delighter.canResolve()) {
-        const LightDocument light = lightOf(scanned, side.found);
-        solved.scanned = light.fixtures;
-        if (!isAsFound(light.fixtures))
-            found =
-                side.delighter.resolve(lightsUnder(light, side.found), options.albedo, progress);
+        solved.scanned = itemsOf(scanned, side.found);
+        if (!solved.scanned.isAsFound())
+            found = side.delighter.resolve(lightsUnder(solved.scanned, scanned.light, side.found),
+                                           options.albedo, progress);
     }
     Paint paint = tell(std::move(found), side.scan, limits_, solved, progress);
     auto room = std::make_shared<relamp::DelitRoom>();
@@ -167,11 +161,11 @@ Solved RoomSolver::resolved(Side& side, const relamp::AlbedoOptions& albedo,
 {
     Solved solved;
     solved.found = side.found;
-    solved.scanned = scanned.light.fixtures;
-    const LightDocument light = lightOf(scanned, side.found);
-    solved.paint = std::make_shared<const Paint>(
-        tell(side.delighter.resolve(lightsUnder(light, side.found), albedo, progress), side.scan,
-             limits_, solved, progress));
+    solved.scanned = scanned.items;
+    const relamp::Lights lights =
+        lightsUnder(itemsOf(scanned, side.found), scanned.light, side.found);
+    solved.paint = std::make_shared<const Paint>(tell(
+        side.delighter.resolve(lights, albedo, progress), side.scan, limits_, solved, progress));
     return solved;
 }
 

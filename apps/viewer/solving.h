@@ -23,11 +23,12 @@ struct Paint
     std::vector<relamp::Image> confidence;
 };
 
-/// How a room's fixtures were on the day of the scan, as a person says.
+/// How a room's light was on the day of the scan, as a person says.
 struct ScannedLight
 {
-    LightDocument light;           // its fixtures, and white
-    std::vector<glm::vec3> places; // of these fixtures
+    ScannedItems items;
+    std::vector<glm::vec3> places; // of its fixtures
+    LightDocument light;           // of which white counts
 };
 
 /// The light of a room, found; and its pictures, ready for the graphics device.
@@ -39,8 +40,8 @@ struct Solved
     std::shared_ptr<const relamp::Decomposition> decomposition; // of `scan`; none of a folder
     std::shared_ptr<const relamp::Scan> scan;                   // that it was made from
     relamp::Lights captured;                                    // by which the albedo was found
-    relamp::Lights found;             // before anybody said how its fixtures were
-    std::vector<FixtureItem> scanned; // what was said
+    relamp::Lights found; // before anybody said how it was on the day of the scan
+    ScannedItems scanned; // what was said
     relamp::AlbedoOptions albedo;
     relamp::Closure closure;
     std::vector<std::string> notes;
@@ -80,7 +81,7 @@ public:
     void solve(const relamp::DelightOptions& options, const ScannedLight& scanned,
                const std::function<void(Solved)>& deliver, relamp::Progress& progress);
 
-    /// The whole again, where fixtures are said to have been otherwise, or the albedo's options are
+    /// The whole again, where light is said to have been otherwise, or the albedo's options are
     /// others. The solver gather has solved it before. Of a large scan the draft comes first.
     void resolve(const relamp::AlbedoOptions& albedo, const ScannedLight& scanned,
                  const std::function<void(Solved)>& deliver, relamp::Progress& progress);

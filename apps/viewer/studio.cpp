@@ -203,7 +203,7 @@ void Studio::adopt(std::shared_ptr<const relamp::Scan> scan, std::shared_ptr<con
     closure_.reset();
     isGlanced_ = isRelit_ = false;
     edit.light = {};
-    edit.scanned.clear();
+    edit.scanned = {};
     selection = {}; // may be of the room before
     applied_ = edit;
     history_ = History<Edit>(edit);
@@ -265,7 +265,7 @@ void Studio::adoptFixtures(const Solved& solved)
         edit.light = documentOf(solved.captured);
     else
         edit.light.fixtures = carriedOver(edit.light.fixtures, places, solved.found, {.on = true});
-    edit.scanned = carriedOver(edit.scanned, places, solved.found, kAsFound);
+    edit.scanned.fixtures = carriedOver(edit.scanned.fixtures, places, solved.found, kAsFound);
     captured_ = solved.captured;
     found_ = solved.found;
     if (selection.kind == Selection::Kind::fixture && selection.index >= captured_.fixtures.size())
@@ -292,6 +292,8 @@ void Studio::sendLight()
 void Studio::commit(const std::string& step)
 {
     if (edit == applied_) return;
+    if (edit.scanned != applied_.scanned)
+        followSky(edit.light, skyUnder(applied_.scanned, found_), skyUnder(edit.scanned, found_));
     history_.record(edit, step);
     const Edit before = applied_;
     apply(before);
@@ -301,10 +303,10 @@ void Studio::apply(const Edit& before)
 {
     const bool isLightNew = !(edit.light == before.light);
     edit.light.fixtures.resize(captured_.fixtures.size());
-    edit.scanned.resize(captured_.fixtures.size(), kAsFound);
+    edit.scanned.fixtures.resize(captured_.fixtures.size(), kAsFound);
     applied_ = edit;
     if (isLightNew) {
-        isLightOfScan_ = false;
+        isLightOfScan_ = edit.light == documentOf(skyUnder(edit.scanned, found_));
         play(false);
         if (selection.kind == Selection::Kind::lamp && selection.index >= edit.light.lamps.size())
             selection = {};
@@ -367,11 +369,7 @@ void Studio::solveAgain()
 
 ScannedLight Studio::scannedLight() const
 {
-    ScannedLight scanned{.light = {}, .places = placesOf(found_)};
-    scanned.light.fixtures = edit.scanned;
-    scanned.light.whiteNits = edit.light.whiteNits;
-    scanned.light.whiteKelvin = edit.light.whiteKelvin;
-    return scanned;
+    return {.items = edit.scanned, .places = placesOf(found_), .light = edit.light};
 }
 
 /// Whether more of the room is kept than its pictures.

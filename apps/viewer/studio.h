@@ -36,8 +36,8 @@ struct Dials
 /// What a person may change and take back.
 struct Edit
 {
-    LightDocument light;              // how it shall shine now
-    std::vector<FixtureItem> scanned; // how fixtures were on the day of the scan
+    LightDocument light;  // how it shall shine now
+    ScannedItems scanned; // how it was on the day of the scan
     relamp::ViewOptions view;
     Dials dials;
 
@@ -94,6 +94,8 @@ public:
 
     [[nodiscard]] const relamp::Scan* scan() const { return scan_.get(); }
     [[nodiscard]] const relamp::Lights& captured() const { return captured_; }
+    /// Before anybody said how it was on the day of the scan.
+    [[nodiscard]] const relamp::Lights& found() const { return found_; }
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] Stage stage() const { return stage_; }
     /// Whether albedo is behind what was said.
@@ -155,7 +157,7 @@ private:
     std::shared_ptr<const RoomMesh> mesh_;
     relamp::Bounds bounds_;
     relamp::Lights captured_;                // by which the albedo was found
-    relamp::Lights found_;                   // before anybody said how fixtures were
+    relamp::Lights found_;                   // before anybody said how it was then
     std::shared_ptr<RoomSolver> roomSolver_; // of the thread of `solver_`
     std::shared_ptr<const relamp::Decomposition> decomposition_;
     std::shared_ptr<const relamp::Scan> decomposed_; // the scan that it refers to
@@ -165,7 +167,7 @@ private:
     bool hasFailed_ = false;
     bool isGlanced_ = false;
     bool isRelit_ = false;
-    bool isLightOfScan_ = true; // nobody has changed it
+    bool isLightOfScan_ = true; // as the room's own
     double glanceMilliseconds_ = 0.0;
     std::optional<std::chrono::steady_clock::time_point> resolving_; // since when
     std::optional<double> resolveMilliseconds_;
