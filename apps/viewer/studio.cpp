@@ -102,9 +102,20 @@ void Studio::tell(const std::vector<std::string>& notes)
 void Studio::fail(const std::string& sentence)
 {
     hasFailed_ = true;
+    ++failures_;
     resolving_.reset();
-    if (stage_ == Stage::reading) stage_ = scan_ ? Stage::scanned : Stage::nothing;
     say(sentence);
+}
+
+/// What was open stays, with all that was under way when another was to be opened.
+void Studio::goOn(size_t failed)
+{
+    if (!opening_ || opening_->number != failed) return;
+    const Opening opening = *std::exchange(opening_, std::nullopt);
+    if (scan_ && (stage_ != Stage::solved || edit.dials != solvedBy_))
+        solveAgain();
+    else if (opening.resolved && canResolve())
+        resolve();
 }
 
 std::filesystem::path Studio::besideScan() const
@@ -113,69 +124,67 @@ std::filesystem::path Studio::besideScan() const
     return std::filesystem::is_directory(path_, ignored) ? path_ : path_.parent_path();
 }
 
-relamp::DelightOptions Studio::dials() const
+relamp::DelightOptions Studio::optionsOf(const Dials& dials) const
 {
-    relamp::DelightOptions options = edit.dials.options();
+    relamp::DelightOptions options = dials.options();
     if (options.solver != relamp::Solver::pathtrace) options.engine = engine_; // that has none
     return options;
 }
 
 void Studio::open(const std::filesystem::path& path, const relamp::ScanOptions& options)
 {
-    stage_ = Stage::reading;
+    const size_t number = ++openings_;
+    opening_ = Opening{number, edit.dials, resolving_.has_value()};
+    opening_->dials.gather.lights.clear(); // places in another room
+    opening_->dials.gather.notLights.clear();
     hasFailed_ = false;
     resolving_.reset();
-    path_ = path;
-    lightsFolder_ = besideScan();
-    reader_ = {};
     isCameraUntouched = true;
-    isLightOfScan_ = true;
-    selection = {};
-    timeline_.reset();
-    isPlaying_ = false;
-    edit.dials.gather.lights.clear(); // places in another room
-    edit.dials.gather.notLights.clear();
-    applied_ = edit;
-    solver_.start([this, path, options, dials = dials()](relamp::Progress& progress) {
-        std::error_code ignored;
-        std::filesystem::is_directory(path, ignored) ? readFolder(path, progress)
-                                                     : readScan(path, options, progress, dials);
+    const Wish wish{path, options, optionsOf(opening_->dials), number};
+    solver_.start([this, wish](relamp::Progress& progress) {
+        try {
+            std::error_code ignored;
+            std::filesystem::is_directory(wish.path, ignored) ? readFolder(wish, progress)
+                                                              : readScan(wish, progress);
+        } catch (const std::exception&) { // of which the worker tells
+            mailbox_.post([this, number = wish.number] { goOn(number); });
+            throw;
+        }
     });
 }
 
-void Studio::readScan(const std::filesystem::path& path, const relamp::ScanOptions& options,
-                      relamp::Progress& progress, const relamp::DelightOptions& dials)
+void Studio::readScan(const Wish& wish, relamp::Progress& progress)
 {
     const auto scan =
-        std::make_shared<const relamp::Scan>(relamp::readScan(path, options, progress));
-    auto mesh = std::make_shared<const RoomMesh>(roomMesh(*scan));
-    std::vector<TexturePixels> textures = PageShrinker(*scan, limits_).textures();
+        std::make_shared<const relamp::Scan>(relamp::readScan(wish.path, wish.scan, progress));
     const auto roomSolver = std::make_shared<RoomSolver>(scan, limits_);
-    mailbox_.post([this, scan, mesh, textures = std::move(textures), roomSolver] {
-        adopt(scan, mesh, textures, roomSolver);
-    });
+    const auto opened = std::make_shared<const Opened>(
+        Opened{wish, scan, std::make_shared<const RoomMesh>(roomMesh(*scan)),
+               PageShrinker(*scan, limits_).textures(), roomSolver});
+    mailbox_.post([this, opened] { adopt(*opened); });
     auto unlit = std::make_shared<relamp::DelitRoom>();
     unlit->scan = relamp::coarsened(*scan, kGlanceLength);
     for (const relamp::Page& page : unlit->scan.pages) unlit->albedo.push_back(page.image);
     if (scan->cameras.empty()) find(unlit, progress);
     roomSolver->solve(
-        dials, {},
-        [this](Solved solved) {
-            mailbox_.post([this, solved = std::make_shared<const Solved>(std::move(solved))] {
-                adopt(*solved);
-            });
+        wish.dials, {},
+        [this, roomSolver](Solved solved) {
+            mailbox_.post(
+                [this, roomSolver, solved = std::make_shared<const Solved>(std::move(solved))] {
+                    if (roomSolver == roomSolver_) adopt(*solved);
+                });
         },
         progress);
 }
 
-void Studio::readFolder(const std::filesystem::path& path, relamp::Progress& progress)
+void Studio::readFolder(const Wish& wish, relamp::Progress& progress)
 {
-    auto solved = std::make_shared<const Solved>(readSolved(path, limits_, progress));
-    auto mesh = std::make_shared<const RoomMesh>(roomMesh(*solved->scan));
-    std::vector<TexturePixels> textures = PageShrinker(*solved->scan, limits_).textures();
-    mailbox_.post([this, solved, mesh, textures = std::move(textures)] {
-        adopt(solved->scan, mesh, textures, nullptr);
-        adopt(*solved);
+    const auto solved = std::make_shared<const Solved>(readSolved(wish.path, limits_, progress));
+    const auto opened = std::make_shared<const Opened>(
+        Opened{wish, solved->scan, std::make_shared<const RoomMesh>(roomMesh(*solved->scan)),
+               PageShrinker(*solved->scan, limits_).textures(), nullptr});
+    mailbox_.post([this, solved, opened] {
+        if (adopt(*opened)) adopt(*solved);
     });
     if (solved->scan->cameras.empty()) find(solved->room, progress);
 }
@@ -189,31 +198,44 @@ void Studio::find(const std::shared_ptr<const relamp::DelitRoom>& room, relamp::
     });
 }
 
-void Studio::adopt(std::shared_ptr<const relamp::Scan> scan, std::shared_ptr<const RoomMesh> mesh,
-                   const std::vector<TexturePixels>& pages, std::shared_ptr<RoomSolver> roomSolver)
+/// False where another is wanted by now, or none.
+bool Studio::adopt(const Opened& opened)
 {
+    if (!opening_ || opening_->number != opened.wish.number) return false;
+    const Dials solvedBy = std::exchange(opening_, std::nullopt)->dials;
     relighting_.setRoom(nullptr, nullptr);
-    scan_ = std::move(scan);
-    roomSolver_ = std::move(roomSolver);
-    mesh_ = std::move(mesh);
+    path_ = opened.wish.path;
+    lightsFolder_ = besideScan();
+    reader_ = {};
+    scan_ = opened.scan;
+    roomSolver_ = opened.solver;
+    mesh_ = opened.mesh;
     bounds_ = mesh_->bounds;
     decomposition_ = nullptr;
     captured_ = found_ = {};
     resolveMilliseconds_.reset();
     closure_.reset();
-    isGlanced_ = isRelit_ = false;
+    timeline_.reset();
+    isPlaying_ = isGlanced_ = isRelit_ = false;
+    isLightOfScan_ = true;
     edit.light = {};
     edit.scanned = {};
+    edit.dials.gather.lights.clear();
+    edit.dials.gather.notLights.clear();
     selection = {}; // may be of the room before
     applied_ = edit;
     history_ = History<Edit>(edit);
     drawing_.setMesh(*mesh_, scan_->pages.size());
     drawing_.setLamps({});
-    for (size_t p = 0; p < pages.size(); ++p) drawing_.setTexture(p, PageTexture::scan, pages[p]);
+    for (size_t p = 0; p < opened.textures.size(); ++p)
+        drawing_.setTexture(p, PageTexture::scan, opened.textures[p]);
     if (isCameraUntouched)
         camera.set(firstView(*scan_, bounds_), 0.4f * glm::length(bounds_.extent()));
     stage_ = Stage::scanned;
+    solvedBy_ = solvedBy;
     for (const std::string& warning : scan_->warnings) say(warning);
+    if (opened.solver && edit.dials != solvedBy) solveAgain(); // they were turned meanwhile
+    return true;
 }
 
 void Studio::adoptTextures(const Solved& solved)
@@ -348,12 +370,13 @@ void Studio::redo()
 
 void Studio::solveAgain()
 {
-    if (!scan_ || stage_ == Stage::reading) return;
+    if (!scan_ || opening_) return;
     hasFailed_ = false;
     resolving_.reset();
     stage_ = Stage::scanned;
+    solvedBy_ = edit.dials;
     if (!roomSolver_) roomSolver_ = std::make_shared<RoomSolver>(scan_, limits_);
-    solver_.start([this, solver = roomSolver_, dials = dials(),
+    solver_.start([this, solver = roomSolver_, dials = optionsOf(edit.dials),
                    scanned = scannedLight()](relamp::Progress& progress) {
         solver->solve(
             dials, scanned,
@@ -375,7 +398,7 @@ ScannedLight Studio::scannedLight() const
 /// Whether more of the room is kept than its pictures.
 bool Studio::canResolve() const
 {
-    return stage_ == Stage::solved && roomSolver_ && decomposition_ &&
+    return !opening_ && stage_ == Stage::solved && roomSolver_ && decomposition_ &&
            decomposition_->optionsInForce().solver == relamp::Solver::gather;
 }
 
@@ -404,6 +427,7 @@ void Studio::resolve()
 void Studio::stopSolving()
 {
     resolving_.reset();
+    opening_.reset();
     solver_.cancel();
 }
 
@@ -420,6 +444,6 @@ bool Studio::isRelit() const
 bool Studio::rests() const
 {
     const RelightingThread::Status relighting = relighting_.status();
-    return stage_ != Stage::reading && !solver_.status().isBusy && !saver_.status().isBusy &&
+    return !opening_ && !solver_.status().isBusy && !saver_.status().isBusy &&
            relighting.stage.empty() && (!drawing_.has(Layer::albedo) || isRelit());
 }

@@ -225,7 +225,9 @@ void Viewer::take(const InputEvent& event)
         }
         return;
     case InputEvent::Kind::drop:
-        return studio.openAny(event.text);
+        studio.openAny(event.text);
+        if (std::filesystem::path(event.text).extension() == ".json") shown.layer = Layer::relit;
+        return;
     case InputEvent::Kind::text:
         return;
     }

@@ -232,7 +232,8 @@ glm::vec3 meanAlbedoIn(const std::filesystem::path& folder)
     return meanOf(readImage(folder / "albedo.exr"));
 }
 
-// On the GPU engine and a device by its number, which no other test has.
+// On the GPU engine and a device by its number, which no other test has; after files that could
+// not be opened, which leave the room as it was.
 TEST(ViewerProgram, SavesWhatWasSaidOfTheDayOfTheScan)
 {
     const scenes::TemporaryFolder out;
@@ -241,6 +242,8 @@ TEST(ViewerProgram, SavesWhatWasSaidOfTheDayOfTheScan)
         {"--engine", "gpu", "--gpu", "0"},
         "set quality draft\nset panels off\nopen " + (kBedroom / "scan.glb").string() +
             "\nwait solve\nsave lights " + file("found.json") + "\nsave result " + file("found") +
+            "\nwait rest\ndrop " + file("none.glb") + "\ndrop " +
+            out.write("broken.glb", "glTF").string() +
             "\nwait rest\nset scanned.0.dim 2\nset scanned.ambient 1 0.8 0.6\n" +
             "set scanned.ambient 1 0.5 0.25\nwait solve\nwait relit\nsave result " + file("said") +
             "\nsave baked " + file("said.glb") + "\nwait rest\nsave lights " + file("said.json") +
