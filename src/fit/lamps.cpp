@@ -36,12 +36,12 @@ constexpr size_t kRaysPerOrigin = 8; // at a place, to those that remain: noise 
 constexpr float kAboutWhite = 2.0f;  // luminance; a wall lights its surroundings as little as this
 constexpr float kHardlyWhite = 1.4f; // at the first look, which few rays make dim
 constexpr float kHardlyPower = 0.001f;
-constexpr float kLeastPower = 0.003f;   // share of the room's; below, a lamp does not matter
-constexpr float kBrightWall = 0.75f;    // albedo of what burns out first
-constexpr float kExplained = 0.8f;      // of white
-constexpr size_t kPatchesLookedAt = 16; // of a candidate, to see what lights it
-constexpr size_t kSamplesAPatch = 16;
-constexpr float kAround = 1.6f; // surfel sizes
+constexpr float kLeastPower = 0.003f; // share of the room's; below, a lamp does not matter
+constexpr float kBrightWall = 0.75f;  // albedo of what burns out first
+constexpr float kExplained = 0.8f;    // of white
+constexpr size_t kLooks = 16;         // surfels of a candidate, to see what lights it
+constexpr size_t kRaysToWall = 4;     // from each place of a side
+constexpr float kAround = 1.6f;       // surfel sizes
 constexpr int kMostRounds = 6;
 constexpr size_t kPairsOfTrial = 4;
 constexpr float kPieceMissed = 0.008f;    // rise of the fit's loss; it lights 1 % of the pairs
@@ -98,6 +98,8 @@ private:
     const std::vector<MaterialPair>& pairsOf(const FitData& data, size_t perPlace);
     [[nodiscard]] std::vector<float> rises();
     void joinPieces();
+    void addLight(size_t suspect, std::span<const uint32_t> lists,
+                  std::span<glm::vec3> irradiance) const;
     [[nodiscard]] float brightnessOfWallAt(size_t suspect) const;
     [[nodiscard]] bool isExplained(size_t suspect) const;
     [[nodiscard]] FitData dataFor() const;
@@ -352,36 +354,41 @@ size_t LampSearch::dropWalls(float leastRadiance, float leastShare)
     return dropped + dropHalves();
 }
 
+/// Fronts of some of its surfels, to see what lights it.
+std::vector<uint32_t> looksAt(const Candidate& candidate)
+{
+    std::vector<uint32_t> lists;
+    for (const ClippedPatch& patch : candidate.patches)
+        if (patch.surfel != Surfels::kNone) lists.push_back(patch.surfel);
+    const size_t looks = std::min(kLooks, lists.size());
+    for (size_t k = 0; k < looks; ++k) lists[k] = lists[k * lists.size() / looks];
+    lists.resize(looks);
+    return lists;
+}
+
+/// Adds the irradiance that a lamp to be brings to the sides that `lists` name.
+void LampSearch::addLight(size_t suspect, std::span<const uint32_t> lists,
+                          std::span<glm::vec3> irradiance) const
+{
+    const SoughtLamp lamp{AreaLight(suspects_[suspect].candidate.patches), kRaysToWall};
+    addDirect(directOfLists(texels_, scene_, hits_, {&lamp, 1}, lists).front(),
+              suspects_[suspect].radiance, irradiance);
+}
+
 /// Radiance that a bright wall in its place would have by the light of the others.
 float LampSearch::brightnessOfWallAt(size_t f) const
 {
-    std::vector<ClippedPatch> patches = suspects_[f].candidate.patches;
-    std::erase_if(patches, [](const auto& patch) { return patch.surfel == Surfels::kNone; });
-    const size_t looks = std::min(kPatchesLookedAt, patches.size());
-    const auto at = [&](size_t k) -> const ClippedPatch& {
-        return patches[k * patches.size() / looks];
-    };
+    const std::vector<uint32_t> lists = looksAt(suspects_[f].candidate);
+    const Gathered gathered = gather(hits_, field_, lists);
     std::vector<glm::vec3> irradiance;
-    for (size_t k = 0; k < looks; ++k) {
-        const uint32_t list[] = {at(k).surfel};
-        const Gathered gathered = gather(hits_, field_, list);
-        irradiance.push_back(gathered.irradiance[0] + powers_.ambient * gathered.missed[0]);
-    }
-    for (size_t other = 0; other < suspects_.size(); ++other) {
-        if (other == f) continue;
-        const AreaLight light(suspects_[other].candidate.patches);
-        for (size_t k = 0; k < looks; ++k)
-            irradiance[k] +=
-                suspects_[other].radiance *
-                sampleAreaLight(scene_, light, at(k).position, at(k).normal, kSamplesAPatch, 0.5f)
-                    .visible;
-    }
-    std::vector<float> expected;
-    for (const glm::vec3 light : irradiance)
-        expected.push_back(kBrightWall * luminance(light) / kPi);
-    std::nth_element(expected.begin(), expected.begin() + static_cast<ptrdiff_t>(looks / 2),
-                     expected.end());
-    return expected[looks / 2];
+    for (size_t k = 0; k < lists.size(); ++k)
+        irradiance.push_back(gathered.irradiance[k] + powers_.ambient * gathered.missed[k]);
+    for (size_t other = 0; other < suspects_.size(); ++other)
+        if (other != f) addLight(other, lists, irradiance);
+    const auto middle = irradiance.begin() + static_cast<ptrdiff_t>(irradiance.size() / 2);
+    std::nth_element(irradiance.begin(), middle, irradiance.end(),
+                     [](glm::vec3 a, glm::vec3 b) { return luminance(a) < luminance(b); });
+    return irradiance.empty() ? 0.0f : kBrightWall * luminance(*middle) / kPi;
 }
 
 /// Whether a wall in its place would be burnt out, and it is hardly brighter than that wall.

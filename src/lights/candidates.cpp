@@ -1,6 +1,7 @@
 #include "lights/candidates.h"
 
 #include "base/disjoint_sets.h"
+#include "flatten/flatten.shared.h"
 #include "lights/expand.shared.h"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ namespace
 
 constexpr float kSameFacing = 0.8f;      // cosine; an edge sharper than this cuts
 constexpr float kPlaneFacing = 0.85f;    // cosine to a plane's normal, with a scan's noise
-constexpr float kPlaneThickness = 0.03f; // m; 1.5 times the error of a scan's worst 5 %
+constexpr float kPlaneError = 0.02f;     // m; of a scan's worst 5 %
+constexpr float kPlaneThickness = 0.03f; // m; 1.5 times that
 constexpr float kLargePlane = 0.5f;      // m^2; smaller ones may be parts of lamps
 constexpr float kSmallPlane = 0.1f;      // m^2; from here on, where the wall goes on around it
 constexpr float kWallAround = 0.4f;      // of a square's rim that is wall
@@ -54,9 +56,17 @@ struct Plane
         return glm::dot(facing, normal) > kPlaneFacing &&
                std::abs(glm::dot(position, normal) - offset) < kPlaneThickness;
     }
+
+    /// 1 in the plane, 0 beyond the error of a scan.
+    [[nodiscard]] float nearness(glm::vec3 position) const
+    {
+        const float distance = (glm::dot(position, normal) - offset) / kPlaneError;
+        return biweight(distance * distance);
+    }
 };
 
-/// The plane that holds most of the members' area, of a few tried.
+/// The plane that holds most of the members' area, of a few tried. What lies on it counts more than
+/// what is near, or a plane between a panel and its ceiling would hold both.
 Plane largestPlane(const SurfelRadiance& radiance, const Members& members)
 {
     constexpr size_t kTried = 24;
@@ -74,9 +84,10 @@ Plane largestPlane(const SurfelRadiance& radiance, const Members& members)
             for (const uint32_t i : members) {
                 const ClippedPatch& patch = radiance.clipped[i];
                 if (!plane.holds(patch.position, patch.normal)) continue;
-                normal += patch.area * patch.normal;
-                position += patch.area * patch.position;
-                area += patch.area;
+                const float held = patch.area * plane.nearness(patch.position);
+                normal += held * patch.normal;
+                position += held * patch.position;
+                area += held;
             }
             if (area <= 0.0f) break;
             plane.normal = glm::normalize(normal);

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "lights/expand.shared.h"
+#include "shading/lamp_patches.h"
 #include "shading/lit_sides.shared.h"
 #include "shading/sampling.shared.h"
 
@@ -30,6 +31,70 @@ std::vector<glm::vec3> meanOfNeighbors(const Surfels& surfels, std::span<const g
     });
     return means;
 }
+
+/// Sides, and the texels that lamps are looked for from: a chunk of lists.
+class Lookouts
+{
+public:
+    static constexpr size_t kMost = 64;
+
+    void add(const SurfelSites& sites, Side side)
+    {
+        const size_t first = block_.count;
+        for (size_t k = 0; k < (side.isBack() ? kOriginsOfBack : kOrigins); ++k) {
+            TexelSite origin = sites.at(side.surfel(), k);
+            if (side.isBack()) origin.normal = -origin.normal;
+            block_.x[block_.count] = origin.position.x;
+            block_.y[block_.count] = origin.position.y;
+            block_.z[block_.count] = origin.position.z;
+            block_.nx[block_.count] = origin.normal.x;
+            block_.ny[block_.count] = origin.normal.y;
+            block_.nz[block_.count] = origin.normal.z;
+            origins_[block_.count++] = origin;
+        }
+        sides_[count_++] = {side, first};
+        sides_[count_].first = block_.count;
+    }
+
+    /// What all see of a lamp: rays say which share of it, all its patches how much that is.
+    void look(const RayScene& scene, const SoughtLamp& lamp, const LampPatches& patches,
+              std::span<AreaSample> seen) const
+    {
+        AreaSampler sampler(scene, lamp.light);
+        for (size_t i = 0; i < count_; ++i)
+            sampler.add(originsOf(i), lamp.raysPerOrigin, hashedShift(sides_[i].side.index, 0),
+                        seen[i]);
+        sampler.finish();
+        float open[TexelBlock::kPadded];
+        openIrradiance(block_, patches, open);
+        for (size_t i = 0; i < count_; ++i) {
+            if (seen[i].open <= 0.0f) continue;
+            float sum = 0.0f;
+            for (size_t k = sides_[i].first; k < sides_[i + 1].first; ++k) sum += open[k];
+            const float mean = sum / static_cast<float>(originsOf(i).size());
+            seen[i].visible *= mean / seen[i].open;
+            seen[i].open = mean;
+        }
+    }
+
+private:
+    struct Looking
+    {
+        Side side;
+        size_t first; // of its origins
+    };
+
+    [[nodiscard]] std::span<const TexelSite> originsOf(size_t i) const
+    {
+        return {origins_ + sides_[i].first, origins_ + sides_[i + 1].first};
+    }
+
+    TexelBlock block_; // of all origins
+    TexelSite origins_[kMost * kOrigins];
+    Looking sides_[kMost + 1]; // and one more
+    size_t count_ = 0;
+};
+static_assert(Lookouts::kMost * kOrigins <= TexelBlock::kCapacity);
 
 } // namespace
 
@@ -80,30 +145,18 @@ std::vector<std::vector<AreaSample>> directOfLists(const Texels& texels, const R
                                                    std::span<const SoughtLamp> lamps,
                                                    std::span<const uint32_t> lists)
 {
-    constexpr size_t kChunk = 64;
     const SurfelSites sites(texels);
     const size_t count = lists.empty() ? hits.sideOfList.size() : lists.size();
+    std::vector<LampPatches> patches;
+    for (const SoughtLamp& lamp : lamps) patches.emplace_back(lamp.light);
     std::vector<std::vector<AreaSample>> direct(lamps.size(), std::vector<AreaSample>(count));
-    forEachChunk(count, kChunk, [&](size_t begin, size_t end) {
-        Side sides[kChunk];
-        TexelSite origins[kChunk][kOrigins];
-        for (size_t i = begin; i < end; ++i) {
-            const Side side = sides[i - begin] = hits.sideOfList[lists.empty() ? i : lists[i]];
-            for (size_t k = 0; k < kOrigins; ++k) {
-                TexelSite& origin = origins[i - begin][k] = sites.at(side.surfel(), k);
-                if (side.isBack()) origin.normal = -origin.normal;
-            }
-        }
-        for (size_t l = 0; l < lamps.size(); ++l) {
-            AreaSampler sampler(scene, lamps[l].light);
-            for (size_t i = begin; i < end; ++i) {
-                const Side side = sides[i - begin];
-                const size_t from = side.isBack() ? kOriginsOfBack : kOrigins;
-                sampler.add({origins[i - begin], from}, lamps[l].raysPerOrigin,
-                            hashedShift(side.index, 0), direct[l][i]);
-            }
-            sampler.finish();
-        }
+    forEachChunk(count, Lookouts::kMost, [&](size_t begin, size_t end) {
+        Lookouts lookouts;
+        for (size_t i = begin; i < end; ++i)
+            lookouts.add(sites, hits.sideOfList[lists.empty() ? i : lists[i]]);
+        for (size_t l = 0; l < lamps.size(); ++l)
+            lookouts.look(scene, lamps[l], patches[l],
+                          std::span(direct[l]).subspan(begin, end - begin));
     });
     return direct;
 }
