@@ -38,8 +38,9 @@ public:
     /// The room as it would be had its lamps been as bright as `lights` say. These are the lights
     /// of the last result of solve(), with other radiances of the fixtures, irradiance of the sun
     /// and ambient light; all else of them is passed over. The very lights of that result give it
-    /// again, to the bit, whatever computes; others are shaded on the engine of solve()'s options:
-    /// CPU and GPU within 2 % of each other, but for one texel in a thousand 0.5 %.
+    /// again, to the bit, whatever computes. Others are shaded on the engine of solve()'s options;
+    /// CPU and GPU agree to 0.5 % but for one value in a thousand, to 2 % but for one in ten
+    /// thousand.
     ///
     /// No ray is cast and nothing is fitted again: light that the mesh does not explain is taken
     /// off as before. A fixture of radiance 0 is no lamp: what is burnt out of it is wall. Beyond
