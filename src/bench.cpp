@@ -289,9 +289,9 @@ std::vector<double> resolveOfCpu(LampRoom& room)
 
 std::vector<gpu::Timing> resolveOfGpu(ResolveGpu& gpu, const LampRoom& room)
 {
-    std::vector<gpu::Timing> timings = gpu.gather(room.powers);
+    std::vector<gpu::Timing> timings = gpu.gather(room.powers, room.solved.found.shines);
     for (size_t p = 0; p < room.texels.pages.size(); ++p)
-        for (gpu::Timing& timing : gpu.page(p, AlbedoOptions{}.darkest))
+        for (gpu::Timing& timing : gpu.divide(p, AlbedoOptions{}.darkest))
             timings.push_back(std::move(timing));
     return timings;
 }

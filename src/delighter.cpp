@@ -23,13 +23,14 @@ SurfelOptions surfelsFor(const DelightOptions& options)
     return options.solver == Solver::thesis ? SurfelOptions{} : surfelsOf(options.gather.quality);
 }
 
+/// Before long work begins.
 void checkEngine(const DelightOptions& options)
 {
-    if (options.solver == Solver::thesis) return;
+    if (options.solver != Solver::pathtrace) return checkDevice(options.engine);
     if (options.engine.engine != Engine::gpu && options.engine.gpu.empty()) return;
     throw Error(ErrorCode::unsupported,
-                "the GPU computes the thesis solver alone: leave --engine and --gpu out, or take "
-                "--solver thesis");
+                "paths are traced by the CPU alone: leave --engine and --gpu out, or take another "
+                "solver");
 }
 
 } // namespace

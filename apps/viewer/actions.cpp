@@ -93,7 +93,7 @@ void switchScanned(Viewer& viewer)
     Studio& studio = viewer.studio;
     if (studio.selection.kind != Selection::Kind::fixture)
         return studio.say("Choose a lamp of the room to say how it was.");
-    bool& on = studio.edit.scanned[studio.selection.index].on;
+    bool& on = studio.edit.scanned.fixtures[studio.selection.index].on;
     on = !on;
     studio.commit("Say how it was");
     studio.settle();

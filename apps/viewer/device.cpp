@@ -1,9 +1,14 @@
 #include "device.h"
 
+#include "relamp/devices.h"
 #include "relamp/error.h"
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
+
+#include <unistd.h>
 
 #define GLFW_INCLUDE_VULKAN
 #include <GLFW/glfw3.h>
@@ -36,6 +41,15 @@ std::optional<uint32_t> familyOf(VkPhysicalDevice physical, VkSurfaceKHR surface
     return std::nullopt;
 }
 
+/// As relamp::GpuDevice::id.
+std::array<uint8_t, 16> idOf(VkPhysicalDevice physical)
+{
+    VkPhysicalDeviceIDProperties id{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES};
+    VkPhysicalDeviceProperties2 all{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &id};
+    vkGetPhysicalDeviceProperties2(physical, &all);
+    return std::to_array(id.deviceUUID);
+}
+
 int rankOf(VkPhysicalDeviceType type)
 {
     switch (type) {
@@ -63,16 +77,19 @@ void check(VkResult result, const char* step)
     fail(fmt::format("Vulkan: {} failed ({}){}", step, static_cast<int>(result), reason));
 }
 
-Device::Device(GLFWwindow* window, Smooth smooth)
+Device::Device(GLFWwindow* window, const Wish& wish)
 {
     createInstance();
-    if (glfwCreateWindowSurface(instance_, window, nullptr, &surface_) != VK_SUCCESS) {
-        vkDestroyInstance(instance_, nullptr);
-        fail("Vulkan cannot draw in windows of this display; a driver of its kind is missing");
+    try {
+        createSurface(window);
+        choosePhysical(wish.gpu);
+    } catch (const relamp::Error&) {
+        closeInstance();
+        throw;
     }
-    choosePhysical();
     // All Vulkan devices can do four samples.
-    const bool isSmooth = smooth == Smooth::on || (smooth == Smooth::automatic && isHardware_);
+    const bool isSmooth =
+        wish.smooth == Smooth::on || (wish.smooth == Smooth::automatic && isHardware_);
     if (isSmooth) samples_ = VK_SAMPLE_COUNT_4_BIT;
     createDevice();
 }
@@ -82,6 +99,11 @@ Device::~Device()
     vkDeviceWaitIdle(device_);
     pool_ = {};
     vkDestroyDevice(device_, nullptr);
+    closeInstance();
+}
+
+void Device::closeInstance()
+{
     vkDestroySurfaceKHR(instance_, surface_, nullptr);
     vkDestroyInstance(instance_, nullptr);
 }
@@ -104,8 +126,16 @@ void Device::createInstance()
     check(result, "starting it");
 }
 
-void Device::choosePhysical()
+void Device::createSurface(GLFWwindow* window)
 {
+    if (glfwCreateWindowSurface(instance_, window, nullptr, &surface_) != VK_SUCCESS)
+        fail("Vulkan cannot draw in windows of this display; a driver of its kind is missing");
+}
+
+void Device::choosePhysical(const std::string& wish)
+{
+    std::optional<relamp::GpuDevice> wanted; // that the library knows by this name
+    if (!wish.empty()) wanted = relamp::gpuDevice(wish);
     uint32_t count = 0;
     vkEnumeratePhysicalDevices(instance_, &count, nullptr);
     std::vector<VkPhysicalDevice> devices(count);
@@ -115,20 +145,48 @@ void Device::choosePhysical()
         VkPhysicalDeviceProperties properties;
         vkGetPhysicalDeviceProperties(candidate, &properties);
         const std::optional<uint32_t> family = familyOf(candidate, surface_);
-        if (!family || properties.apiVersion < VK_API_VERSION_1_2 ||
-            rankOf(properties.deviceType) <= best)
-            continue;
-        best = rankOf(properties.deviceType);
-        physical_ = candidate;
-        family_ = *family;
-        isHardware_ = properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU;
-        name_ = properties.deviceName;
+        const int rank = rankOf(properties.deviceType);
+        if (!family || properties.apiVersion < VK_API_VERSION_1_2 || rank <= best) continue;
+        if (wanted && idOf(candidate) != wanted->id) continue;
+        best = rank;
+        take(candidate, *family);
     }
     if (physical_ != nullptr) return;
-    vkDestroySurfaceKHR(instance_, surface_, nullptr);
-    vkDestroyInstance(instance_, nullptr);
+    if (wanted)
+        fail(fmt::format("{} cannot draw in this window; leave --gpu out, or name a device that "
+                         "can (relamp devices lists them)",
+                         wanted->name));
     fail("no Vulkan 1.2 device can draw in this window; install the driver of your graphics card, "
          "or mesa-vulkan-drivers, which draws without one");
+}
+
+void Device::take(VkPhysicalDevice physical, uint32_t family)
+{
+    VkPhysicalDeviceProperties properties;
+    vkGetPhysicalDeviceProperties(physical, &properties);
+    physical_ = physical;
+    family_ = family;
+    isHardware_ = properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU;
+    name_ = properties.deviceName;
+}
+
+TextureLimits Device::textureLimits() const
+{
+    VkPhysicalDeviceMaintenance3Properties sizes{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES};
+    VkPhysicalDeviceProperties2 all{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &sizes};
+    vkGetPhysicalDeviceProperties2(physical_, &all);
+    VkPhysicalDeviceMemoryProperties memory;
+    vkGetPhysicalDeviceMemoryProperties(physical_, &memory);
+    uint64_t largest = 0;
+    for (uint32_t heap = 0; heap < memory.memoryHeapCount; ++heap)
+        if ((memory.memoryHeaps[heap].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0)
+            largest = std::max<uint64_t>(largest, memory.memoryHeaps[heap].size);
+    // Software tells of a heap that is not there; it takes the machine's memory, as all else does.
+    if (!isHardware_)
+        largest = static_cast<uint64_t>(sysconf(_SC_PHYS_PAGES)) *
+                  static_cast<uint64_t>(sysconf(_SC_PAGE_SIZE)) / 2;
+    return {all.properties.limits.maxImageDimension2D, sizes.maxMemoryAllocationSize, largest / 2};
 }
 
 void Device::createDevice()

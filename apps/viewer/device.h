@@ -1,6 +1,7 @@
 #pragma once
 
 #include "owned.h"
+#include "texture_pixels.h"
 
 #include <functional>
 #include <string>
@@ -16,13 +17,18 @@ enum class Smooth { automatic, on, off };
 
 /// The Vulkan device that draws the window, and its one queue.
 ///
-/// Of several the fastest kind is taken: a graphics card, then one on the processor's chip, then
-/// Mesa's software device.
+/// Where nobody names one, it is of the fastest kind: a graphics card, then one on the processor's
+/// chip, then Mesa's software device.
 class Device
 {
 public:
-    /// Throws relamp::Error with a sentence where no device can draw in `window`.
-    Device(GLFWwindow* window, Smooth smooth);
+    struct Wish
+    {
+        std::string gpu; // as relamp::EngineOptions
+        Smooth smooth = Smooth::automatic;
+    };
+    /// Throws relamp::Error with a sentence where no device, or not this one, can draw in `window`.
+    Device(GLFWwindow* window, const Wish& wish);
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
@@ -35,6 +41,8 @@ public:
     [[nodiscard]] uint32_t family() const { return family_; }
     /// Whether looking along a texture is worth its cost: in hardware.
     [[nodiscard]] bool isAnisotropic() const { return isAnisotropic_; }
+    /// Of its memory all textures together may take half.
+    [[nodiscard]] TextureLimits textureLimits() const;
     /// Of a pixel of all that is drawn.
     [[nodiscard]] VkSampleCountFlagBits samples() const { return samples_; }
     [[nodiscard]] const std::string& name() const { return name_; }
@@ -47,7 +55,10 @@ public:
 
 private:
     void createInstance();
-    void choosePhysical();
+    void createSurface(GLFWwindow* window);
+    void choosePhysical(const std::string& wish);
+    void take(VkPhysicalDevice physical, uint32_t family);
+    void closeInstance();
     void createDevice();
 
     VkInstance instance_ = nullptr;

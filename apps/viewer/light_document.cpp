@@ -235,15 +235,41 @@ std::vector<glm::vec3> placesOf(const relamp::Lights& captured)
     return places;
 }
 
-relamp::Lights lightsUnder(const LightDocument& scanned, const relamp::Lights& found)
+bool ScannedItems::isAsFound() const
+{
+    return sun == 1.0f && sunColour == glm::vec3(1.0f) && !ambient &&
+           std::all_of(fixtures.begin(), fixtures.end(),
+                       [](const FixtureItem& item) { return item == kAsFound; });
+}
+
+relamp::Lights skyUnder(const ScannedItems& scanned, const relamp::Lights& found)
+{
+    relamp::Lights lights = found;
+    if (lights.sun) lights.sun->irradiance *= scanned.sun * scanned.sunColour;
+    if (scanned.ambient) lights.ambient = *scanned.ambient;
+    return lights;
+}
+
+void followSky(LightDocument& light, const relamp::Lights& before, const relamp::Lights& after)
+{
+    for (LampItem& lamp : light.lamps)
+        if (before.sun && lamp.type == LightType::sun && lamp.unit == "irradiance" &&
+            lamp.rgb == before.sun->irradiance)
+            lamp.rgb = after.sun->irradiance;
+    if (light.sky.radiance == before.ambient && light.sky.environment.empty())
+        light.sky.radiance = after.ambient;
+}
+
+relamp::Lights lightsUnder(const ScannedItems& scanned, const LightDocument& light,
+                           const relamp::Lights& found)
 {
     LightDocument fixtures{.fixtures = scanned.fixtures};
-    fixtures.whiteNits = scanned.whiteNits;
-    fixtures.whiteKelvin = scanned.whiteKelvin;
+    fixtures.whiteNits = light.whiteNits;
+    fixtures.whiteKelvin = light.whiteKelvin;
     std::vector<std::string> notes;
     relamp::RelightingReader reader;
     const relamp::Relighting lit = lightingOf(fixtures, {}, found, notes, reader);
-    relamp::Lights lights = found;
+    relamp::Lights lights = skyUnder(scanned, found);
     for (size_t i = 0; i < lights.fixtures.size(); ++i)
         lights.fixtures[i].radiance = lit.fixtures[i].fixture.radiance;
     return lights;

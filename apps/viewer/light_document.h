@@ -56,6 +56,18 @@ struct FixtureItem
 /// How a fixture was on the day of the scan, where nobody says otherwise.
 inline const FixtureItem kAsFound{.on = true};
 
+/// How a room's light was on the day of the scan, where somebody says otherwise than delight.
+struct ScannedItems
+{
+    std::vector<FixtureItem> fixtures; // of the room, by their number
+    float sun = 1.0f;                  // times the sun that was found
+    glm::vec3 sunColour{1.0f};         // likewise
+    std::optional<glm::vec3> ambient;  // radiance of what lies outside the scan
+
+    bool operator==(const ScannedItems&) const = default;
+    [[nodiscard]] bool isAsFound() const;
+};
+
 struct SkyItem
 {
     float nits = 0.0f;
@@ -88,9 +100,15 @@ std::vector<FixtureItem> carriedOver(const std::vector<FixtureItem>& items,
 /// Where the fixtures of a room are.
 std::vector<glm::vec3> placesOf(const relamp::Lights& captured);
 
-/// What was found, had the fixtures been as `scanned` says; of it only fixtures and white count.
-/// Throws relamp::Error as lightingOf().
-relamp::Lights lightsUnder(const LightDocument& scanned, const relamp::Lights& found);
+/// What was found, had sun and what lies outside been as `scanned` says.
+relamp::Lights skyUnder(const ScannedItems& scanned, const relamp::Lights& found);
+
+/// And the fixtures. Of `light` only white counts. Throws relamp::Error as lightingOf().
+relamp::Lights lightsUnder(const ScannedItems& scanned, const LightDocument& light,
+                           const relamp::Lights& found);
+
+/// Sun and sky of a document that are the room's own, as in `before`, become those of `after`.
+void followSky(LightDocument& light, const relamp::Lights& before, const relamp::Lights& after);
 
 /// The fixtures of a room as delight found them, switched on.
 LightDocument documentOf(const relamp::Lights& captured);

@@ -88,17 +88,24 @@ void drawPowerOf(FixtureItem& fixture)
     optionalSlider("Kelvin", fixture.kelvin, 2700.0f, 1500.0f, 12000.0f, "%.0f K");
 }
 
+/// Whether the albedo can follow what is said of the day of the scan; else says why not.
+bool canTellOfScan(const Studio& studio)
+{
+    const bool isGather = studio.edit.dials.solver == relamp::Solver::gather;
+    const bool isSolved = studio.stage() == Stage::solved;
+    if (!isGather) ImGui::TextDisabled("The solver Gather takes it into account.");
+    if (isGather && !isSolved) ImGui::TextDisabled("It can be told once the room is solved.");
+    return isGather && isSolved;
+}
+
 /// How a fixture was: what is said here changes the albedo.
 void drawScanned(Viewer& viewer, size_t index)
 {
     Studio& studio = viewer.studio;
     heading("On the day of the scan");
-    if (studio.edit.dials.solver != relamp::Solver::gather)
-        return ImGui::TextDisabled("The solver Gather takes it into account.");
-    if (studio.stage() != Stage::solved)
-        return ImGui::TextDisabled("It can be told once the room is solved.");
+    if (!canTellOfScan(studio)) return;
     ImGui::PushID("scanned");
-    FixtureItem& scanned = studio.edit.scanned[index];
+    FixtureItem& scanned = studio.edit.scanned.fixtures[index];
     ImGui::Checkbox("It was on (Shift+K)", &scanned.on);
     const bool isOff = !scanned.on;
     if (isOff) ImGui::BeginDisabled();
@@ -221,6 +228,53 @@ void drawPresets(Viewer& viewer)
     ImGui::EndCombo();
 }
 
+/// Brightness and colour of what shines all around; whether they are new.
+bool radianceSlider(const char* label, glm::vec3& radiance)
+{
+    ImGui::PushID(label);
+    float brightness = std::max(radiance.r, std::max(radiance.g, radiance.b));
+    glm::vec3 colour = brightness > 0.0f ? radiance / brightness : glm::vec3(1.0f);
+    bool isNew = ImGui::SliderFloat(label, &brightness, 0.0f, 50.0f, "%.3f",
+                                    ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    isNew |= ImGui::ColorEdit3("Its colour", &colour.x,
+                               ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
+    if (isNew) radiance = brightness * glm::max(colour, 0.0f);
+    ImGui::PopID();
+    return isNew;
+}
+
+/// Plays a day.
+void drawTimeline(Viewer& viewer)
+{
+    Studio& studio = viewer.studio;
+    if (!studio.hasTimeline()) return ImGui::TextDisabled("Drop a timeline to play it (Space)");
+    button(studio.isPlaying() ? "Stop" : "Play", "play", viewer);
+    ImGui::SameLine();
+    auto part = static_cast<float>(studio.timelinePart());
+    ImGui::SetNextItemWidth(-1.0f);
+    if (ImGui::SliderFloat("##time", &part, 0.0f, 1.0f, "time %.2f", ImGuiSliderFlags_AlwaysClamp))
+        studio.seek(part);
+}
+
+/// Sun and sky as they were: what is said here changes the albedo.
+void drawScannedSky(Studio& studio)
+{
+    heading("On the day of the scan");
+    if (!canTellOfScan(studio)) return;
+    ScannedItems& scanned = studio.edit.scanned;
+    ImGui::PushID("scanned");
+    if (studio.found().sun) {
+        ImGui::SliderFloat("Sun", &scanned.sun, 0.0f, 4.0f, "× %.2f", ImGuiSliderFlags_AlwaysClamp);
+        ImGui::ColorEdit3("Times colour", &scanned.sunColour.x,
+                          ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
+        scanned.sunColour = glm::max(scanned.sunColour, 0.0f);
+    }
+    glm::vec3 ambient = scanned.ambient.value_or(studio.found().ambient);
+    if (radianceSlider("Around", ambient)) scanned.ambient = ambient;
+    ImGui::TextDisabled("What lies around shines in where the scan has holes.");
+    ImGui::PopID();
+}
+
 } // namespace
 
 void drawLightPanel(Viewer& viewer)
@@ -257,24 +311,12 @@ void drawSkyPanel(Viewer& viewer)
     Studio& studio = viewer.studio;
     SkyItem& sky = studio.edit.light.sky;
     glm::vec3 radiance = sky.radiance.value_or(sky.nits / 100.0f * sky.colour);
-    const float before = std::max(radiance.r, std::max(radiance.g, radiance.b));
-    glm::vec3 colour = before > 0.0f ? radiance / before : glm::vec3(1.0f);
-    float brightness = before;
-    bool isNew = ImGui::SliderFloat("Sky", &brightness, 0.0f, 50.0f, "%.3f",
-                                    ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-    isNew |= ImGui::ColorEdit3("Its colour", &colour.x,
-                               ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
-    if (isNew) sky.radiance = brightness * glm::max(colour, 0.0f);
+    if (radianceSlider("Sky", radiance)) sky.radiance = radiance;
     if (!sky.environment.empty()) {
         ImGui::SliderFloat("Turn", &sky.turn, 0.0f, 360.0f, "%.0f°", ImGuiSliderFlags_AlwaysClamp);
         ImGui::TextDisabled("%s", sky.environment.c_str());
     }
     button("Put up a sun", "add-sun", viewer);
-    if (!studio.hasTimeline()) return ImGui::TextDisabled("Drop a timeline to play it (Space)");
-    button(studio.isPlaying() ? "Stop" : "Play", "play", viewer);
-    ImGui::SameLine();
-    auto part = static_cast<float>(studio.timelinePart());
-    ImGui::SetNextItemWidth(-1.0f);
-    if (ImGui::SliderFloat("##time", &part, 0.0f, 1.0f, "time %.2f", ImGuiSliderFlags_AlwaysClamp))
-        studio.seek(part);
+    drawTimeline(viewer);
+    drawScannedSky(studio);
 }

@@ -105,7 +105,7 @@ void drawSolverPanel(Viewer& viewer)
     else
         drawGather(dials.gather);
     if (dials.solver == relamp::Solver::pathtrace)
-        ImGui::SliderInt("Samples", &dials.samples, 1, 4096, "%d",
+        ImGui::SliderInt("Samples", &dials.samples, 1, 65536, "%d",
                          ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
     ImGui::SliderFloat("Darkest", &dials.albedo.darkest, 0.001f, 1.0f, "%.3f",
                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);

@@ -112,7 +112,7 @@ std::string statusOf(const Viewer& viewer, float& fraction)
     if (studio.isSaving()) return "Saving";
     switch (studio.stage()) {
     case Stage::solved:
-        return studio.hasFailed() ? "Stopped" : "Ready";
+        return "Ready"; // what failed meanwhile is told by a message
     case Stage::nothing:
         return "Drop a scan, a folder of relamp delight, lights or a timeline into the window";
     default:

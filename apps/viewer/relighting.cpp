@@ -41,8 +41,8 @@ struct RelightingThread::Room
     relamp::Relighting light;
 };
 
-RelightingThread::RelightingThread(const relamp::EngineOptions& engine, Sinks sinks)
-    : engine_(engine), sinks_(std::move(sinks)),
+RelightingThread::RelightingThread(const Means& means, Sinks sinks)
+    : means_(means), sinks_(std::move(sinks)),
       thread_([this](const std::stop_token& stop) { work(stop); })
 {}
 
@@ -189,7 +189,7 @@ void RelightingThread::adoptRoom(relamp::Progress& progress)
         isLightNew_ = true;
     }
     room_ = nullptr;
-    if (room) room_ = std::make_unique<Room>(std::move(room), *mesh, engine_, progress);
+    if (room) room_ = std::make_unique<Room>(std::move(room), *mesh, means_.engine, progress);
 }
 
 void RelightingThread::glance()
@@ -231,9 +231,8 @@ void RelightingThread::refine()
 {
     guard([this](relamp::Progress& progress) {
         room_->relighter.light(room_->light, progress);
-        std::vector<TexturePixels> pixels =
-            pixelsOfPages(relamp::radianceOfPages(room_->relighter, progress), room_->room->scan,
-                          TexelFormat::rgb9e5);
+        std::vector<TexturePixels> pixels = PageShrinker(room_->room->scan, means_.limits)(
+            relamp::radianceOfPages(room_->relighter, progress), TexelFormat::rgb9e5);
         const std::lock_guard lock(mutex_);
         if (isRoomNew_ || isLightNew_) return;
         needsRefining_ = false;

@@ -29,8 +29,12 @@ public:
         std::function<void(const std::string&)> failed;
         std::function<void()> changed; // status
     };
-    /// `engine` as RelightOptions.
-    RelightingThread(const relamp::EngineOptions& engine, Sinks sinks);
+    struct Means
+    {
+        relamp::EngineOptions engine; // as RelightOptions
+        TextureLimits limits;         // of the textures that it delivers
+    };
+    RelightingThread(const Means& means, Sinks sinks);
     ~RelightingThread();
     RelightingThread(const RelightingThread&) = delete;
     RelightingThread& operator=(const RelightingThread&) = delete;
@@ -64,7 +68,7 @@ private:
     std::shared_ptr<relamp::Progress> begin();
     void guard(const std::function<void(relamp::Progress&)>& step);
 
-    relamp::EngineOptions engine_;
+    Means means_;
     Sinks sinks_;
     mutable std::mutex mutex_;
     std::condition_variable_any asked_;

@@ -52,6 +52,8 @@ public:
     void setLamps(std::span<const LampVertex> triangles);
     void setSky(const relamp::Sky& sky);
 
+    /// What the device takes.
+    [[nodiscard]] TextureLimits limits() const { return device_.textureLimits(); }
     /// Whether what a layer is made of is there.
     [[nodiscard]] bool has(Layer layer) const;
     [[nodiscard]] size_t pages() const { return pages_.size(); }

@@ -116,8 +116,10 @@ void ScriptRunner::begin(const ScriptCommand& command, Viewer& viewer)
 {
     const std::string& name = command.name;
     const std::vector<std::string>& words = command.words;
+    if (name != "wait") failuresBefore_ = viewer.studio.failures();
     seconds_ = takesTime(command) ? numberOf(words[name == "hold" ? 1 : 0]) : 0.0;
     if (name == "open") viewer.studio.open(words[0], {});
+    if (name == "open" || name == "drop") mustOpen_ = name == "open";
     if (name == "press") addKey(words[0], true);
     if (name == "hold") addKey(words[0], false);
     if (name == "click") addClick(command);
@@ -146,8 +148,9 @@ bool ScriptRunner::isDone(const ScriptCommand& command, Viewer& viewer) const
     if (command.name != "wait") return events_.empty();
     const std::string& what = command.words[0];
     if (what.find_first_not_of("0123456789.") == std::string::npos) return passed >= numberOf(what);
-    if (isThere(what, viewer)) return true;
-    if (viewer.studio.hasFailed())
+    const bool isStillThere = mustOpen_ && viewer.studio.hasFailed(); // what was open before
+    if (!isStillThere && isThere(what, viewer)) return true;
+    if (isStillThere || viewer.studio.failures() > failuresBefore_)
         fail(viewer.studio.messages.empty() ? "it failed" : viewer.studio.messages.back());
     if (passed > kLongestWait) fail(fmt::format("{} did not come in {} s", what, kLongestWait));
     return false;

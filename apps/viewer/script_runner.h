@@ -44,6 +44,8 @@ private:
     std::filesystem::path file_;
     size_t at_ = 0;
     bool hasBegun_ = false;
+    size_t failuresBefore_ = 0; // what is waited for
+    bool mustOpen_ = false;     // what was there before is not what is waited for
     Clock::time_point start_;
     size_t firstFrame_ = 0;
     std::clock_t firstClock_ = 0; // of the processor, all threads

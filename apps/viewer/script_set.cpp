@@ -9,6 +9,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -79,6 +80,64 @@ void setCamera(Viewer& viewer, const Words& words)
     viewer.studio.isCameraUntouched = false;
 }
 
+template<class T>
+void setNumber(T& dial, const Words& words, float low, float high)
+{
+    dial = static_cast<T>(std::clamp(number(words), low, high));
+}
+
+/// "auto" leaves it to the scan.
+void setNumber(std::optional<float>& dial, const Words& words, float low, float high)
+{
+    dial.reset();
+    if (words[1] != "auto") dial = std::clamp(number(words), low, high);
+}
+
+/// The solvers' dials, by the names and ranges that relamp delight has.
+const std::map<std::string, std::function<void(Dials&, const Words&)>>& dials()
+{
+    using D = Dials;
+    using W = Words;
+    static const std::map<std::string, std::function<void(D&, const W&)>> all{
+        {"dial.rays",
+         [](D& d, const W& w) {
+             d.gather.rays = 0;
+             if (w[1] != "auto") setNumber(d.gather.rays, w, 4.0f, 1024.0f);
+         }},
+        {"dial.shadow-rays",
+         [](D& d, const W& w) {
+             d.gather.shadowRays = 0;
+             if (w[1] != "auto") setNumber(d.gather.shadowRays, w, 1.0f, 1024.0f);
+         }},
+        {"dial.samples", [](D& d, const W& w) { setNumber(d.samples, w, 1.0f, 65536.0f); }},
+        {"dial.darkest", [](D& d, const W& w) { setNumber(d.albedo.darkest, w, 1e-6f, 1.0f); }},
+        {"dial.fill", [](D& d, const W& w) { d.albedo.fill = flag(w); }},
+        {"dial.emitter-threshold",
+         [](D& d, const W& w) { setNumber(d.thesis.emitterThreshold, w, 0.0f, 1.0f); }},
+        {"dial.expansion", [](D& d, const W& w) { setNumber(d.thesis.expansion, w, 1.0f, 1e4f); }},
+        {"dial.light-levels",
+         [](D& d, const W& w) { setNumber(d.thesis.lightLevels, w, 0.0f, 10.0f); }},
+        {"dial.attenuation",
+         [](D& d, const W& w) {
+             d.thesis.attenuation.reset();
+             if (w[1] != "auto") d.thesis.attenuation = glm::max(vector(w), 0.0f);
+         }},
+        {"dial.power", [](D& d, const W& w) { setNumber(d.thesis.power, w, 1e-6f, 1e6f); }},
+        {"dial.ambient", [](D& d, const W& w) { setNumber(d.thesis.ambient, w, 0.0f, 1e6f); }},
+        {"dial.merge-distance",
+         [](D& d, const W& w) { setNumber(d.thesis.mergeDistance, w, 0.0f, 1e6f); }},
+        {"dial.rsm-size", [](D& d, const W& w) { setNumber(d.thesis.rsmSize, w, 8.0f, 512.0f); }},
+        {"dial.lpv-size", [](D& d, const W& w) { setNumber(d.thesis.lpvSize, w, 8.0f, 128.0f); }},
+        {"dial.lpv-steps", [](D& d, const W& w) { setNumber(d.thesis.lpvSteps, w, 1.0f, 128.0f); }},
+        {"dial.flatten-reach",
+         [](D& d, const W& w) { setNumber(d.thesis.flattenReach, w, 1.0f, 2.0f); }},
+        {"dial.flatten-range",
+         [](D& d, const W& w) { setNumber(d.thesis.flattenRange, w, 0.01f, 10.0f); }},
+        {"dial.lpv", [](D& d, const W& w) { d.thesis.useLpv = flag(w); }},
+        {"dial.ambient-light", [](D& d, const W& w) { d.thesis.useAmbient = flag(w); }}};
+    return all;
+}
+
 /// What is set beside lights.
 const std::map<std::string, std::function<void(Viewer&, const Words&)>>& settings()
 {
@@ -126,6 +185,12 @@ const std::map<std::string, std::function<void(Viewer&, const Words&)>>& setting
         {"time", [](V& v, const W& w) { v.studio.seek(std::clamp(number(w), 0.0f, 1.0f)); }},
         {"sky",
          [](V& v, const W& w) { v.studio.edit.light.sky.radiance = glm::max(vector(w), 0.0f); }},
+        {"scanned.sun",
+         [](V& v, const W& w) { v.studio.edit.scanned.sun = std::max(number(w), 0.0f); }},
+        {"scanned.sun.colour",
+         [](V& v, const W& w) { v.studio.edit.scanned.sunColour = glm::max(vector(w), 0.0f); }},
+        {"scanned.ambient",
+         [](V& v, const W& w) { v.studio.edit.scanned.ambient = glm::max(vector(w), 0.0f); }},
         {"select", [](V& v, const W& w) {
              constexpr std::array<const char*, 3> kKinds{"none", "lamp", "fixture"};
              v.select({static_cast<Selection::Kind>(indexOf(w[1], kKinds)),
@@ -197,7 +262,7 @@ bool setLight(Viewer& viewer, const Words& words)
     if (kind != "lamp" && kind != "fixture" && kind != "scanned") return false;
     LightDocument& light = viewer.studio.edit.light;
     std::vector<FixtureItem>& fixtures =
-        kind == "scanned" ? viewer.studio.edit.scanned : light.fixtures;
+        kind == "scanned" ? viewer.studio.edit.scanned.fixtures : light.fixtures;
     const size_t count = kind == "lamp" ? light.lamps.size() : fixtures.size();
     if (!(index >= 0.0f) || index >= static_cast<float>(count))
         fail(fmt::format("there is no {}; there are {}", words[0].substr(0, second), count));
@@ -213,8 +278,11 @@ bool setLight(Viewer& viewer, const Words& words)
 void setByScript(Viewer& viewer, const std::vector<std::string>& words)
 {
     const auto found = settings().find(words[0]);
+    const auto dial = dials().find(words[0]);
     if (found != settings().end())
         found->second(viewer, words);
+    else if (dial != dials().end())
+        dial->second(viewer.studio.edit.dials, words);
     else if (!setLight(viewer, words))
         fail(fmt::format("\"{}\" cannot be set", words[0]));
     viewer.studio.commit("Set " + words[0]);

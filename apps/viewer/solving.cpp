@@ -36,40 +36,33 @@ relamp::Image greyOf(const relamp::PageLayers& layers)
     return image;
 }
 
-TexturePixels pixelsOf(const relamp::Image& image, const relamp::Page& page, TexelFormat format)
-{
-    return texturePixels(image, format, kLargestTexture, !page.ofVertices);
-}
-
 /// Divides page after page, and keeps of each what is shown and what relighting needs.
-Paint divide(const relamp::Decomposition& found, const relamp::Scan& scan, Solved& solved,
-             relamp::Progress& progress)
+Paint divide(const relamp::Decomposition& found, const PageShrinker& shrunk, size_t pages,
+             Solved& solved, relamp::Progress& progress)
 {
     Paint paint;
-    for (size_t p = 0; p < scan.pages.size(); ++p) {
+    for (size_t p = 0; p < pages; ++p) {
         relamp::PageLayers layers = found.layers(p, progress);
-        const relamp::Page& page = scan.pages[p];
         const relamp::Image direct = imageOf(layers, std::move(layers.direct));
         const relamp::Image indirect = imageOf(layers, std::move(layers.indirect));
         paint.albedo.push_back(imageOf(layers, std::move(layers.albedo)));
         paint.confidence.push_back(greyOf(layers));
         auto& textures = solved.textures;
-        textures[PageTexture::direct].push_back(pixelsOf(direct, page, TexelFormat::rgb9e5));
-        textures[PageTexture::indirect].push_back(pixelsOf(indirect, page, TexelFormat::rgb9e5));
-        textures[PageTexture::albedo].push_back(
-            pixelsOf(paint.albedo.back(), page, TexelFormat::srgb8));
+        textures[PageTexture::direct].push_back(shrunk(direct, p, TexelFormat::rgb9e5));
+        textures[PageTexture::indirect].push_back(shrunk(indirect, p, TexelFormat::rgb9e5));
+        textures[PageTexture::albedo].push_back(shrunk(paint.albedo.back(), p, TexelFormat::srgb8));
         textures[PageTexture::confidence].push_back(
-            pixelsOf(paint.confidence.back(), page, TexelFormat::grey8));
+            shrunk(paint.confidence.back(), p, TexelFormat::grey8));
         progress.check();
     }
     return paint;
 }
 
 /// All but the room, and its paint.
-Paint tell(relamp::Decomposition found, std::shared_ptr<const relamp::Scan> scan, Solved& solved,
-           relamp::Progress& progress)
+Paint tell(relamp::Decomposition found, std::shared_ptr<const relamp::Scan> scan,
+           const TextureLimits& limits, Solved& solved, relamp::Progress& progress)
 {
-    Paint paint = divide(found, *scan, solved, progress);
+    Paint paint = divide(found, PageShrinker(*scan, limits), scan->pages.size(), solved, progress);
     solved.captured = found.lights();
     solved.albedo = found.optionsInForce().albedo;
     solved.closure = found.closure();
@@ -79,31 +72,41 @@ Paint tell(relamp::Decomposition found, std::shared_ptr<const relamp::Scan> scan
     return paint;
 }
 
-bool isAsFound(const std::vector<FixtureItem>& fixtures)
+/// What was said, of the fixtures that were found now.
+ScannedItems itemsOf(const ScannedLight& scanned, const relamp::Lights& found)
 {
-    return std::all_of(fixtures.begin(), fixtures.end(),
-                       [](const FixtureItem& item) { return item == kAsFound; });
-}
-
-LightDocument lightOf(const ScannedLight& scanned, const relamp::Lights& found)
-{
-    LightDocument light = scanned.light;
-    light.fixtures = carriedOver(scanned.light.fixtures, scanned.places, found, kAsFound);
-    return light;
+    ScannedItems items = scanned.items;
+    items.fixtures = carriedOver(scanned.items.fixtures, scanned.places, found, kAsFound);
+    return items;
 }
 
 } // namespace
 
-std::vector<TexturePixels> pixelsOfPages(const std::vector<relamp::Image>& images,
-                                         const relamp::Scan& scan, TexelFormat format)
+TexturePixels PageShrinker::operator()(const relamp::Image& image, size_t page,
+                                       TexelFormat format) const
+{
+    return texturePixels(image, format, length_, !scan_->pages[page].ofVertices);
+}
+
+std::vector<TexturePixels> PageShrinker::operator()(const std::vector<relamp::Image>& images,
+                                                    TexelFormat format) const
 {
     std::vector<TexturePixels> pixels;
-    for (size_t p = 0; p < images.size(); ++p)
-        pixels.push_back(pixelsOf(images[p], scan.pages[p], format));
+    for (size_t p = 0; p < images.size(); ++p) pixels.push_back((*this)(images[p], p, format));
     return pixels;
 }
 
-RoomSolver::RoomSolver(std::shared_ptr<const relamp::Scan> scan) : whole_(std::move(scan)) {}
+std::vector<TexturePixels> PageShrinker::textures() const
+{
+    std::vector<TexturePixels> pixels;
+    for (size_t p = 0; p < scan_->pages.size(); ++p)
+        pixels.push_back((*this)(scan_->pages[p].image, p, TexelFormat::srgb8));
+    return pixels;
+}
+
+RoomSolver::RoomSolver(std::shared_ptr<const relamp::Scan> scan, const TextureLimits& limits)
+    : limits_(limits), whole_(std::move(scan))
+{}
 
 Solved RoomSolver::solved(Side& side, const relamp::DelightOptions& options,
                           const ScannedLight& scanned, relamp::Progress& progress)
@@ -113,13 +116,12 @@ Solved RoomSolver::solved(Side& side, const relamp::DelightOptions& options,
     solved.found = side.found = found.lights();
     side.texels = found.texelCount();
     if (side.delighter.canResolve()) {
-        const LightDocument light = lightOf(scanned, side.found);
-        solved.scanned = light.fixtures;
-        if (!isAsFound(light.fixtures))
-            found =
-                side.delighter.resolve(lightsUnder(light, side.found), options.albedo, progress);
+        solved.scanned = itemsOf(scanned, side.found);
+        if (!solved.scanned.isAsFound())
+            found = side.delighter.resolve(lightsUnder(solved.scanned, scanned.light, side.found),
+                                           options.albedo, progress);
     }
-    Paint paint = tell(std::move(found), side.scan, solved, progress);
+    Paint paint = tell(std::move(found), side.scan, limits_, solved, progress);
     auto room = std::make_shared<relamp::DelitRoom>();
     room->scan = *side.scan;
     room->albedo = std::move(paint.albedo);
@@ -148,9 +150,8 @@ void RoomSolver::solve(const relamp::DelightOptions& options, const ScannedLight
     Solved whole = solved(whole_, options, scanned, progress);
     const std::pair by{options.thesis.flattenReach, options.thesis.flattenRange};
     if (flattenedBy_ != by)
-        whole.textures[PageTexture::flattened] =
-            pixelsOfPages(relamp::flattened(*whole_.scan, options.thesis, progress), *whole_.scan,
-                          TexelFormat::rgb9e5);
+        whole.textures[PageTexture::flattened] = PageShrinker(*whole_.scan, limits_)(
+            relamp::flattened(*whole_.scan, options.thesis, progress), TexelFormat::rgb9e5);
     flattenedBy_ = by;
     deliver(std::move(whole));
 }
@@ -160,11 +161,11 @@ Solved RoomSolver::resolved(Side& side, const relamp::AlbedoOptions& albedo,
 {
     Solved solved;
     solved.found = side.found;
-    solved.scanned = scanned.light.fixtures;
-    const LightDocument light = lightOf(scanned, side.found);
-    solved.paint = std::make_shared<const Paint>(
-        tell(side.delighter.resolve(lightsUnder(light, side.found), albedo, progress), side.scan,
-             solved, progress));
+    solved.scanned = scanned.items;
+    const relamp::Lights lights =
+        lightsUnder(itemsOf(scanned, side.found), scanned.light, side.found);
+    solved.paint = std::make_shared<const Paint>(tell(
+        side.delighter.resolve(lights, albedo, progress), side.scan, limits_, solved, progress));
     return solved;
 }
 
@@ -179,16 +180,16 @@ void RoomSolver::resolve(const relamp::AlbedoOptions& albedo, const ScannedLight
     deliver(resolved(whole_, albedo, scanned, progress));
 }
 
-Solved readSolved(const std::filesystem::path& folder, relamp::Progress& progress)
+Solved readSolved(const std::filesystem::path& folder, const TextureLimits& limits,
+                  relamp::Progress& progress)
 {
     auto room = std::make_shared<relamp::DelitRoom>(relamp::readDelitRoom(folder, {}, progress));
     Solved solved;
     solved.notes = room->warnings;
-    solved.textures[PageTexture::albedo] =
-        pixelsOfPages(room->albedo, room->scan, TexelFormat::srgb8);
+    const PageShrinker shrunk(room->scan, limits);
+    solved.textures[PageTexture::albedo] = shrunk(room->albedo, TexelFormat::srgb8);
     if (!room->confidence.empty())
-        solved.textures[PageTexture::confidence] =
-            pixelsOfPages(room->confidence, room->scan, TexelFormat::grey8);
+        solved.textures[PageTexture::confidence] = shrunk(room->confidence, TexelFormat::grey8);
     const size_t pages = room->scan.pages.size();
     const auto nameOf = [&](const char* layer, size_t p) {
         return pages == 1 ? fmt::format("{}.exr", layer) : fmt::format("{}.{}.exr", layer, p);
@@ -200,8 +201,7 @@ Solved readSolved(const std::filesystem::path& folder, relamp::Progress& progres
         for (size_t p = 0; p < pages && std::filesystem::exists(folder / nameOf(layer, p), ignored);
              ++p)
             images.push_back(relamp::readImage(folder / nameOf(layer, p)));
-        if (images.size() == pages)
-            solved.textures[which] = pixelsOfPages(images, room->scan, TexelFormat::rgb9e5);
+        if (images.size() == pages) solved.textures[which] = shrunk(images, TexelFormat::rgb9e5);
     }
     solved.captured = solved.found = room->captured;
     solved.scan = std::shared_ptr<const relamp::Scan>(room, &room->scan);

@@ -23,11 +23,12 @@ struct Paint
     std::vector<relamp::Image> confidence;
 };
 
-/// How a room's fixtures were on the day of the scan, as a person says.
+/// How a room's light was on the day of the scan, as a person says.
 struct ScannedLight
 {
-    LightDocument light;           // its fixtures, and white
-    std::vector<glm::vec3> places; // of these fixtures
+    ScannedItems items;
+    std::vector<glm::vec3> places; // of its fixtures
+    LightDocument light;           // of which white counts
 };
 
 /// The light of a room, found; and its pictures, ready for the graphics device.
@@ -39,33 +40,48 @@ struct Solved
     std::shared_ptr<const relamp::Decomposition> decomposition; // of `scan`; none of a folder
     std::shared_ptr<const relamp::Scan> scan;                   // that it was made from
     relamp::Lights captured;                                    // by which the albedo was found
-    relamp::Lights found;             // before anybody said how its fixtures were
-    std::vector<FixtureItem> scanned; // what was said
+    relamp::Lights found; // before anybody said how it was on the day of the scan
+    ScannedItems scanned; // what was said
     relamp::AlbedoOptions albedo;
     relamp::Closure closure;
     std::vector<std::string> notes;
     bool isDraft = false;
 };
 
-/// What a graphics device takes of a page at most, in pixels along its longer side.
-constexpr uint32_t kLargestTexture = 4096;
+/// Pictures of pages as a graphics device takes them.
+class PageShrinker
+{
+public:
+    PageShrinker(const relamp::Scan& scan, const TextureLimits& limits)
+        : scan_(&scan), length_(limits.lengthFor(scan))
+    {}
 
-/// Pixels of pages in the format that suits what they show.
-std::vector<TexturePixels> pixelsOfPages(const std::vector<relamp::Image>& images,
-                                         const relamp::Scan& scan, TexelFormat format);
+    /// A picture of a page.
+    [[nodiscard]] TexturePixels operator()(const relamp::Image& image, size_t page,
+                                           TexelFormat format) const;
+    /// One of each page.
+    [[nodiscard]] std::vector<TexturePixels> operator()(const std::vector<relamp::Image>& images,
+                                                        TexelFormat format) const;
+    /// The scan's own.
+    [[nodiscard]] std::vector<TexturePixels> textures() const;
+
+private:
+    const relamp::Scan* scan_;
+    uint32_t length_;
+};
 
 /// Takes the light out of a scan, again and again. To be used by one thread at a time.
 class RoomSolver
 {
 public:
-    explicit RoomSolver(std::shared_ptr<const relamp::Scan> scan);
+    RoomSolver(std::shared_ptr<const relamp::Scan> scan, const TextureLimits& limits);
 
     /// Calls `deliver` with a draft first, where the scan is large or the quality is not a draft's
     /// anyway, then with the whole.
     void solve(const relamp::DelightOptions& options, const ScannedLight& scanned,
                const std::function<void(Solved)>& deliver, relamp::Progress& progress);
 
-    /// The whole again, where fixtures are said to have been otherwise, or the albedo's options are
+    /// The whole again, where light is said to have been otherwise, or the albedo's options are
     /// others. The solver gather has solved it before. Of a large scan the draft comes first.
     void resolve(const relamp::AlbedoOptions& albedo, const ScannedLight& scanned,
                  const std::function<void(Solved)>& deliver, relamp::Progress& progress);
@@ -84,15 +100,17 @@ private:
         size_t texels = 0;
     };
 
-    static Solved solved(Side& side, const relamp::DelightOptions& options,
-                         const ScannedLight& scanned, relamp::Progress& progress);
-    static Solved resolved(Side& side, const relamp::AlbedoOptions& albedo,
-                           const ScannedLight& scanned, relamp::Progress& progress);
+    Solved solved(Side& side, const relamp::DelightOptions& options, const ScannedLight& scanned,
+                  relamp::Progress& progress);
+    Solved resolved(Side& side, const relamp::AlbedoOptions& albedo, const ScannedLight& scanned,
+                    relamp::Progress& progress);
 
+    TextureLimits limits_;
     Side whole_;
     std::optional<Side> draft_;
     std::optional<std::pair<float, float>> flattenedBy_; // reach and range that were delivered
 };
 
 /// What relamp delight has found before, in its folder.
-Solved readSolved(const std::filesystem::path& folder, relamp::Progress& progress);
+Solved readSolved(const std::filesystem::path& folder, const TextureLimits& limits,
+                  relamp::Progress& progress);

@@ -50,8 +50,8 @@ bool Edit::operator==(const Edit& other) const
 
 Studio::Studio(RoomDrawing& drawing, const relamp::EngineOptions& engine,
                std::function<void()> wake)
-    : drawing_(drawing), engine_(engine), mailbox_(wake), history_(edit),
-      relighting_(engine,
+    : drawing_(drawing), limits_(drawing.limits()), engine_(engine), mailbox_(wake), history_(edit),
+      relighting_({engine, limits_},
                   {.glance =
                        [this](std::vector<relamp::LightAtPlace> light, double milliseconds) {
                            mailbox_.post([this, light = std::move(light), milliseconds] {
@@ -91,12 +91,31 @@ void Studio::say(const std::string& sentence)
     if (messages.size() > kMessages) messages.pop_front();
 }
 
+/// What is to be said of a solution, each once.
+void Studio::tell(const std::vector<std::string>& notes)
+{
+    for (const std::string& note : notes)
+        if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) say(note);
+    notes_ = notes;
+}
+
 void Studio::fail(const std::string& sentence)
 {
     hasFailed_ = true;
+    ++failures_;
     resolving_.reset();
-    if (stage_ == Stage::reading) stage_ = scan_ ? Stage::scanned : Stage::nothing;
     say(sentence);
+}
+
+/// What was open stays, with all that was under way when another was to be opened.
+void Studio::goOn(size_t failed)
+{
+    if (!opening_ || opening_->number != failed) return;
+    const Opening opening = *std::exchange(opening_, std::nullopt);
+    if (scan_ && (stage_ != Stage::solved || edit.dials != solvedBy_))
+        solveAgain();
+    else if (opening.resolved && canResolve())
+        resolve();
 }
 
 std::filesystem::path Studio::besideScan() const
@@ -105,76 +124,67 @@ std::filesystem::path Studio::besideScan() const
     return std::filesystem::is_directory(path_, ignored) ? path_ : path_.parent_path();
 }
 
-relamp::DelightOptions Studio::dials() const
+relamp::DelightOptions Studio::optionsOf(const Dials& dials) const
 {
-    relamp::DelightOptions options = edit.dials.options();
-    if (options.solver == relamp::Solver::thesis) options.engine = engine_; // of no other
+    relamp::DelightOptions options = dials.options();
+    if (options.solver != relamp::Solver::pathtrace) options.engine = engine_; // that has none
     return options;
 }
 
 void Studio::open(const std::filesystem::path& path, const relamp::ScanOptions& options)
 {
-    stage_ = Stage::reading;
+    const size_t number = ++openings_;
+    opening_ = Opening{number, edit.dials, resolving_.has_value()};
+    opening_->dials.gather.lights.clear(); // places in another room
+    opening_->dials.gather.notLights.clear();
     hasFailed_ = false;
     resolving_.reset();
-    path_ = path;
-    lightsFolder_ = besideScan();
-    reader_ = {};
     isCameraUntouched = true;
-    isLightOfScan_ = true;
-    selection = {};
-    timeline_.reset();
-    isPlaying_ = false;
-    edit.dials.gather.lights.clear(); // places in another room
-    edit.dials.gather.notLights.clear();
-    applied_ = edit;
-    solver_.start([this, path, options, dials = dials()](relamp::Progress& progress) {
-        std::error_code ignored;
-        std::filesystem::is_directory(path, ignored) ? readFolder(path, progress)
-                                                     : readScan(path, options, progress, dials);
+    const Wish wish{path, options, optionsOf(opening_->dials), number};
+    solver_.start([this, wish](relamp::Progress& progress) {
+        try {
+            std::error_code ignored;
+            std::filesystem::is_directory(wish.path, ignored) ? readFolder(wish, progress)
+                                                              : readScan(wish, progress);
+        } catch (const std::exception&) { // of which the worker tells
+            mailbox_.post([this, number = wish.number] { goOn(number); });
+            throw;
+        }
     });
 }
 
-void Studio::readScan(const std::filesystem::path& path, const relamp::ScanOptions& options,
-                      relamp::Progress& progress, const relamp::DelightOptions& dials)
+void Studio::readScan(const Wish& wish, relamp::Progress& progress)
 {
     const auto scan =
-        std::make_shared<const relamp::Scan>(relamp::readScan(path, options, progress));
-    std::vector<relamp::Image> pages;
-    auto mesh = std::make_shared<const RoomMesh>(roomMesh(*scan));
-    std::vector<TexturePixels> textures;
-    for (const relamp::Page& page : scan->pages)
-        textures.push_back(
-            texturePixels(page.image, TexelFormat::srgb8, kLargestTexture, !page.ofVertices));
-    const auto roomSolver = std::make_shared<RoomSolver>(scan);
-    mailbox_.post([this, scan, mesh, textures = std::move(textures), roomSolver] {
-        adopt(scan, mesh, textures, roomSolver);
-    });
+        std::make_shared<const relamp::Scan>(relamp::readScan(wish.path, wish.scan, progress));
+    const auto roomSolver = std::make_shared<RoomSolver>(scan, limits_);
+    const auto opened = std::make_shared<const Opened>(
+        Opened{wish, scan, std::make_shared<const RoomMesh>(roomMesh(*scan)),
+               PageShrinker(*scan, limits_).textures(), roomSolver});
+    mailbox_.post([this, opened] { adopt(*opened); });
     auto unlit = std::make_shared<relamp::DelitRoom>();
     unlit->scan = relamp::coarsened(*scan, kGlanceLength);
     for (const relamp::Page& page : unlit->scan.pages) unlit->albedo.push_back(page.image);
     if (scan->cameras.empty()) find(unlit, progress);
     roomSolver->solve(
-        dials, {},
-        [this](Solved solved) {
-            mailbox_.post([this, solved = std::make_shared<const Solved>(std::move(solved))] {
-                adopt(*solved);
-            });
+        wish.dials, {},
+        [this, roomSolver](Solved solved) {
+            mailbox_.post(
+                [this, roomSolver, solved = std::make_shared<const Solved>(std::move(solved))] {
+                    if (roomSolver == roomSolver_) adopt(*solved);
+                });
         },
         progress);
 }
 
-void Studio::readFolder(const std::filesystem::path& path, relamp::Progress& progress)
+void Studio::readFolder(const Wish& wish, relamp::Progress& progress)
 {
-    auto solved = std::make_shared<const Solved>(readSolved(path, progress));
-    auto mesh = std::make_shared<const RoomMesh>(roomMesh(*solved->scan));
-    std::vector<TexturePixels> textures;
-    for (const relamp::Page& page : solved->scan->pages)
-        textures.push_back(
-            texturePixels(page.image, TexelFormat::srgb8, kLargestTexture, !page.ofVertices));
-    mailbox_.post([this, solved, mesh, textures = std::move(textures)] {
-        adopt(solved->scan, mesh, textures, nullptr);
-        adopt(*solved);
+    const auto solved = std::make_shared<const Solved>(readSolved(wish.path, limits_, progress));
+    const auto opened = std::make_shared<const Opened>(
+        Opened{wish, solved->scan, std::make_shared<const RoomMesh>(roomMesh(*solved->scan)),
+               PageShrinker(*solved->scan, limits_).textures(), nullptr});
+    mailbox_.post([this, solved, opened] {
+        if (adopt(*opened)) adopt(*solved);
     });
     if (solved->scan->cameras.empty()) find(solved->room, progress);
 }
@@ -188,31 +198,44 @@ void Studio::find(const std::shared_ptr<const relamp::DelitRoom>& room, relamp::
     });
 }
 
-void Studio::adopt(std::shared_ptr<const relamp::Scan> scan, std::shared_ptr<const RoomMesh> mesh,
-                   const std::vector<TexturePixels>& pages, std::shared_ptr<RoomSolver> roomSolver)
+/// False where another is wanted by now, or none.
+bool Studio::adopt(const Opened& opened)
 {
+    if (!opening_ || opening_->number != opened.wish.number) return false;
+    const Dials solvedBy = std::exchange(opening_, std::nullopt)->dials;
     relighting_.setRoom(nullptr, nullptr);
-    scan_ = std::move(scan);
-    roomSolver_ = std::move(roomSolver);
-    mesh_ = std::move(mesh);
+    path_ = opened.wish.path;
+    lightsFolder_ = besideScan();
+    reader_ = {};
+    scan_ = opened.scan;
+    roomSolver_ = opened.solver;
+    mesh_ = opened.mesh;
     bounds_ = mesh_->bounds;
     decomposition_ = nullptr;
     captured_ = found_ = {};
     resolveMilliseconds_.reset();
     closure_.reset();
-    isGlanced_ = isRelit_ = false;
+    timeline_.reset();
+    isPlaying_ = isGlanced_ = isRelit_ = false;
+    isLightOfScan_ = true;
     edit.light = {};
-    edit.scanned.clear();
+    edit.scanned = {};
+    edit.dials.gather.lights.clear();
+    edit.dials.gather.notLights.clear();
     selection = {}; // may be of the room before
     applied_ = edit;
     history_ = History<Edit>(edit);
     drawing_.setMesh(*mesh_, scan_->pages.size());
     drawing_.setLamps({});
-    for (size_t p = 0; p < pages.size(); ++p) drawing_.setTexture(p, PageTexture::scan, pages[p]);
+    for (size_t p = 0; p < opened.textures.size(); ++p)
+        drawing_.setTexture(p, PageTexture::scan, opened.textures[p]);
     if (isCameraUntouched)
         camera.set(firstView(*scan_, bounds_), 0.4f * glm::length(bounds_.extent()));
     stage_ = Stage::scanned;
+    solvedBy_ = solvedBy;
     for (const std::string& warning : scan_->warnings) say(warning);
+    if (opened.solver && edit.dials != solvedBy) solveAgain(); // they were turned meanwhile
+    return true;
 }
 
 void Studio::adoptTextures(const Solved& solved)
@@ -234,7 +257,8 @@ void Studio::adopt(const Solved& solved)
     if (solved.isDraft) return;
     decomposition_ = solved.decomposition;
     decomposed_ = solved.scan;
-    for (const std::string& note : solved.notes) say(note);
+    notes_.clear();
+    tell(solved.notes);
     if (canResolve() && edit.scanned != solved.scanned) resolve(); // it was said meanwhile
 }
 
@@ -251,6 +275,7 @@ void Studio::adoptResolved(const Solved& solved)
     relighting_.repaint(solved.paint);
     sendLight();
     decomposition_ = solved.decomposition;
+    tell(solved.notes);
     if (edit.scanned != solved.scanned || edit.dials.albedo != solved.albedo) resolve();
 }
 
@@ -262,7 +287,7 @@ void Studio::adoptFixtures(const Solved& solved)
         edit.light = documentOf(solved.captured);
     else
         edit.light.fixtures = carriedOver(edit.light.fixtures, places, solved.found, {.on = true});
-    edit.scanned = carriedOver(edit.scanned, places, solved.found, kAsFound);
+    edit.scanned.fixtures = carriedOver(edit.scanned.fixtures, places, solved.found, kAsFound);
     captured_ = solved.captured;
     found_ = solved.found;
     if (selection.kind == Selection::Kind::fixture && selection.index >= captured_.fixtures.size())
@@ -289,6 +314,8 @@ void Studio::sendLight()
 void Studio::commit(const std::string& step)
 {
     if (edit == applied_) return;
+    if (edit.scanned != applied_.scanned)
+        followSky(edit.light, skyUnder(applied_.scanned, found_), skyUnder(edit.scanned, found_));
     history_.record(edit, step);
     const Edit before = applied_;
     apply(before);
@@ -298,10 +325,10 @@ void Studio::apply(const Edit& before)
 {
     const bool isLightNew = !(edit.light == before.light);
     edit.light.fixtures.resize(captured_.fixtures.size());
-    edit.scanned.resize(captured_.fixtures.size(), kAsFound);
+    edit.scanned.fixtures.resize(captured_.fixtures.size(), kAsFound);
     applied_ = edit;
     if (isLightNew) {
-        isLightOfScan_ = false;
+        isLightOfScan_ = edit.light == documentOf(skyUnder(edit.scanned, found_));
         play(false);
         if (selection.kind == Selection::Kind::lamp && selection.index >= edit.light.lamps.size())
             selection = {};
@@ -343,12 +370,13 @@ void Studio::redo()
 
 void Studio::solveAgain()
 {
-    if (!scan_ || stage_ == Stage::reading) return;
+    if (!scan_ || opening_) return;
     hasFailed_ = false;
     resolving_.reset();
     stage_ = Stage::scanned;
-    if (!roomSolver_) roomSolver_ = std::make_shared<RoomSolver>(scan_);
-    solver_.start([this, solver = roomSolver_, dials = dials(),
+    solvedBy_ = edit.dials;
+    if (!roomSolver_) roomSolver_ = std::make_shared<RoomSolver>(scan_, limits_);
+    solver_.start([this, solver = roomSolver_, dials = optionsOf(edit.dials),
                    scanned = scannedLight()](relamp::Progress& progress) {
         solver->solve(
             dials, scanned,
@@ -364,17 +392,13 @@ void Studio::solveAgain()
 
 ScannedLight Studio::scannedLight() const
 {
-    ScannedLight scanned{.light = {}, .places = placesOf(found_)};
-    scanned.light.fixtures = edit.scanned;
-    scanned.light.whiteNits = edit.light.whiteNits;
-    scanned.light.whiteKelvin = edit.light.whiteKelvin;
-    return scanned;
+    return {.items = edit.scanned, .places = placesOf(found_), .light = edit.light};
 }
 
 /// Whether more of the room is kept than its pictures.
 bool Studio::canResolve() const
 {
-    return stage_ == Stage::solved && roomSolver_ && decomposition_ &&
+    return !opening_ && stage_ == Stage::solved && roomSolver_ && decomposition_ &&
            decomposition_->optionsInForce().solver == relamp::Solver::gather;
 }
 
@@ -403,6 +427,7 @@ void Studio::resolve()
 void Studio::stopSolving()
 {
     resolving_.reset();
+    opening_.reset();
     solver_.cancel();
 }
 
@@ -419,6 +444,6 @@ bool Studio::isRelit() const
 bool Studio::rests() const
 {
     const RelightingThread::Status relighting = relighting_.status();
-    return stage_ != Stage::reading && !solver_.status().isBusy && !saver_.status().isBusy &&
+    return !opening_ && !solver_.status().isBusy && !saver_.status().isBusy &&
            relighting.stage.empty() && (!drawing_.has(Layer::albedo) || isRelit());
 }

@@ -36,8 +36,8 @@ struct Dials
 /// What a person may change and take back.
 struct Edit
 {
-    LightDocument light;              // how it shall shine now
-    std::vector<FixtureItem> scanned; // how fixtures were on the day of the scan
+    LightDocument light;  // how it shall shine now
+    ScannedItems scanned; // how it was on the day of the scan
     relamp::ViewOptions view;
     Dials dials;
 
@@ -62,8 +62,8 @@ class Studio
 public:
     Studio(RoomDrawing& drawing, const relamp::EngineOptions& engine, std::function<void()> wake);
 
-    /// Reads a scan or a folder of relamp delight, and solves. What was open stays until it is
-    /// read.
+    /// Reads a scan or a folder of relamp delight, and solves. What was open stays as it is until
+    /// that is read, and if it cannot be.
     void open(const std::filesystem::path& path, const relamp::ScanOptions& options);
     /// Opens what it is: a scan, a folder, a lights file, a timeline.
     void openAny(const std::filesystem::path& path);
@@ -94,8 +94,10 @@ public:
 
     [[nodiscard]] const relamp::Scan* scan() const { return scan_.get(); }
     [[nodiscard]] const relamp::Lights& captured() const { return captured_; }
+    /// Before anybody said how it was on the day of the scan.
+    [[nodiscard]] const relamp::Lights& found() const { return found_; }
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    [[nodiscard]] Stage stage() const { return stage_; }
+    [[nodiscard]] Stage stage() const { return opening_ ? Stage::reading : stage_; }
     /// Whether albedo is behind what was said.
     [[nodiscard]] bool resolves() const { return resolving_.has_value(); }
     [[nodiscard]] const relamp::Bounds& bounds() const { return bounds_; }
@@ -115,6 +117,7 @@ public:
     std::deque<std::string> messages;
     void say(const std::string& sentence);
     [[nodiscard]] bool hasFailed() const { return hasFailed_; } // since the last `open`
+    [[nodiscard]] size_t failures() const { return failures_; } // so far
 
     Edit edit;
     Selection selection;
@@ -122,8 +125,33 @@ public:
     bool isCameraUntouched = true;
 
 private:
-    void adopt(std::shared_ptr<const relamp::Scan> scan, std::shared_ptr<const RoomMesh> mesh,
-               const std::vector<TexturePixels>& pages, std::shared_ptr<RoomSolver> roomSolver);
+    /// A room that is being read.
+    struct Opening
+    {
+        size_t number = 0;     // of all that were to be opened
+        Dials dials;           // that it will be solved with
+        bool resolved = false; // the one before it was being resolved
+    };
+    /// What its thread needs to know.
+    struct Wish
+    {
+        std::filesystem::path path;
+        relamp::ScanOptions scan;
+        relamp::DelightOptions dials;
+        size_t number;
+    };
+    /// It was read.
+    struct Opened
+    {
+        Wish wish;
+        std::shared_ptr<const relamp::Scan> scan;
+        std::shared_ptr<const RoomMesh> mesh;
+        std::vector<TexturePixels> textures;
+        std::shared_ptr<RoomSolver> solver; // none of a folder
+    };
+
+    bool adopt(const Opened& opened);
+    void goOn(size_t failed);
     void adopt(const Solved& solved);
     void adoptTextures(const Solved& solved);
     void adoptResolved(const Solved& solved);
@@ -135,15 +163,16 @@ private:
     void resolve();
     [[nodiscard]] bool canResolve() const;
     [[nodiscard]] ScannedLight scannedLight() const;
+    void tell(const std::vector<std::string>& notes);
     void fail(const std::string& sentence);
-    void readScan(const std::filesystem::path& path, const relamp::ScanOptions& options,
-                  relamp::Progress& progress, const relamp::DelightOptions& dials);
-    void readFolder(const std::filesystem::path& path, relamp::Progress& progress);
+    void readScan(const Wish& wish, relamp::Progress& progress);
+    void readFolder(const Wish& wish, relamp::Progress& progress);
     void find(const std::shared_ptr<const relamp::DelitRoom>& room, relamp::Progress& progress);
     [[nodiscard]] std::filesystem::path besideScan() const;
-    [[nodiscard]] relamp::DelightOptions dials() const;
+    [[nodiscard]] relamp::DelightOptions optionsOf(const Dials& dials) const;
 
     RoomDrawing& drawing_;
+    TextureLimits limits_;
     relamp::EngineOptions engine_;
     Mailbox mailbox_;
     std::filesystem::path path_;
@@ -153,16 +182,21 @@ private:
     std::shared_ptr<const RoomMesh> mesh_;
     relamp::Bounds bounds_;
     relamp::Lights captured_;                // by which the albedo was found
-    relamp::Lights found_;                   // before anybody said how fixtures were
+    relamp::Lights found_;                   // before anybody said how it was then
     std::shared_ptr<RoomSolver> roomSolver_; // of the thread of `solver_`
     std::shared_ptr<const relamp::Decomposition> decomposition_;
     std::shared_ptr<const relamp::Scan> decomposed_; // the scan that it refers to
     std::optional<relamp::Closure> closure_;
-    Stage stage_ = Stage::nothing;
+    std::vector<std::string> notes_; // on the solution, that were told
+    std::optional<Opening> opening_;
+    size_t openings_ = 0;
+    Stage stage_ = Stage::nothing; // of what is open
+    Dials solvedBy_;               // it is, or is on the way to be
     bool hasFailed_ = false;
+    size_t failures_ = 0;
     bool isGlanced_ = false;
     bool isRelit_ = false;
-    bool isLightOfScan_ = true; // nobody has changed it
+    bool isLightOfScan_ = true; // as the room's own
     double glanceMilliseconds_ = 0.0;
     std::optional<std::chrono::steady_clock::time_point> resolving_; // since when
     std::optional<double> resolveMilliseconds_;

@@ -24,6 +24,22 @@ size_t bytesOf(TexelFormat format)
     return format == TexelFormat::grey8 ? 1 : 4;
 }
 
+/// How often a picture is halved until it is no longer than this.
+uint32_t shrinkOf(const relamp::Image& image, uint32_t largest)
+{
+    uint32_t shrink = 1;
+    while (static_cast<uint32_t>(std::max(image.width, image.height)) / shrink > largest)
+        shrink *= 2;
+    return shrink;
+}
+
+/// Pixels of an image and its smaller levels.
+uint64_t pixelsWithLevels(const relamp::Image& image, uint32_t largest)
+{
+    const uint64_t shrink = shrinkOf(image, largest);
+    return image.pixels() / (shrink * shrink) * 4 / 3;
+}
+
 /// sRGB bytes of linear light, by a table that is finer than a byte's steps.
 class SrgbTable
 {
@@ -146,6 +162,26 @@ void addLevel(TexturePixels& pixels)
 
 } // namespace
 
+uint32_t TextureLimits::lengthFor(const relamp::Scan& scan) const
+{
+    constexpr uint64_t kBytes =
+        6 * 4 + 1; // of a pixel: six layers of four bytes, confidence of one
+    constexpr uint32_t kShortest = 1024;
+    const auto fits = [&](uint32_t longest) {
+        uint64_t sum = 0;
+        uint64_t most = 0;
+        for (const relamp::Page& page : scan.pages) {
+            const uint64_t pixels = pixelsWithLevels(page.image, longest);
+            sum += kBytes * pixels;
+            most = std::max(most, 4 * pixels);
+        }
+        return sum <= all && most <= image;
+    };
+    uint32_t longest = length;
+    while (longest > kShortest && !fits(longest)) longest /= 2;
+    return longest;
+}
+
 uint32_t rgb9e5(glm::vec3 rgb)
 {
     glm::vec3 light(0.0f);
@@ -172,10 +208,7 @@ glm::vec3 fromRgb9e5(uint32_t packed)
 TexturePixels texturePixels(const relamp::Image& image, TexelFormat format, uint32_t largest,
                             bool hasLevels)
 {
-    uint32_t shrink = 1;
-    while (hasLevels &&
-           static_cast<uint32_t>(std::max(image.width, image.height)) / shrink > largest)
-        shrink *= 2;
+    const uint32_t shrink = hasLevels ? shrinkOf(image, largest) : 1;
     const Shrunk first(image, shrink);
     const size_t texel = bytesOf(format);
     TexturePixels pixels;

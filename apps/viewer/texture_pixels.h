@@ -1,6 +1,7 @@
 #pragma once
 
 #include "relamp/image.h"
+#include "relamp/scan.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +28,18 @@ struct TexturePixels
     TexelFormat format = TexelFormat::srgb8;
     std::vector<Level> levels;
     std::vector<std::byte> bytes;
+};
+
+/// What a graphics device takes.
+struct TextureLimits
+{
+    uint32_t length = 4096;             // of an image, pixels along its longer side
+    uint64_t image = uint64_t{1} << 30; // of an image, bytes
+    uint64_t all = uint64_t{1} << 32;   // of all images of a room, bytes
+
+    /// Pixels along the longer side of a page at which all layers of all of them fit: `length`, or
+    /// halved until they do, to 1024.
+    [[nodiscard]] uint32_t lengthFor(const relamp::Scan& scan) const;
 };
 
 /// `rgb` in 9 bits of mantissa each and a common exponent of 5 bits; negative and NaN become 0,

@@ -51,7 +51,8 @@ constexpr const char* kQualities[] = {"draft", "standard", "high"};
 Viewer::Viewer(const Options& options)
     // A script finds the viewer as it is by itself, whatever somebody did before.
     : settings(options.script.empty() ? readSettings(settingsFile()) : Settings{}),
-      window_(sizeOf(options, settings), "relamp"), device_(window_.get(), options.smooth),
+      window_(sizeOf(options, settings), "relamp"),
+      device_(window_.get(), {options.engine.gpu, options.smooth}),
       target_(device_, VK_FORMAT_R8G8B8A8_UNORM, static_cast<uint32_t>(window_.pixels().x),
               static_cast<uint32_t>(window_.pixels().y)),
       swapchain_(device_, target_.size(), options.script.empty()),
@@ -224,7 +225,9 @@ void Viewer::take(const InputEvent& event)
         }
         return;
     case InputEvent::Kind::drop:
-        return studio.openAny(event.text);
+        studio.openAny(event.text);
+        if (std::filesystem::path(event.text).extension() == ".json") shown.layer = Layer::relit;
+        return;
     case InputEvent::Kind::text:
         return;
     }

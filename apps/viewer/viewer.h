@@ -62,7 +62,7 @@ public:
         std::filesystem::path script; // empty: a person
         std::optional<glm::ivec2> size;
         Smooth smooth = Smooth::automatic;
-        relamp::EngineOptions engine; // that computes; what draws is the window's
+        relamp::EngineOptions engine; // that computes; its GPU draws, too
     };
     explicit Viewer(const Options& options);
     ~Viewer();

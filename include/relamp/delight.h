@@ -43,7 +43,8 @@ struct DelightOptions
     ThesisOptions thesis;
     AlbedoOptions albedo;
     std::optional<Lights> lights; // instead of looking for them
-    EngineOptions engine;         // of the solver thesis; the others are the CPU's
+    EngineOptions engine; // of the solver thesis, and of the solver gather where a Delighter
+                          // resolves; all else is the CPU's
 };
 
 /// Why an albedo cannot be believed.
@@ -114,8 +115,8 @@ private:
 /// Takes the light out of a scan, once; a Delighter does again and again. The scan must outlive the
 /// result.
 ///
-/// Throws Error(unsupported) where the scan's texels cannot be told apart (overlapping UVs), and
-/// Error(cancelled).
+/// Throws Error(unsupported) where the scan's texels cannot be told apart (overlapping UVs) or a
+/// GPU is asked for that this solver has no use for, and Error(cancelled).
 RELAMP_API Decomposition delight(const Scan& scan, const DelightOptions& options,
                                  Progress& progress);
 

@@ -2,6 +2,7 @@
 
 #include "relamp/api.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -16,8 +17,9 @@ struct GpuDevice
 
     std::string name;
     Type type = Type::other;
-    uint64_t memory = 0; // bytes of its largest heap of its own
-    std::string driver;  // name and version, as it tells them
+    uint64_t memory = 0;          // bytes of its largest heap of its own
+    std::string driver;           // name and version, as it tells them
+    std::array<uint8_t, 16> id{}; // Vulkan's deviceUUID: the same device in another connection
 
     /// What computes on the processor is no help to an engine that already does.
     [[nodiscard]] bool isReal() const { return type != Type::software; }
@@ -25,6 +27,10 @@ struct GpuDevice
 
 /// All of them, in Vulkan's order; none where there is no loader or no driver.
 RELAMP_API std::vector<GpuDevice> gpuDevices();
+
+/// The one of them that `wish` names, as EngineOptions::gpu. Throws Error(device) where there is
+/// none.
+RELAMP_API GpuDevice gpuDevice(const std::string& wish);
 
 /// The processor: threads and instruction set that the CPU engine uses.
 RELAMP_API std::string cpuDevice();

@@ -5,6 +5,7 @@
 #include "relamp/error.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstring>
 #include <optional>
@@ -81,11 +82,14 @@ uint64_t memoryOf(VkPhysicalDevice device)
 
 GpuDevice describe(VkPhysicalDevice device)
 {
-    VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+    VkPhysicalDeviceIDProperties id{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES};
+    VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES,
+                                            &id};
     VkPhysicalDeviceProperties2 all{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &driver};
     vkGetPhysicalDeviceProperties2(device, &all);
     return {all.properties.deviceName, typeOf(all.properties.deviceType), memoryOf(device),
-            fmt::format("{} {}", driver.driverName, driver.driverInfo)};
+            fmt::format("{} {}", driver.driverName, driver.driverInfo),
+            std::to_array(id.deviceUUID)};
 }
 
 /// What the programs are written for beside Vulkan 1.2 itself; any desktop driver since 2020.
@@ -216,6 +220,11 @@ std::string cpuDevice()
 {
     return fmt::format("{} threads, {}", tbb::this_task_arena::max_concurrency(),
                        nameOf(bestInstructionSet()));
+}
+
+GpuDevice gpuDevice(const std::string& wish)
+{
+    return gpu::Instance().choose(wish).description;
 }
 
 std::vector<GpuDevice> gpuDevices()

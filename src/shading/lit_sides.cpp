@@ -173,31 +173,61 @@ void addDirect(std::span<const AreaSample> ofLamp, glm::vec3 radiance,
     forEach(irradiance.size(), [&](size_t i) { irradiance[i] += ofLamp[i].visible * radiance; });
 }
 
+namespace
+{
+
+/// Sides before anything is gathered.
+LitSides darkSides(const SurfelRadiance& radiance, std::vector<glm::vec3> direct,
+                   std::span<const uint8_t> shines)
+{
+    LitSides sides{.field = fieldOf(radiance), .direct = std::move(direct)};
+    sides.field.shines.assign(shines.begin(), shines.end());
+    return sides;
+}
+
+/// What the sides send on of the light that they gathered. `least`: what the texture shows of
+/// burnt-out walls.
+void sendOn(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
+            std::span<const glm::vec3> least, glm::vec3 ambient, LitSides& sides)
+{
+    std::vector<glm::vec3> irradiance(sides.direct.size());
+    forEach(irradiance.size(), [&](size_t i) {
+        irradiance[i] =
+            sides.direct[i] + sides.gathered.irradiance[i] + ambient * sides.gathered.missed[i];
+    });
+    sides.albedo = albedoOf(texels, radiance, irradiance);
+    forEach(sides.albedo.size(), [&](size_t s) {
+        const glm::vec3 front = irradiance[static_cast<size_t>(hits.listOfSide[2 * s])];
+        sides.field.clipped[s] = burntOutRadiance(sides.albedo[s], front, least[s]);
+        if (const int32_t back = hits.listOfSide[2 * s + 1]; back != HitLists::kNoList)
+            sides.field.back[s] = sides.albedo[s] * irradiance[static_cast<size_t>(back)] / kPi;
+    });
+}
+
+} // namespace
+
 LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
                     std::vector<glm::vec3> direct, std::span<const uint8_t> shines,
                     glm::vec3 ambient)
 {
-    LitSides sides;
-    sides.field = fieldOf(radiance);
-    sides.field.shines.assign(shines.begin(), shines.end());
+    LitSides sides = darkSides(radiance, std::move(direct), shines);
     const std::vector<glm::vec3> least = sides.field.clipped;
-    sides.direct = std::move(direct);
     const SettlingGather settling(hits, sides.field);
     for (int round = 0; round < kLitSidesRounds; ++round) {
         sides.gathered = settling.gather(sides.field);
-        std::vector<glm::vec3> irradiance(sides.direct.size());
-        forEach(irradiance.size(), [&](size_t i) {
-            irradiance[i] =
-                sides.direct[i] + sides.gathered.irradiance[i] + ambient * sides.gathered.missed[i];
-        });
-        sides.albedo = albedoOf(texels, radiance, irradiance);
-        forEach(sides.albedo.size(), [&](size_t s) {
-            const glm::vec3 front = irradiance[static_cast<size_t>(hits.listOfSide[2 * s])];
-            sides.field.clipped[s] = burntOutRadiance(sides.albedo[s], front, least[s]);
-            if (const int32_t back = hits.listOfSide[2 * s + 1]; back != HitLists::kNoList)
-                sides.field.back[s] = sides.albedo[s] * irradiance[static_cast<size_t>(back)] / kPi;
-        });
+        sendOn(texels, hits, radiance, least, ambient, sides);
     }
+    return sides;
+}
+
+LitSides sidesFrom(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
+                   std::vector<glm::vec3> direct, std::span<const uint8_t> shines,
+                   glm::vec3 ambient, Gathered settled)
+{
+    LitSides sides = darkSides(radiance, std::move(direct), shines);
+    const std::vector<glm::vec3> least = sides.field.clipped;
+    sides.gathered = std::move(settled);
+    sendOn(texels, hits, radiance, least, ambient, sides);
     return sides;
 }
 

@@ -74,4 +74,9 @@ LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadi
                     std::vector<glm::vec3> direct, std::span<const uint8_t> shines,
                     glm::vec3 ambient);
 
+/// The same where somebody else has settled what they gather.
+LitSides sidesFrom(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
+                   std::vector<glm::vec3> direct, std::span<const uint8_t> shines,
+                   glm::vec3 ambient, Gathered settled);
+
 } // namespace relamp

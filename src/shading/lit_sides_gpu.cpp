@@ -28,20 +28,12 @@ std::vector<glm::uvec2> burntOutOf(const SurfelRadiance& radiance)
     return burntOut;
 }
 
-std::vector<uint32_t> traitsOf(const SurfelRadiance& radiance, std::span<const uint8_t> shines)
+std::vector<uint32_t> traitsOf(const SurfelRadiance& radiance)
 {
     std::vector<uint32_t> traits;
-    for (size_t s = 0; s < shines.size(); ++s)
-        traits.push_back((knowsItsAlbedo(radiance, s) ? kKnowsItsAlbedo : 0u) |
-                         (shines[s] != 0 ? kShines : 0u));
+    for (size_t s = 0; s < radiance.plain.size(); ++s)
+        traits.push_back(knowsItsAlbedo(radiance, s) ? kKnowsItsAlbedo : 0u);
     return traits;
-}
-
-std::vector<glm::uvec2> startOf(const SurfelRadiance& radiance, std::span<const uint8_t> shines)
-{
-    RadianceField field = fieldOf(radiance);
-    field.shines.assign(shines.begin(), shines.end());
-    return fieldOnGpu(field);
 }
 
 /// Plain fronts alone.
@@ -62,18 +54,33 @@ std::vector<float> litOf(std::span<const float> lit, size_t surfels)
 
 LitSidesGpu::LitSidesGpu(const gpu::Device& device, const HitLists& hits,
                          const SurfelRadiance& radiance, const SurfelTraits& traits)
-    : surfels_(traits.shines.size()), gather_(device), litSides_(device, kLitSidesSpirv),
+    : surfels_(traits.shines.size()), knows_(traitsOf(radiance)),
+      shown_(fieldOnGpu(fieldOf(radiance))), gather_(device), litSides_(device, kLitSidesSpirv),
       excess_(device, kLitSidesExcessSpirv), mean_(device, kLitSidesMeanSpirv),
       indirectOf_(device, kLitSidesIndirectSpirv), lists_(device, hits, surfels_),
       backOf_(device, backsOf(hits, surfels_)), burntOut_(device, burntOutOf(radiance)),
-      traits_(device, traitsOf(radiance, traits.shines)), lit_(device, litOf(traits.lit, surfels_)),
-      start_(device, startOf(radiance, traits.shines)), field_(device, start_.count()),
-      evenField_(device, startOf(radiance, traits.shines)),
+      traits_(device, surfels_), lit_(device, litOf(traits.lit, surfels_)),
+      start_(device, shown_.size()), field_(device, shown_.size()), evenField_(device, shown_),
       settling_(device, hits, lists_, gather_, {device, plainOf(radiance)}),
       gathered_(device, lists_.count),
       even_(device, surfels_), work_{{device, surfels_}, {device, surfels_}},
       indirect_(device, surfels_)
-{}
+{
+    setShining(traits.shines);
+}
+
+void LitSidesGpu::setShining(std::span<const uint8_t> shines)
+{
+    std::vector<uint32_t> traits = knows_;
+    std::vector<glm::uvec2> start = shown_;
+    for (size_t s = 0; s < surfels_; ++s) {
+        if (shines[s] == 0) continue;
+        traits[s] |= kShines;
+        start[surfels_ + s] = glm::uvec2(0); // of its burnt-out texels
+    }
+    traits_.upload(traits);
+    start_.upload(start);
+}
 
 void LitSidesGpu::settle(gpu::Commands& commands, const GpuSurfels& surfels,
                          const gpu::Array<glm::uvec2>& direct, glm::vec3 ambient) const

@@ -26,6 +26,9 @@ public:
     LitSidesGpu(const gpu::Device& device, const HitLists& hits, const SurfelRadiance& radiance,
                 const SurfelTraits& traits);
 
+    /// As SurfelTraits::shines, from now on.
+    void setShining(std::span<const uint8_t> shines);
+
     /// Settles the light of all sides and finds indirect(). `direct` is irradiance from all lamps,
     /// one a list, as halves.
     void light(gpu::Commands& commands, const GpuSurfels& surfels,
@@ -42,6 +45,8 @@ private:
                 const gpu::Array<glm::uvec2>& direct, glm::vec3 ambient) const;
 
     size_t surfels_;
+    std::vector<uint32_t> knows_;   // traits of surfels where none shines,
+    std::vector<glm::uvec2> shown_; // and what they send then
     GatherGpu gather_;
     gpu::Program litSides_;
     gpu::Program excess_;

@@ -35,8 +35,9 @@ Rating rate(const Texels& texels, const SolvedRoom& solved)
     return rating;
 }
 
-Solution solutionOf(const Texels& texels, const SolvedRoom& solved, const DelightOptions& options,
-                    Rating rating)
+/// `shade` is that of the room.
+Solution solutionOf(const Texels& texels, const SolvedRoom& solved, TexelShading shade,
+                    const DelightOptions& options, Rating rating)
 {
     const FoundRoom& room = solved.found;
     Solution solution{.options = options};
@@ -47,7 +48,7 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& solved, const Deligh
     solution.trust = std::move(rating.trust);
     std::vector<glm::vec3> irradiance = withoutStray(solved.lighting.irradiance, solved.stray);
     for (size_t s = 0; s < irradiance.size(); ++s) irradiance[s] *= solved.lit[s];
-    solution.shade = withRims(texels, shadingOf(texels, solved), room.radiance, irradiance);
+    solution.shade = withRims(texels, std::move(shade), room.radiance, irradiance);
     solution.fill =
         fillOf(texels.surfels, room.radiance, albedoOf(texels, room.radiance, irradiance));
     solution.lights = lightsOf(room);
@@ -129,14 +130,16 @@ Solution GatherSolver::solve(const DelightOptions& options, Progress& progress)
         findRoom(texels_, scene_, options, progress, kept_ ? &kept_->room.found : nullptr);
     const Progress::Stage stage(progress, "shadows");
     Rating rating;
-    Kept kept{.room = solvedRoom(texels_, scene_, std::move(found),
-                                 [&](const SolvedRoom& room) { rating = rate(texels_, room); }),
-              .asked = options};
+    KeptRoom kept{.room = solvedRoom(texels_, scene_, std::move(found),
+                                     [&](const SolvedRoom& room) { rating = rate(texels_, room); }),
+                  .asked = options};
     kept.found = lightsOf(kept.room.found);
-    for (const FoundLamp& lamp : kept.room.found.found.lamps)
-        kept.radiances.push_back(lamp.radiance);
+    kept.powers = powersOf(kept.room);
     kept_ = std::move(kept);
-    return solutionOf(texels_, kept_->room, options, std::move(rating));
+    Solution solution = solutionOf(texels_, kept_->room, shadingOf(texels_, kept_->room), options,
+                                   std::move(rating));
+    solution.options.engine = {Engine::cpu, "cpu"};
+    return solution;
 }
 
 /// Patches of sun that light the room like lamps follow the sun.
@@ -153,7 +156,7 @@ LampPowers GatherSolver::setPowers(const Lights& lights)
     for (size_t l = 0; l < room.found.lamps.size(); ++l) {
         FoundLamp& lamp = room.found.lamps[l];
         if (lamp.isSunlit) {
-            lamp.radiance = share * kept_->radiances[l];
+            lamp.radiance = share * kept_->powers.lamps[l];
         } else {
             const size_t singles = singlesOf(lamp).size();
             setRadiance(lamp, meanOf(std::span(lights.fixtures).subspan(fixture, singles)),
@@ -166,6 +169,22 @@ LampPowers GatherSolver::setPowers(const Lights& lights)
     return powers;
 }
 
+/// Powers that were found are the CPU's, by whose bits they were found.
+GatherSolver::Resolved GatherSolver::shine(const LampPowers& powers)
+{
+    SolvedRoom& room = kept_->room;
+    if (powers == kept_->powers) {
+        relamp::resolve(texels_, room, powers);
+        return {shadingOf(texels_, room), {Engine::cpu, "cpu"}, ""};
+    }
+    const EngineOptions& asked = kept_->asked.engine;
+    const auto& engine =
+        kept_->engine.of(asked, [&] { return std::make_shared<ResolveEngine>(texels_, asked); });
+    TexelShading shade = engine->resolve(room, powers);
+    const std::string name = engine->name();
+    return {std::move(shade), {name == "cpu" ? Engine::cpu : Engine::gpu, name}, engine->note()};
+}
+
 Solution GatherSolver::resolve(const Lights& lights, const AlbedoOptions& albedo,
                                Progress& progress)
 {
@@ -174,13 +193,17 @@ Solution GatherSolver::resolve(const Lights& lights, const AlbedoOptions& albedo
     SolvedRoom& room = kept_->room;
     const LampPowers powers = setPowers(lights);
     room.found.shines = shinesOf(room.found);
-    relamp::resolve(texels_, room, powers);
+    Resolved resolved = shine(powers);
     stage.advance();
     Rating rating = rate(texels_, room);
     stage.advance();
     DelightOptions options = kept_->asked;
     options.albedo = albedo;
-    return solutionOf(texels_, room, options, std::move(rating));
+    options.engine = resolved.engine;
+    Solution solution =
+        solutionOf(texels_, room, std::move(resolved.shade), options, std::move(rating));
+    if (!resolved.note.empty()) solution.warnings.push_back(resolved.note);
+    return solution;
 }
 
 } // namespace relamp

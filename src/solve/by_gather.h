@@ -1,11 +1,15 @@
 #pragma once
 
+#include "base/kept.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
 #include "solve/resolve.h"
+#include "solve/resolve_engine.h"
 #include "solve/solution.h"
 
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -26,26 +30,36 @@ public:
     /// What rays met is kept from the last time where it is the same, and all but the division
     /// where only the albedo's options are others.
     Solution solve(const DelightOptions& options, Progress& progress);
-    /// As Delighter::resolve().
+    /// As Delighter::resolve(), on the engine of the options that solve() had.
     Solution resolve(const Lights& lights, const AlbedoOptions& albedo, Progress& progress);
     [[nodiscard]] bool hasSolved() const { return kept_.has_value(); }
 
 private:
     /// A room, which may have other powers by now, and how its lamps were found.
-    struct Kept
+    struct KeptRoom
     {
         SolvedRoom room;
         DelightOptions asked;
         Lights found;
-        std::vector<glm::vec3> radiances; // of all lamps
+        LampPowers powers; // that were found
+        Kept<EngineOptions, std::shared_ptr<ResolveEngine>> engine;
+    };
+
+    /// The room's shading under some powers, and what computes it.
+    struct Resolved
+    {
+        TexelShading shade;
+        EngineOptions engine; // in force
+        std::string note;     // as ResolveEngine
     };
 
     [[nodiscard]] bool isOfKept(const DelightOptions& options) const;
     LampPowers setPowers(const Lights& lights);
+    Resolved shine(const LampPowers& powers);
 
     const Texels& texels_;
     const RayScene& scene_;
-    std::optional<Kept> kept_;
+    std::optional<KeptRoom> kept_;
 };
 
 } // namespace relamp

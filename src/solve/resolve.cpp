@@ -40,6 +40,26 @@ std::shared_ptr<const GatheredLight> lightOf(const Texels& texels, const RayScen
         GatheredLight{std::move(lamps), visibility, std::move(indirect)});
 }
 
+/// Irradiance of all lists by lamps alone.
+std::vector<glm::vec3> directUnder(const SolvedRoom& room, const LampPowers& powers)
+{
+    std::vector<glm::vec3> direct(room.found.hits.sideOfList.size(), glm::vec3(0.0f));
+    for (size_t l = 0; l < powers.lamps.size(); ++l)
+        addDirect(onSidesOf(room, l), powers.lamps[l], direct);
+    return direct;
+}
+
+/// Lets the room's lamps shine like this.
+void shine(const Texels& texels, SolvedRoom& room, const LampPowers& powers,
+           std::vector<glm::vec3> indirect)
+{
+    const auto light = std::make_shared<GatheredLight>(*room.light);
+    for (size_t l = 0; l < powers.lamps.size(); ++l) light->lamps[l].radiance = powers.lamps[l];
+    light->indirect = std::move(indirect);
+    room.lighting = lightOnSurfels(texels.surfels, *light);
+    room.light = light;
+}
+
 } // namespace
 
 SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom found,
@@ -77,18 +97,21 @@ LampPowers powersOf(const SolvedRoom& room)
 void resolve(const Texels& texels, SolvedRoom& room, const LampPowers& powers)
 {
     FoundRoom& found = room.found;
-    std::vector<glm::vec3> direct(found.hits.sideOfList.size(), glm::vec3(0.0f));
-    const auto light = std::make_shared<GatheredLight>(*room.light);
-    for (size_t l = 0; l < powers.lamps.size(); ++l) {
-        light->lamps[l].radiance = powers.lamps[l];
-        addDirect(onSidesOf(room, l), powers.lamps[l], direct);
-    }
+    found.sides = lightSides(texels, found.hits, found.radiance, directUnder(room, powers),
+                             found.shines, powers.ambient);
     found.found.ambient = powers.ambient;
-    found.sides = lightSides(texels, found.hits, found.radiance, std::move(direct), found.shines,
-                             powers.ambient);
-    light->indirect = indirectOf(texels, room);
-    room.lighting = lightOnSurfels(texels.surfels, *light);
-    room.light = light;
+    shine(texels, room, powers, indirectOf(texels, room));
+}
+
+void resolve(const Texels& texels, SolvedRoom& room, const LampPowers& powers, SettledLight light)
+{
+    FoundRoom& found = room.found;
+    Gathered gathered{.irradiance = std::move(light.gathered),
+                      .missed = std::move(found.sides.gathered.missed)}; // of the mesh alone
+    found.sides = sidesFrom(texels, found.hits, found.radiance, directUnder(room, powers),
+                            found.shines, powers.ambient, std::move(gathered));
+    found.found.ambient = powers.ambient;
+    shine(texels, room, powers, std::move(light.indirect));
 }
 
 TexelShading shadingOf(const Texels& texels, const SolvedRoom& room)

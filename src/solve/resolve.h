@@ -37,6 +37,8 @@ struct LampPowers
 {
     std::vector<glm::vec3> lamps; // radiance of each of SolvedRoom::light
     glm::vec3 ambient{0.0f};      // radiance
+
+    bool operator==(const LampPowers&) const = default;
 };
 LampPowers powersOf(const SolvedRoom& room);
 
@@ -46,6 +48,16 @@ std::span<const AreaSample> onSidesOf(const SolvedRoom& room, size_t lamp);
 /// Changes the powers and all light that follows from them; casts no ray and fits nothing again.
 /// The same powers give the same light, to the bit. What shades by the light before goes on to.
 void resolve(const Texels& texels, SolvedRoom& room, const LampPowers& powers);
+
+/// Light between the surfels of a room.
+struct SettledLight
+{
+    std::vector<glm::vec3> gathered; // irradiance from surfaces that do not shine, one a hit list
+    std::vector<glm::vec3> indirect; // as GatheredLight
+};
+
+/// The same where somebody else has settled the light under these powers.
+void resolve(const Texels& texels, SolvedRoom& room, const LampPowers& powers, SettledLight light);
 
 /// Shading of the room's texels, but for the light that the texture shows at the rims of what is
 /// buried; it follows resolve().

@@ -5,6 +5,7 @@
 #include "solve/resolve.gpu.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace relamp
 {
@@ -48,8 +49,7 @@ struct ResolveGpu::Page
 {
     Page(const gpu::Device& device, const Texels& all, size_t page, size_t lamps)
         : texels(device, all, page), terms(device, LampTermsGpu::termsOf(lamps, texels.count)),
-          direct(device, texels.count), indirect(device, texels.count),
-          albedo(device, texels.width, texels.height)
+          direct(device, texels.count), indirect(device, texels.count)
     {}
 
     static uint64_t bytesOf(const Texels& all, size_t page, size_t lamps)
@@ -65,7 +65,7 @@ struct ResolveGpu::Page
     gpu::Array<uint32_t> terms;
     gpu::Array<glm::uvec2> direct;
     gpu::Array<glm::uvec2> indirect;
-    GpuPicture albedo;
+    std::optional<GpuPicture> albedo; // from the first division on
     StageInputs termsOf, shadingOf, albedoOf;
 };
 
@@ -89,11 +89,17 @@ ResolveGpu::ResolveGpu(const gpu::Device& device, const Texels& texels, const So
 
 ResolveGpu::~ResolveGpu() = default;
 
-std::vector<gpu::Timing> ResolveGpu::gather(const LampPowers& powers)
+std::vector<gpu::Timing> ResolveGpu::gather(const LampPowers& powers,
+                                            std::span<const uint8_t> shines)
 {
     const bool areNew = powers_.change(numbersOf(powers.lamps));
+    if (!std::equal(shines.begin(), shines.end(), shines_.begin(), shines_.end())) {
+        sides_.setShining(shines);
+        shines_.assign(shines.begin(), shines.end());
+        ++shining_;
+    }
     std::vector<double> inputs = numbersOf({&powers.ambient, 1});
-    inputs.push_back(powers_.version());
+    inputs.insert(inputs.end(), {powers_.version(), shining_});
     if (!gathered_.change(std::move(inputs))) return {};
     gpu::Commands commands(device_);
     commands.mark("gather");
@@ -106,7 +112,7 @@ std::vector<gpu::Timing> ResolveGpu::gather(const LampPowers& powers)
     return commands.timings();
 }
 
-std::vector<gpu::Timing> ResolveGpu::page(size_t index, float darkest)
+std::vector<gpu::Timing> ResolveGpu::shade(size_t index)
 {
     Page& page = pages_[index];
     last_ = index;
@@ -133,14 +139,25 @@ std::vector<gpu::Timing> ResolveGpu::page(size_t index, float darkest)
                                            .perReachSquared = 1.0f / (reach * reach)});
         commands.barrier();
     }
-    if (page.albedoOf.change({page.shadingOf.version(), static_cast<double>(darkest)})) {
-        commands.mark("divide");
-        divide_.divide(commands, page.texels, page.direct, page.indirect,
-                       {.power = 1.0f, .ambient = glm::vec3(0.0f), .darkest = darkest},
-                       page.albedo);
-    }
     commands.run();
     return commands.timings();
+}
+
+std::vector<gpu::Timing> ResolveGpu::divide(size_t index, float darkest)
+{
+    std::vector<gpu::Timing> timings = shade(index);
+    Page& page = pages_[index];
+    if (!page.albedoOf.change({page.shadingOf.version(), static_cast<double>(darkest)}))
+        return timings;
+    if (!page.albedo) page.albedo.emplace(device_, page.texels.width, page.texels.height);
+    gpu::Commands commands(device_);
+    commands.mark("divide");
+    divide_.divide(commands, page.texels, page.direct, page.indirect,
+                   {.power = 1.0f, .ambient = glm::vec3(0.0f), .darkest = darkest}, *page.albedo);
+    commands.run();
+    const std::vector<gpu::Timing> ofDivision = commands.timings();
+    timings.insert(timings.end(), ofDivision.begin(), ofDivision.end());
+    return timings;
 }
 
 std::vector<glm::vec4> ResolveGpu::indirectOnSurfels() const
@@ -148,19 +165,14 @@ std::vector<glm::vec4> ResolveGpu::indirectOnSurfels() const
     return sides_.indirect().download();
 }
 
-std::vector<glm::uvec2> ResolveGpu::direct() const
+PageIrradiance ResolveGpu::irradiance() const
 {
-    return pages_[last_].direct.download();
-}
-
-std::vector<glm::uvec2> ResolveGpu::indirect() const
-{
-    return pages_[last_].indirect.download();
+    return {pages_[last_].direct.download(), pages_[last_].indirect.download()};
 }
 
 std::vector<glm::uvec2> ResolveGpu::albedo() const
 {
-    return pages_[last_].albedo.pixels().download();
+    return pages_[last_].albedo->pixels().download();
 }
 
 } // namespace relamp

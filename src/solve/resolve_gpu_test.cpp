@@ -63,9 +63,14 @@ struct Twins
         : room(std::move(scan)), found(powersOf(room.solved)), powers(others(found)),
           gpu(device, room.texels, room.solved)
     {
-        gpu.gather(found); // that it has to change
+        gather(found); // that it has to change
         resolve(room.texels, room.solved, powers);
-        gpu.gather(powers);
+        gather(powers);
+    }
+
+    std::vector<gpu::Timing> gather(const LampPowers& under)
+    {
+        return gpu.gather(under, room.solved.found.shines);
     }
 
     [[nodiscard]] size_t pages() const { return room.texels.pages.size(); }
@@ -167,15 +172,15 @@ TEST_P(GpuResolve, ShadesTexelsAsTheCpuDoes)
 {
     Twins& room = twins();
     for (size_t p = 0; p < room.pages(); ++p) {
-        room.gpu.page(p, kDarkest);
-        const std::vector<glm::uvec2> direct = room.gpu.direct();
-        const std::vector<glm::uvec2> indirect = room.gpu.indirect();
+        room.gpu.shade(p);
+        const PageIrradiance irradiance = room.gpu.irradiance();
         Apart apartDirect(0.02f);
         Apart apartIndirect(0.02f);
         room.forEachShaded(p, [&](const TexelBlock& block, const ShadingBlock& shading, size_t b) {
             for (size_t i = 0; i < block.count; ++i) {
-                apartDirect.add(glm::vec3(halves(direct[b + i])) / kPi, at(shading.direct, i));
-                apartIndirect.add(glm::vec3(halves(indirect[b + i])) / kPi,
+                apartDirect.add(glm::vec3(halves(irradiance.direct[b + i])) / kPi,
+                                at(shading.direct, i));
+                apartIndirect.add(glm::vec3(halves(irradiance.indirect[b + i])) / kPi,
                                   at(shading.indirect, i));
             }
         });
@@ -191,7 +196,7 @@ TEST_P(GpuResolve, EndsInTheAlbedoOfTheCpu)
 {
     Twins& room = twins();
     for (size_t p = 0; p < room.pages(); ++p) {
-        room.gpu.page(p, kDarkest);
+        room.gpu.divide(p, kDarkest);
         const std::vector<glm::uvec2> found = room.gpu.albedo();
         Apart apart(0.02f);
         room.forEachShaded(p, [&](const TexelBlock& block, const ShadingBlock& shading, size_t b) {
@@ -210,20 +215,20 @@ TEST_P(GpuResolve, EndsInTheAlbedoOfTheCpu)
 TEST_P(GpuResolve, ComputesAgainOnlyWhatChanged)
 {
     Twins& room = twins();
-    room.gpu.gather(room.powers);
-    room.gpu.page(0, kDarkest);
+    room.gather(room.powers);
+    room.gpu.divide(0, kDarkest);
     const std::vector<glm::uvec2> before = room.gpu.albedo();
-    EXPECT_THAT(ran(room.gpu.gather(room.powers)), ElementsAre());
-    EXPECT_THAT(ran(room.gpu.page(0, kDarkest)), ElementsAre());
-    EXPECT_THAT(ran(room.gpu.page(0, 0.1f)), ElementsAre("divide"));
+    EXPECT_THAT(ran(room.gather(room.powers)), ElementsAre());
+    EXPECT_THAT(ran(room.gpu.divide(0, kDarkest)), ElementsAre());
+    EXPECT_THAT(ran(room.gpu.divide(0, 0.1f)), ElementsAre("divide"));
 
-    EXPECT_THAT(ran(room.gpu.gather(room.found)), ElementsAre("gather"));
-    EXPECT_THAT(ran(room.gpu.page(0, kDarkest)), ElementsAre("shading", "divide"));
+    EXPECT_THAT(ran(room.gather(room.found)), ElementsAre("gather"));
+    EXPECT_THAT(ran(room.gpu.divide(0, kDarkest)), ElementsAre("shading", "divide"));
     EXPECT_NE(room.gpu.albedo(), before);
 
     // And back again, to the same bits.
-    room.gpu.gather(room.powers);
-    room.gpu.page(0, kDarkest);
+    room.gather(room.powers);
+    room.gpu.divide(0, kDarkest);
     EXPECT_EQ(room.gpu.albedo(), before);
 }
 
@@ -233,12 +238,12 @@ TEST_F(GpuResolvePages, TakeTurnsWhereMemoryIsShort)
 {
     Twins room(device(), roomOfTwoPages());
     ResolveGpu oneAtATime(device(), room.room.texels, room.room.solved, 1);
-    oneAtATime.gather(room.powers);
+    oneAtATime.gather(room.powers, room.room.solved.found.shines);
     for (const size_t p : {0u, 1u, 0u}) {
-        room.gpu.page(p, kDarkest);
-        EXPECT_THAT(ran(oneAtATime.page(p, kDarkest)), ElementsAre("lamps", "shading", "divide"));
-        EXPECT_EQ(oneAtATime.direct(), room.gpu.direct());
-        EXPECT_EQ(oneAtATime.indirect(), room.gpu.indirect());
+        room.gpu.divide(p, kDarkest);
+        EXPECT_THAT(ran(oneAtATime.divide(p, kDarkest)), ElementsAre("lamps", "shading", "divide"));
+        EXPECT_EQ(oneAtATime.irradiance().direct, room.gpu.irradiance().direct);
+        EXPECT_EQ(oneAtATime.irradiance().indirect, room.gpu.irradiance().indirect);
     }
 }
 

@@ -34,15 +34,53 @@ TEST(LightDocument, AsItWasFoundIsTheLightOfTheScan)
 TEST(LightDocument, SaysHowFixturesWereOnTheDayOfTheScan)
 {
     const relamp::Lights found = twoFixtures();
-    LightDocument scanned{.fixtures = {kAsFound, kAsFound}};
-    EXPECT_EQ(lightsUnder(scanned, found).fixtures[0].radiance, found.fixtures[0].radiance);
+    ScannedItems scanned{.fixtures = {kAsFound, kAsFound}};
+    EXPECT_EQ(lightsUnder(scanned, {}, found).fixtures[0].radiance, found.fixtures[0].radiance);
 
     scanned.fixtures[0].dim = 0.5f;
     scanned.fixtures[1].on = false;
-    const relamp::Lights lights = lightsUnder(scanned, found);
+    const relamp::Lights lights = lightsUnder(scanned, {}, found);
     EXPECT_EQ(lights.fixtures[0].radiance, glm::vec3(10.0f));
     EXPECT_EQ(lights.fixtures[1].radiance, glm::vec3(0.0f));
     EXPECT_EQ(lights.ambient, found.ambient);
+}
+
+TEST(LightDocument, SaysHowSunAndSkyWereOnTheDayOfTheScan)
+{
+    relamp::Lights found = twoFixtures();
+    found.sun = relamp::Sun{.irradiance = {4, 2, 1}};
+    ScannedItems scanned{.fixtures = {kAsFound, kAsFound}};
+    EXPECT_TRUE(scanned.isAsFound());
+    EXPECT_EQ(lightsUnder(scanned, {}, found).sun->irradiance, found.sun->irradiance);
+
+    scanned.sun = 0.5f;
+    scanned.sunColour = {1, 1, 2};
+    scanned.ambient = glm::vec3(0.25f);
+    EXPECT_FALSE(scanned.isAsFound());
+    const relamp::Lights lights = lightsUnder(scanned, {}, found);
+    EXPECT_EQ(lights.sun->irradiance, glm::vec3(2, 1, 1));
+    EXPECT_EQ(lights.ambient, glm::vec3(0.25f));
+    EXPECT_EQ(lights.fixtures[0].radiance, found.fixtures[0].radiance);
+    // A room that no sun shines into gets none.
+    EXPECT_FALSE(lightsUnder(scanned, {}, twoFixtures()).sun);
+}
+
+TEST(LightDocument, TheRoomsOwnSkyFollowsTheDayOfTheScanAndOnesOwnDoesNot)
+{
+    relamp::Lights before = twoFixtures();
+    before.sun = relamp::Sun{.irradiance = {4, 2, 1}};
+    relamp::Lights after = before;
+    after.sun->irradiance = glm::vec3(9.0f);
+    after.ambient = glm::vec3(0.5f);
+    LightDocument light = documentOf(before);
+    followSky(light, before, after);
+    EXPECT_EQ(light, documentOf(after));
+
+    light.lamps[0].rgb = glm::vec3(1.0f);
+    light.sky.radiance = glm::vec3(2.0f);
+    const LightDocument ownSky = light;
+    followSky(light, after, before);
+    EXPECT_EQ(light, ownSky);
 }
 
 TEST(LightDocument, WhatWasSaidStaysWithTheFixtureThatIsThere)

@@ -23,6 +23,29 @@ TEST(Rgb9e5, HoldsTheEndsOfItsRange)
     EXPECT_EQ(fromRgb9e5(rgb9e5(glm::vec3(1e9f))), glm::vec3(65408.0f));
 }
 
+relamp::Page pageOf(int width, int height)
+{
+    relamp::Page page;
+    page.image.width = width; // without pixels, which nobody looks at
+    page.image.height = height;
+    return page;
+}
+
+TEST(TextureLimits, ShowPagesAsTheyAreWhereTheyFit)
+{
+    constexpr uint64_t kGiB = uint64_t{1} << 30;
+    relamp::Scan scan;
+    scan.pages = {pageOf(8192, 8192), pageOf(2048, 1024)};
+    const uint64_t large = uint64_t{8192} * 8192; // 25 bytes a pixel, and a third for levels
+
+    EXPECT_EQ(TextureLimits({16384, 2 * kGiB, 4 * kGiB}).lengthFor(scan), 16384u);
+    EXPECT_EQ(TextureLimits({4096, 2 * kGiB, 4 * kGiB}).lengthFor(scan), 4096u);
+    EXPECT_EQ(TextureLimits({16384, 2 * kGiB, large * 25}).lengthFor(scan), 4096u);
+    EXPECT_EQ(TextureLimits({16384, large * 4, 4 * kGiB}).lengthFor(scan), 4096u);
+    // It has to be shown somehow.
+    EXPECT_EQ(TextureLimits({16384, 2 * kGiB, 1000}).lengthFor(scan), 1024u);
+}
+
 relamp::Image checkered(int size)
 {
     relamp::Image image;

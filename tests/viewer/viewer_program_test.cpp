@@ -1,6 +1,8 @@
 #include "golden/program.h"
 #include "scenes/temporary_folder.h"
 
+#include "relamp/devices.h"
+#include "relamp/lights.h"
 #include "relamp/picture.h"
 
 #include <cmath>
@@ -223,6 +225,94 @@ TEST(ViewerProgram, AlbedoFollowsALampOfTheDayOfTheScan)
     // The darker albedo under the brighter lamp is the scan.
     const glm::vec3 ratio = meanOf(read("relit.exr")) / meanOf(read("scan.exr"));
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0f, 0.2f);
+}
+
+glm::vec3 meanAlbedoIn(const std::filesystem::path& folder)
+{
+    return meanOf(readImage(folder / "albedo.exr"));
+}
+
+// On the GPU engine and a device by its number, which no other test has; after files that could
+// not be opened, which leave the room as it was.
+TEST(ViewerProgram, SavesWhatWasSaidOfTheDayOfTheScan)
+{
+    const scenes::TemporaryFolder out;
+    const auto file = [&](const char* name) { return (out / name).string(); };
+    const Outcome outcome = view(
+        {"--engine", "gpu", "--gpu", "0"},
+        "set quality draft\nset panels off\nopen " + (kBedroom / "scan.glb").string() +
+            "\nwait solve\nsave lights " + file("found.json") + "\nsave result " + file("found") +
+            "\nwait rest\ndrop " + file("none.glb") + "\ndrop " +
+            out.write("broken.glb", "glTF").string() +
+            "\nwait rest\nset scanned.0.dim 2\nset scanned.ambient 1 0.8 0.6\n" +
+            "set scanned.ambient 1 0.5 0.25\nwait solve\nwait relit\nsave result " + file("said") +
+            "\nsave baked " + file("said.glb") + "\nwait rest\nsave lights " + file("said.json") +
+            "\npress ctrl+z\npress ctrl+z\npress ctrl+z\nwait solve\n" + "save lights " +
+            file("undone.json") + "\nsave result " + file("undone") + "\nwait rest\nquit\n");
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+
+    std::vector<std::string> notes;
+    const Lights found = readLights(file("found/lights.json"), notes);
+    const Lights said = readLights(file("said/lights.json"), notes);
+    EXPECT_EQ(said.fixtures[0].radiance, 2.0f * found.fixtures[0].radiance);
+    EXPECT_EQ(said.fixtures[1].radiance, found.fixtures[1].radiance);
+    EXPECT_EQ(said.ambient, glm::vec3(1.0f, 0.5f, 0.25f));
+    for (int c = 0; c < 3; ++c)
+        EXPECT_LT(meanAlbedoIn(file("said"))[c], 0.95f * meanAlbedoIn(file("found"))[c]);
+    // As it was said, so it shines: the saved room and its light are the scan again.
+    Progress progress;
+    const Scan scan = readScan(kBedroom / "scan.glb", {}, progress);
+    const Scan baked = readScan(file("said.glb"), {}, progress);
+    const glm::vec3 ratio = meanOf(baked.pages[0].image) / meanOf(scan.pages[0].image);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0f, 0.25f);
+    EXPECT_THAT(textOf(file("said.json")), HasSubstr("0.25"));
+    EXPECT_EQ(textOf(file("undone.json")), textOf(file("found.json")));
+    EXPECT_EQ(textOf(file("undone/lights.json")), textOf(file("found/lights.json")));
+    EXPECT_EQ(textOf(file("undone/albedo.exr")), textOf(file("found/albedo.exr")));
+}
+
+// Dials, each of which has to reach the solver, and all to come back.
+TEST(ViewerProgram, DialsSolveAgain)
+{
+    const scenes::TemporaryFolder out;
+    const std::vector<std::string> dials{"quality draft",          "dial.rays 6",
+                                         "dial.darkest 0.7",       "solver thesis",
+                                         "dial.power 2",           "dial.light-levels 1",
+                                         "dial.attenuation 1 2 3", "dial.ambient 0.3",
+                                         "dial.lpv off",           "dial.emitter-threshold 0.6"};
+    const auto file = [&](size_t i) { return out / (std::to_string(i) + ".exr"); };
+    std::string script = "set panels off\nset marks off\nset " + dials[0] + "\nopen " +
+                         (kBedroom / "scan.glb").string() + "\nwait scan\n" + kCamera +
+                         "press 5\nwait solve\nscreenshot " + file(0).string() + " view\n";
+    for (size_t i = 1; i < dials.size(); ++i) {
+        const char* layer = dials[i] == "dial.darkest 0.7" ? "6" : "5";
+        script += "set " + dials[i] + "\npress " + layer + "\nwait solve\nscreenshot " +
+                  file(i).string() + " view\n";
+    }
+    for (size_t i = 1; i < dials.size(); ++i) script += "press ctrl+z\n";
+    const std::filesystem::path undone = out / "undone.exr";
+    const Outcome outcome =
+        view({}, script + "wait solve\nscreenshot " + undone.string() + " view\nquit\n");
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+
+    EXPECT_EQ(likeness(readImage(undone), readImage(file(0)), 1e-6f), 1.0);
+    for (size_t i = 1; i < dials.size(); ++i) {
+        EXPECT_LT(likeness(readImage(file(i)), readImage(file(i - 1)), 1e-4f), 0.999) << dials[i];
+    }
+}
+
+TEST(ViewerProgram, NamesTheDeviceThatDrawsAsRelampDevicesDoes)
+{
+    const Outcome wrong = view({"--gpu", "abacus"}, "quit\n", Display::missing);
+    EXPECT_EQ(wrong.exitCode, 1);
+    EXPECT_THAT(wrong.err, HasSubstr("no device is called \"abacus\" (relamp devices lists them)"));
+    // What draws is named by it, too, where the processor computes.
+    const Outcome drawing =
+        view({"--gpu", "abacus", "--engine", "cpu"}, "quit\n", Display::missing);
+    EXPECT_EQ(drawing.exitCode, 1);
+    EXPECT_THAT(drawing.err, HasSubstr("\"abacus\""));
+    const std::string name = gpuDevices().at(0).name;
+    EXPECT_EQ(view({"--gpu", name, "--engine", "cpu"}, "quit\n").exitCode, 0);
 }
 
 TEST(ViewerProgram, OutlivesWhateverIsDoneToIt)

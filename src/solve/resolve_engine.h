@@ -1,0 +1,59 @@
+#pragma once
+
+#include "gpu/twin.h"
+#include "relamp/devices.h"
+#include "scan/texels.h"
+#include "shading/texel_shading.h"
+#include "solve/page_irradiance.h"
+#include "solve/resolve.h"
+#include "solve/resolve_gpu.h"
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace relamp
+{
+
+/// What gives a solved room other powers: the CPU or a GPU, as the options say. Both give the same,
+/// within what resolve_engine_test.cpp says. It hands over as gpu::Twin does.
+class ResolveEngine : public std::enable_shared_from_this<ResolveEngine>
+{
+public:
+    /// `texels` must outlive this. Of `room` what no power changes is taken, when it is first
+    /// resolved; later calls are of the same one. Throws Error(device) where a GPU is asked for and
+    /// there is none.
+    ResolveEngine(const Texels& texels, const EngineOptions& options);
+
+    /// As resolve(), and the shading that follows as shadingOf(). That outlives the call, is thread
+    /// safe, and stays as it is whatever is resolved later.
+    TexelShading resolve(SolvedRoom& room, const LampPowers& powers);
+
+    /// As gpu::Twin.
+    [[nodiscard]] std::string name() const { return gpu_.name(); }
+    [[nodiscard]] const std::string& note() const { return gpu_.note(); }
+
+private:
+    /// What the light of a room follows from.
+    struct Asked
+    {
+        LampPowers powers;
+        std::vector<uint8_t> shines;
+    };
+
+    std::shared_ptr<const PageIrradiance> irradianceOf(const std::shared_ptr<const Asked>& asked,
+                                                       size_t page);
+
+    const Texels& texels_;
+    const SolvedRoom* room_ = nullptr; // while it is resolved
+    std::mutex mutex_;
+    gpu::Twin<ResolveGpu> gpu_;
+    // The page that was asked for last, and under which powers; none: null.
+    std::shared_ptr<const PageIrradiance> irradiance_;
+    std::shared_ptr<const Asked> lit_;
+    size_t page_ = 0;
+};
+
+} // namespace relamp
