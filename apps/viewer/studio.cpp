@@ -49,7 +49,7 @@ bool Edit::operator==(const Edit& other) const
 }
 
 Studio::Studio(RoomDrawing& drawing, const relamp::EngineOptions& engine,
-               std::function<void()> wake)
+               const std::function<void()>& wake)
     : drawing_(drawing), limits_(drawing.limits()), engine_(engine), mailbox_(wake), history_(edit),
       relighting_({engine, limits_},
                   {.glance =

@@ -60,7 +60,8 @@ enum class Stage { nothing, reading, scanned, drafted, solved };
 class Studio
 {
 public:
-    Studio(RoomDrawing& drawing, const relamp::EngineOptions& engine, std::function<void()> wake);
+    Studio(RoomDrawing& drawing, const relamp::EngineOptions& engine,
+           const std::function<void()>& wake);
 
     /// Reads a scan or a folder of relamp delight, and solves. What was open stays as it is until
     /// that is read, and if it cannot be.

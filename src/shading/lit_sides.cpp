@@ -221,12 +221,11 @@ LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadi
 }
 
 LitSides sidesFrom(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
-                   std::vector<glm::vec3> direct, std::span<const uint8_t> shines,
-                   glm::vec3 ambient, Gathered settled)
+                   ArrivingLight light, std::span<const uint8_t> shines, glm::vec3 ambient)
 {
-    LitSides sides = darkSides(radiance, std::move(direct), shines);
+    LitSides sides = darkSides(radiance, std::move(light.direct), shines);
     const std::vector<glm::vec3> least = sides.field.clipped;
-    sides.gathered = std::move(settled);
+    sides.gathered = std::move(light.gathered);
     sendOn(texels, hits, radiance, least, ambient, sides);
     return sides;
 }

@@ -74,9 +74,15 @@ LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadi
                     std::vector<glm::vec3> direct, std::span<const uint8_t> shines,
                     glm::vec3 ambient);
 
+/// Light that arrives at sides, one entry a list.
+struct ArrivingLight
+{
+    std::vector<glm::vec3> direct; // as LitSides
+    Gathered gathered;             // settled
+};
+
 /// The same where somebody else has settled what they gather.
 LitSides sidesFrom(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
-                   std::vector<glm::vec3> direct, std::span<const uint8_t> shines,
-                   glm::vec3 ambient, Gathered settled);
+                   ArrivingLight light, std::span<const uint8_t> shines, glm::vec3 ambient);
 
 } // namespace relamp

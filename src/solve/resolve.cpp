@@ -108,8 +108,9 @@ void resolve(const Texels& texels, SolvedRoom& room, const LampPowers& powers, S
     FoundRoom& found = room.found;
     Gathered gathered{.irradiance = std::move(light.gathered),
                       .missed = std::move(found.sides.gathered.missed)}; // of the mesh alone
-    found.sides = sidesFrom(texels, found.hits, found.radiance, directUnder(room, powers),
-                            found.shines, powers.ambient, std::move(gathered));
+    found.sides =
+        sidesFrom(texels, found.hits, found.radiance,
+                  {directUnder(room, powers), std::move(gathered)}, found.shines, powers.ambient);
     found.found.ambient = powers.ambient;
     shine(texels, room, powers, std::move(light.indirect));
 }
