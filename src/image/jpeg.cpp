@@ -3,11 +3,12 @@
 #include "base/fail.h"
 #include "image/write_image.h"
 
+#include <algorithm>
 #include <array>
 #include <csetjmp>
 #include <cstdio>
 #include <cstdlib>
-#include <string>
+#include <string_view>
 
 #include <jpeglib.h>
 
@@ -17,6 +18,9 @@ namespace
 {
 
 constexpr int kQuality = 95; // no eye tells it from the picture
+// Progressive files have about ten. A few bytes are a scan that goes over the whole picture, so a
+// small file of many would keep us busy for hours.
+constexpr int kMostScans = 100;
 
 /// libjpeg says what is wrong and jumps to the last setjmp. So a function that calls setjmp keeps
 /// nothing that has a destructor, and returns false when it is jumped to.
@@ -41,6 +45,15 @@ struct Failure
         std::longjmp(failure->back, 1);
     }
     static void onWarning(j_common_ptr /*jpeg*/, int /*level*/) {}
+
+    static void onProgress(j_common_ptr jpeg)
+    {
+        if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number <= kMostScans) return;
+        auto* failure = reinterpret_cast<Failure*>(jpeg->err);
+        constexpr std::string_view kTooMany = "it has more scans than any picture needs";
+        std::copy(kTooMany.begin(), kTooMany.end(), failure->message.begin());
+        std::longjmp(failure->back, 1);
+    }
 };
 
 bool halvesColor(const jpeg_decompress_struct& jpeg)
@@ -82,6 +95,7 @@ private:
     bool readRows(uint8_t* to);
 
     Failure failure_;
+    jpeg_progress_mgr progress_{};
     jpeg_decompress_struct jpeg_{};
     PictureHeader header_;
 };
@@ -90,6 +104,8 @@ bool JpegReader::readHeader(std::span<const std::byte> bytes)
 {
     if (setjmp(failure_.back) != 0) return false;
     jpeg_create_decompress(&jpeg_);
+    progress_.progress_monitor = Failure::onProgress;
+    jpeg_.progress = &progress_;
     jpeg_mem_src(&jpeg_, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
     jpeg_read_header(&jpeg_, TRUE);
     const J_COLOR_SPACE space = jpeg_.out_color_space;

@@ -19,7 +19,8 @@ using testing::Each;
 void anySize(const PictureHeader& /*header*/) {}
 
 /// Eight by eight alike pixels.
-std::vector<uint8_t> jpegOf(std::span<const uint8_t> pixel, J_COLOR_SPACE space)
+std::vector<uint8_t> jpegOf(std::span<const uint8_t> pixel, J_COLOR_SPACE space,
+                            std::span<const jpeg_scan_info> scans = {})
 {
     jpeg_compress_struct jpeg{};
     jpeg_error_mgr errors{};
@@ -32,6 +33,8 @@ std::vector<uint8_t> jpegOf(std::span<const uint8_t> pixel, J_COLOR_SPACE space)
     jpeg.input_components = static_cast<int>(pixel.size());
     jpeg.in_color_space = space;
     jpeg_set_defaults(&jpeg);
+    if (!scans.empty()) jpeg.scan_info = scans.data();
+    jpeg.num_scans = static_cast<int>(scans.size());
     jpeg_start_compress(&jpeg, TRUE);
     std::vector<uint8_t> line;
     for (int i = 0; i < 8; ++i) line.insert(line.end(), pixel.begin(), pixel.end());
@@ -76,6 +79,20 @@ TEST(Jpeg, ColoursThatNobodyKnowsAreRefused)
     constexpr uint8_t kTwo[] = {200, 128};
     const auto file = jpegOf(kTwo, JCS_UNKNOWN);
     EXPECT_THROW((void)readJpeg(std::as_bytes(std::span(file)), anySize), UndecodablePicture);
+}
+
+/// A progressive file that brings every frequency of every channel by itself.
+TEST(Jpeg, MoreScansThanAnyPictureNeedsAreRefused)
+{
+    constexpr uint8_t kPixel[] = {200, 128, 60};
+    std::vector<jpeg_scan_info> scans{{3, {0, 1, 2, 0}, 0, 0, 0, 0}};
+    for (int part = 0; part < 3; ++part)
+        for (int frequency = 1; frequency < 64; ++frequency)
+            scans.push_back({1, {part, 0, 0, 0}, frequency, frequency, 0, 0});
+    const auto many = jpegOf(kPixel, JCS_RGB, scans);
+    EXPECT_THROW((void)readJpeg(std::as_bytes(std::span(many)), anySize), UndecodablePicture);
+    const auto few = jpegOf(kPixel, JCS_RGB, std::span(scans).first(10));
+    EXPECT_NO_THROW((void)readJpeg(std::as_bytes(std::span(few)), anySize));
 }
 
 } // namespace relamp
