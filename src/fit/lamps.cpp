@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "fit/bright_walls.h"
 #include "fit/lamp_groups.h"
+#include "fit/lit_powers.h"
 #include "fit/missed.h"
 #include "fit/pairs.h"
 #include "fit/powers.h"
@@ -322,7 +323,10 @@ void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
         options.start.push_back(powers_.ambient);
     }
     isFitted_ = true;
-    powers_ = fitPowers(data, pairs, options);
+    std::vector<float> areas;
+    for (const Suspect& suspect : suspects_) areas.push_back(suspect.candidate.area);
+    powers_ = oneChannel ? fitPowers(data, pairs, options)
+                         : fitLitPowers(data, pairs, areas, std::move(options));
     for (size_t f = 0; f < suspects_.size(); ++f) {
         suspects_[f].radiance = powers_.radiance[f];
         suspects_[f].logError = powers_.logError[f];
