@@ -126,20 +126,32 @@ Solution GatherSolver::solve(const DelightOptions& options, Progress& progress)
         kept_->asked = options;
         return resolve(kept_->found, options.albedo, progress);
     }
+    const auto engine = std::make_shared<ResolveEngine>(texels_, options.engine);
     FoundRoom found =
         findRoom(texels_, scene_, options, progress, kept_ ? &kept_->room.found : nullptr);
-    const Progress::Stage stage(progress, "shadows");
-    Rating rating;
-    KeptRoom kept{.room = solvedRoom(texels_, scene_, std::move(found),
-                                     [&](const SolvedRoom& room) { rating = rate(texels_, room); }),
-                  .asked = options};
-    kept.found = lightsOf(kept.room.found);
-    kept.powers = powersOf(kept.room);
-    kept_ = std::move(kept);
+    std::optional<Rating> rating;
+    {
+        const Progress::Stage stage(progress, "shadows");
+        SolvedRoom room = solvedRoom(texels_, scene_, std::move(found), [&](const SolvedRoom& lit) {
+            if (engine->isCpu()) rating = rate(texels_, lit);
+        });
+        keep(std::move(room), options, engine);
+    }
+    if (!rating) return resolve(kept_->found, options.albedo, progress);
     Solution solution = solutionOf(texels_, kept_->room, shadingOf(texels_, kept_->room), options,
-                                   std::move(rating));
-    solution.options.engine = {Engine::cpu, "cpu"};
+                                   std::move(*rating));
+    solution.options.engine = {Engine::cpu, engine->name()};
+    if (!engine->note().empty()) solution.warnings.push_back(engine->note());
     return solution;
+}
+
+void GatherSolver::keep(SolvedRoom room, const DelightOptions& asked,
+                        std::shared_ptr<ResolveEngine> engine)
+{
+    kept_.emplace(KeptRoom{.room = std::move(room), .asked = asked});
+    kept_->found = lightsOf(kept_->room.found);
+    kept_->powers = powersOf(kept_->room);
+    kept_->engine.of(asked.engine, [&] { return std::move(engine); });
 }
 
 /// Patches of sun that light the room like lamps follow the sun.
@@ -169,20 +181,15 @@ LampPowers GatherSolver::setPowers(const Lights& lights)
     return powers;
 }
 
-/// Powers that were found are the CPU's, by whose bits they were found.
 GatherSolver::Resolved GatherSolver::shine(const LampPowers& powers)
 {
-    SolvedRoom& room = kept_->room;
-    if (powers == kept_->powers) {
-        relamp::resolve(texels_, room, powers);
-        return {shadingOf(texels_, room), {Engine::cpu, "cpu"}, ""};
-    }
     const EngineOptions& asked = kept_->asked.engine;
     const auto& engine =
         kept_->engine.of(asked, [&] { return std::make_shared<ResolveEngine>(texels_, asked); });
-    TexelShading shade = engine->resolve(room, powers);
-    const std::string name = engine->name();
-    return {std::move(shade), {name == "cpu" ? Engine::cpu : Engine::gpu, name}, engine->note()};
+    TexelShading shade = engine->resolve(kept_->room, powers);
+    return {std::move(shade),
+            {engine->isCpu() ? Engine::cpu : Engine::gpu, engine->name()},
+            engine->note()};
 }
 
 Solution GatherSolver::resolve(const Lights& lights, const AlbedoOptions& albedo,

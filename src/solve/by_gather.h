@@ -54,6 +54,7 @@ private:
     };
 
     [[nodiscard]] bool isOfKept(const DelightOptions& options) const;
+    void keep(SolvedRoom room, const DelightOptions& asked, std::shared_ptr<ResolveEngine> engine);
     LampPowers setPowers(const Lights& lights);
     Resolved shine(const LampPowers& powers);
 

@@ -32,6 +32,7 @@ public:
     TexelShading resolve(SolvedRoom& room, const LampPowers& powers);
 
     /// As gpu::Twin.
+    [[nodiscard]] bool isCpu() const { return gpu_.isCpu(); }
     [[nodiscard]] std::string name() const { return gpu_.name(); }
     [[nodiscard]] const std::string& note() const { return gpu_.note(); }
 
