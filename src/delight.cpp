@@ -62,9 +62,11 @@ const Decomposition::State& Decomposition::state() const
 PageLayers Decomposition::layers(size_t page, Progress& progress) const
 {
     const Solution& solution = state_->solution;
-    return makeLayers(*state_->texels, page,
-                      {solution.shade, solution.shining, solution.trust, solution.fill},
-                      solution.options.albedo, progress);
+    const AlbedoOptions& options = solution.options.albedo;
+    if (solution.onDevice)
+        if (auto layers = solution.onDevice(page, solution.texels, options, progress))
+            return std::move(*layers);
+    return makeLayers(*state_->texels, page, solution.texels, options, progress);
 }
 
 } // namespace relamp

@@ -2,13 +2,12 @@
 
 #include "base/half.h"
 #include "relamp/error.h"
+#include "scenes/apart_layers.h"
 #include "scenes/gpu_scene.h"
 #include "scenes/lit_room.h"
 #include "scenes/many_lamps.h"
 #include "scenes/sun_room.h"
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -245,35 +244,13 @@ TEST(Delighter, RefusesWhatAreNotItsLightsAndGoesOn)
 class GpuDelighter : public scenes::GpuTest
 {};
 
-/// Share of values that are further apart than `tolerance` of the larger, or 0.02 of it.
-double apart(const std::vector<uint16_t>& a, const std::vector<uint16_t>& b, float tolerance)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < a.size(); ++i) {
-        const float x = floatFromHalf(a[i]);
-        const float y = floatFromHalf(b[i]);
-        if (std::abs(x - y) > tolerance * std::max({x, y, 0.02f})) ++count;
-    }
-    return static_cast<double>(count) / static_cast<double>(a.size());
-}
-
 /// What two engines made of one room, as near as Delighter::resolve() says.
 void expectAlike(const Decomposition& found, const Decomposition& expected)
 {
     EXPECT_EQ(lightsAsJson(found.lights()), lightsAsJson(expected.lights()));
     EXPECT_NEAR(found.closure().rmsError, expected.closure().rmsError,
                 0.01f * expected.closure().rmsError + 1e-4f);
-    const PageLayers a = layersOf(found);
-    const PageLayers b = layersOf(expected);
-    EXPECT_EQ(a.emission, b.emission);
-    for (const auto layer : {&PageLayers::albedo, &PageLayers::direct, &PageLayers::indirect}) {
-        EXPECT_LT(apart(a.*layer, b.*layer, 5e-3f), 1e-3);
-        EXPECT_LT(apart(a.*layer, b.*layer, 0.02f), 1e-4);
-    }
-    size_t doubted = 0;
-    for (size_t i = 0; i < a.confidence.size(); ++i)
-        if (std::abs(a.confidence[i] - b.confidence[i]) > 3) ++doubted;
-    EXPECT_LT(static_cast<double>(doubted), 2e-3 * static_cast<double>(b.doubt.size()));
+    scenes::expectAlike(layersOf(found), layersOf(expected));
 }
 
 // What a person sees of a lamp, found or changed, must not depend on what computed it.

@@ -2,6 +2,8 @@
 
 #include "gpu/commands.h"
 
+#include <functional>
+#include <initializer_list>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -38,7 +40,9 @@ class GutterGpu
 public:
     explicit GutterGpu(const gpu::Device& device);
 
-    void fill(gpu::Commands& commands, const GpuPicture& picture) const;
+    /// Of pictures of one size.
+    void fill(gpu::Commands& commands,
+              std::initializer_list<std::reference_wrapper<const GpuPicture>> pictures) const;
 
 private:
     gpu::Program push_;

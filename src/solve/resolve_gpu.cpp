@@ -58,22 +58,24 @@ struct ResolveGpu::Page
         return GpuTexels::bytesOf(all, page) +
                sizeof(uint32_t) * LampTermsGpu::termsOf(lamps, count) +
                2 * sizeof(glm::uvec2) * count +
-               GpuPicture::bytesOf(all.scan->pages[page].image.pixels());
+               LayerPictures::bytesOf(all.scan->pages[page].image.pixels());
     }
 
     GpuTexels texels;
     gpu::Array<uint32_t> terms;
     gpu::Array<glm::uvec2> direct;
     gpu::Array<glm::uvec2> indirect;
-    std::optional<GpuPicture> albedo; // from the first division on
-    StageInputs termsOf, shadingOf, albedoOf;
+    std::optional<LayerPictures> layers; // from the first division on
+    StageInputs termsOf, shadingOf, layersOf;
 };
 
 ResolveGpu::ResolveGpu(const gpu::Device& device, const Texels& texels, const SolvedRoom& room,
                        uint64_t budget)
-    : device_(device), shade_(device, kResolveSpirv), surfels_(device, texels.surfels),
+    : device_(device), texels_(texels), shade_(device, kResolveSpirv),
+      surfels_(device, texels.surfels),
       sides_(device, room.found.hits, room.found.radiance, {room.found.shines, room.lit}),
-      lamps_(device, texels.surfels, *room.light, scalesOf(room)), divide_(device),
+      lamps_(device, texels.surfels, *room.light, scalesOf(room)),
+      layers_(device, texels.surfels.count()), gutter_(device),
       termsOfLists_(lamps_.keep(onListsOf(room), sides_.lists())),
       directOfLists_(device, sides_.lists()),
       stray_(device, {room.stray.octaves().begin(), room.stray.octaves().end()}),
@@ -143,20 +145,32 @@ std::vector<gpu::Timing> ResolveGpu::shade(size_t index)
     return commands.timings();
 }
 
-std::vector<gpu::Timing> ResolveGpu::divide(size_t index, float darkest)
+void ResolveGpu::setSurfels(const SolvedTexels& solved)
+{
+    ++said_;
+    layers_.setSurfels(solved);
+}
+
+std::vector<gpu::Timing> ResolveGpu::divide(size_t index, const AlbedoOptions& options)
 {
     std::vector<gpu::Timing> timings = shade(index);
     Page& page = pages_[index];
-    if (!page.albedoOf.change({page.shadingOf.version(), static_cast<double>(darkest)}))
+    if (!page.layersOf.change({page.shadingOf.version(), said_,
+                               static_cast<double>(options.darkest), options.fill ? 1.0 : 0.0}))
         return timings;
-    if (!page.albedo) page.albedo.emplace(device_, page.texels.width, page.texels.height);
+    if (!page.layers) page.layers.emplace(device_, page.texels.width, page.texels.height);
+    const relamp::Page& scanned = texels_.scan->pages[index];
     gpu::Commands commands(device_);
     commands.mark("divide");
-    divide_.divide(commands, page.texels, page.direct, page.indirect,
-                   {.power = 1.0f, .ambient = glm::vec3(0.0f), .darkest = darkest}, *page.albedo);
+    layers_.divide(commands, {page.texels, page.direct, page.indirect, scanned.image.clipsAtWhite},
+                   options, *page.layers);
+    if (!scanned.ofVertices) { // its pixels have no neighbours
+        commands.mark("dilate");
+        gutter_.fill(commands, {page.layers->albedo, page.layers->direct, page.layers->indirect});
+    }
     commands.run();
-    const std::vector<gpu::Timing> ofDivision = commands.timings();
-    timings.insert(timings.end(), ofDivision.begin(), ofDivision.end());
+    const std::vector<gpu::Timing> ofLayers = commands.timings();
+    timings.insert(timings.end(), ofLayers.begin(), ofLayers.end());
     return timings;
 }
 
@@ -170,9 +184,9 @@ PageIrradiance ResolveGpu::irradiance() const
     return {pages_[last_].direct.download(), pages_[last_].indirect.download()};
 }
 
-std::vector<glm::uvec2> ResolveGpu::albedo() const
+PageLayers ResolveGpu::layers() const
 {
-    return pages_[last_].albedo->pixels().download();
+    return layersFrom(*pages_[last_].layers, texels_, last_);
 }
 
 } // namespace relamp
