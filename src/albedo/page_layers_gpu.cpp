@@ -72,8 +72,15 @@ LayerPictures::LayerPictures(const gpu::Device& device, uint32_t width, uint32_t
       rating(device, size_t{width} * height)
 {
     gpu::Commands commands(device);
-    commands.clear(rating.buffer()); // where no texel is, nothing is said
+    commands.clear(rating.buffer());
     commands.run();
+}
+
+void LayerPictures::clear(gpu::Commands& commands) const
+{
+    for (const GpuPicture* picture : {&albedo, &direct, &indirect}) picture->clear(commands);
+    commands.clear(rating.buffer()); // where no texel is, nothing is said
+    commands.barrier();
 }
 
 size_t LayerPictures::bytesOf(size_t pixels)

@@ -15,6 +15,8 @@ namespace relamp
 struct LayerPictures
 {
     LayerPictures(const gpu::Device& device, uint32_t width, uint32_t height);
+    /// Makes them those of no page, before they are another's.
+    void clear(gpu::Commands& commands) const;
     /// Bytes that one takes on a device.
     static size_t bytesOf(size_t pixels);
 

@@ -5,6 +5,7 @@
 #include "scenes/gpu_scene.h"
 #include "scenes/scenes.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -87,20 +88,27 @@ struct Lit
     }
     [[nodiscard]] PageLayers byGpu(const gpu::Device& device, const AlbedoOptions& options) const
     {
+        const Image& image = scan.pages[0].image;
+        const LayerPictures pictures(device, static_cast<uint32_t>(image.width),
+                                     static_cast<uint32_t>(image.height));
+        divide(device, options, pictures);
+        return layersFrom(pictures, texels, 0);
+    }
+    void divide(const gpu::Device& device, const AlbedoOptions& options,
+                const LayerPictures& pictures) const
+    {
         const GpuTexels page(device, texels, 0);
         const gpu::Array<glm::uvec2> directThere(device, direct);
         const gpu::Array<glm::uvec2> indirectThere(device, indirect);
         PageLayersGpu gpu(device, texels.surfels.count());
         const GutterGpu gutter(device);
         gpu.setSurfels(said);
-        const LayerPictures pictures(device, page.width, page.height);
         gpu::Commands commands(device);
+        pictures.clear(commands);
         const bool clips = scan.pages[0].image.clipsAtWhite;
         gpu.divide(commands, {page, directThere, indirectThere, clips}, options, pictures);
-        if (!scan.pages[0].ofVertices)
-            gutter.fill(commands, {pictures.albedo, pictures.direct, pictures.indirect});
+        gutter.fill(commands, {pictures.albedo, pictures.direct, pictures.indirect});
         commands.run();
-        return layersFrom(pictures, texels, 0);
     }
 
     Progress progress;
@@ -149,6 +157,20 @@ TEST_F(GpuPageLayers, FollowWhatIsSaidOfSurfels)
         EXPECT_TRUE(found.albedo != plain.albedo || found.confidence != plain.confidence);
         scenes::expectAlike(found, lit.byCpu({}));
     }
+}
+
+TEST_F(GpuPageLayers, TakeThePicturesOfAnotherPage)
+{
+    Lit lit(motleyRoom());
+    lit.sayAll();
+    const int width = lit.scan.pages[0].image.width;
+    const int height = lit.scan.pages[0].image.height;
+    const LayerPictures pictures(device(), static_cast<uint32_t>(width),
+                                 static_cast<uint32_t>(height));
+    const int side = std::min(width, height);
+    Lit(scenes::square(1.0f, side, scenes::plain(glm::vec3(0.7f)))).divide(device(), {}, pictures);
+    lit.divide(device(), {}, pictures);
+    scenes::expectAlike(layersFrom(pictures, lit.texels, 0), lit.byCpu({}));
 }
 
 // White is no end of a texture of floats.

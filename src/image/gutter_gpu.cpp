@@ -16,7 +16,7 @@ GpuPicture::GpuPicture(const gpu::Device& device, uint32_t width, uint32_t heigh
     while (levels_.back().width > 1 || levels_.back().height > 1)
         add((levels_.back().width + 1) / 2, (levels_.back().height + 1) / 2);
     gpu::Commands commands(device);
-    commands.clear(levels_[0].pixels.buffer()); // nothing is covered yet
+    clear(commands);
     commands.run();
 }
 

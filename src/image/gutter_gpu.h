@@ -16,8 +16,11 @@ namespace relamp
 class GpuPicture
 {
 public:
+    /// Nothing is covered yet.
     GpuPicture(const gpu::Device& device, uint32_t width, uint32_t height);
 
+    /// Nothing is covered.
+    void clear(gpu::Commands& commands) const { commands.clear(levels_[0].pixels.buffer()); }
     /// The picture itself, `width` * `height`.
     [[nodiscard]] const gpu::Array<glm::uvec2>& pixels() const { return levels_[0].pixels; }
     /// Bytes that one takes on a device.

@@ -11,6 +11,7 @@
 #include "solve/stage_inputs.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -52,6 +53,8 @@ public:
 private:
     struct Page;
 
+    void takeLayers(gpu::Commands& commands, size_t page);
+
     const gpu::Device& device_;
     const Texels& texels_;
     gpu::Program shade_;
@@ -64,9 +67,11 @@ private:
     gpu::Array<glm::uvec2> directOfLists_;
     gpu::Array<float> stray_;
     ResidentPages<Page> pages_;
+    std::optional<LayerPictures> pictures_; // of the page that was divided last
+    size_t picturesOf_ = 0;
     size_t last_ = 0; // shade()
 
-    StageInputs powers_, gathered_;
+    StageInputs powers_, gathered_, divided_;
     std::vector<uint8_t> shines_; // of the last gather()
     double shining_ = 0.0;        // their version
     double said_ = 0.0;           // setSurfels()'s
