@@ -7,6 +7,7 @@
 #include "image/gutter.h"
 
 #include <algorithm>
+#include <atomic>
 #include <vector>
 
 namespace relamp
@@ -28,30 +29,37 @@ void unpack(const GpuPicture& picture, std::vector<uint16_t>& rgb)
     });
 }
 
-void unpackRating(const gpu::Array<uint32_t>& rating, PageLayers& layers)
+/// Whether any texel shines.
+bool unpackRating(const gpu::Array<uint32_t>& rating, PageLayers& layers)
 {
     const std::vector<uint32_t> pixels = rating.download();
-    for (size_t i = 0; i < pixels.size(); ++i) {
-        layers.confidence[i] = static_cast<uint8_t>(pixels[i] & 255u);
-        layers.doubt[i] = static_cast<Doubt>(pixels[i] >> 8);
-    }
+    std::atomic<bool> anyShines = false;
+    forEachChunk(pixels.size(), kPixels, [&](size_t begin, size_t end) {
+        bool shines = false;
+        for (size_t i = begin; i < end; ++i) {
+            layers.confidence[i] = static_cast<uint8_t>(pixels[i] & 255u);
+            layers.doubt[i] = static_cast<Doubt>(pixels[i] >> 8);
+            shines |= layers.doubt[i] == Doubt::shines;
+        }
+        if (shines) anyShines = true;
+    });
+    return anyShines;
 }
 
 /// Sets what follows from the texture and the doubts.
-void addEmissionAndAreas(const Texels& texels, size_t p, PageLayers& layers)
+void addEmissionAndAreas(const Texels& texels, size_t p, bool anyShines, PageLayers& layers)
 {
     const PageTexels& page = texels.pages[p];
     const TexelLoader loader(texels, p);
     const auto shines = [&](uint32_t pixel) { return layers.doubt[pixel] == Doubt::shines; };
-    if (std::any_of(page.pixel.begin(), page.pixel.end(), shines))
-        layers.emission.resize(3 * layers.doubt.size());
+    if (anyShines) layers.emission.resize(3 * layers.doubt.size());
     AreaOfDoubts areas;
     forEachBlock(page, [&](size_t begin, size_t count) {
         TexelBlock block;
         loader.loadArea(begin, count, block);
         const std::span pixels = std::span(page.pixel).subspan(begin, count);
         areas.add(block, pixels, layers.doubt);
-        if (std::none_of(pixels.begin(), pixels.end(), shines)) return;
+        if (!anyShines || std::none_of(pixels.begin(), pixels.end(), shines)) return;
         loader.loadRadiance(begin, count, block);
         for (size_t i = 0; i < count; ++i)
             if (shines(pixels[i]))
@@ -143,8 +151,8 @@ PageLayers layersFrom(const LayerPictures& pictures, const Texels& texels, size_
     unpack(pictures.albedo, layers.albedo);
     unpack(pictures.direct, layers.direct);
     unpack(pictures.indirect, layers.indirect);
-    unpackRating(pictures.rating, layers);
-    addEmissionAndAreas(texels, page, layers);
+    const bool anyShines = unpackRating(pictures.rating, layers);
+    addEmissionAndAreas(texels, page, anyShines, layers);
     return layers;
 }
 
