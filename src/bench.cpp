@@ -1,6 +1,7 @@
 #include "relamp/bench.h"
 
 #include "albedo/divide.h"
+#include "albedo/page_layers.h"
 #include "flatten/flatten.h"
 #include "gpu/peak.h"
 #include "lights/emitters.h"
@@ -11,6 +12,7 @@
 #include "shading/gathered_light.shared.h"
 #include "shading/thesis.h"
 #include "solve/resolve_gpu.h"
+#include "solve/room_solution.h"
 #include "solve/thesis_gpu.h"
 
 #include <algorithm>
@@ -28,7 +30,7 @@ namespace
 
 /// The rows, in their order; the GPU's classes mark their stages with the same names.
 constexpr const char* kFrameRows[] = {"flatten", "direct", "RSM", "LPV", "divide", "dilate"};
-constexpr const char* kResolveRows[] = {"gather", "shading", "divide"};
+constexpr const char* kResolveRows[] = {"gather", "shading", "divide", "dilate"};
 constexpr const char* kKept[] = {"lamps"};
 
 /// All that stands before the first frame.
@@ -157,6 +159,13 @@ double tapsOf(const Texels& texels, size_t most)
     return taps;
 }
 
+double pixelsOf(const Scan& scan)
+{
+    double pixels = 0.0;
+    for (const Page& page : scan.pages) pixels += static_cast<double>(page.image.pixels());
+    return pixels;
+}
+
 /// What the stages have to move and to compute on a GPU, counted by hand from the shaders.
 std::vector<double> floorsOf(const Room& room, const gpu::Peak& peak)
 {
@@ -165,9 +174,6 @@ std::vector<double> floorsOf(const Room& room, const gpu::Peak& peak)
     const auto lights = static_cast<double>(room.frame.lights.points.size());
     const auto cells =
         static_cast<double>(LpvGrid(boundsOf(*room.texels.scan), dials.lpvSize).count());
-    double pixels = 0.0;
-    for (const Page& page : room.texels.scan->pages)
-        pixels += static_cast<double>(page.image.pixels());
     const double taps = 2.0 * tapsOf(room.texels, ~size_t{0}); // about two colours a neighbour
     const double steps = dials.lpvSteps;
     return {peak.floorSeconds(n * (8 + 16 + 8 + 4 + 4 + 4), 26.0 * taps),
@@ -176,7 +182,7 @@ std::vector<double> floorsOf(const Room& room, const gpu::Peak& peak)
             peak.floorSeconds(steps * cells * 48 * 4, steps * cells * 3 * 30 * 20) +
                 peak.floorSeconds(n * (16 + 8), n * 250.0),
             peak.floorSeconds(n * (8 + 8 + 8 + 4 + 8), n * 20.0),
-            peak.floorSeconds(pixels * 8 * 3, 0.0)};
+            peak.floorSeconds(3 * 8 * pixelsOf(*room.texels.scan), 0.0)};
 }
 
 std::unique_ptr<gpu::Device> deviceOf(const EngineOptions& options)
@@ -239,6 +245,7 @@ struct LampRoom
         separateBuried(texels, scene, progress);
         solved = solvedRoom(texels, scene, findRoom(texels, scene, {}, progress));
         powers = powersOf(solved);
+        said = solutionOf(texels, solved, {}, rate(texels, solved)).texels;
     }
 
     /// Makes the first lamp brighter, or as it was; without any, what lies around.
@@ -253,6 +260,7 @@ struct LampRoom
     Texels texels;
     SolvedRoom solved;
     LampPowers powers;
+    SolvedTexels said; // of the room as it was found
     bool isBrighter = false;
 };
 
@@ -263,6 +271,9 @@ std::vector<double> resolveOfCpu(LampRoom& room)
     const TexelShading shade = shadingOf(room.texels, room.solved);
     double shading = 0.0;
     double division = 0.0;
+    Progress progress;
+    SolvedTexels unlit = room.said;
+    unlit.shade = [](size_t, size_t, const TexelBlock&, ShadingBlock& out) { out = {}; };
     for (size_t p = 0; p < room.texels.pages.size(); ++p) {
         const TexelLoader loader(room.texels, p);
         shading += secondsOf([&] {
@@ -274,25 +285,16 @@ std::vector<double> resolveOfCpu(LampRoom& room)
                 shade(p, begin, block, out);
             });
         });
-        division += secondsOf([&] {
-            forEachBlock(room.texels.pages[p], [&](size_t begin, size_t count) {
-                TexelBlock block;
-                const ShadingBlock light{};
-                AlbedoBlock albedo;
-                loader.loadRadiance(begin, count, block);
-                divide(block, light, AlbedoOptions{}.darkest, albedo);
-            });
-        });
+        division += secondsOf([&] { makeLayers(room.texels, p, unlit, {}, progress); });
     }
-    return {gathering, shading, division};
+    return {gathering, shading, division, 0.0};
 }
 
 std::vector<gpu::Timing> resolveOfGpu(ResolveGpu& gpu, const LampRoom& room)
 {
     std::vector<gpu::Timing> timings = gpu.gather(room.powers, room.solved.found.shines);
     for (size_t p = 0; p < room.texels.pages.size(); ++p)
-        for (gpu::Timing& timing : gpu.divide(p, AlbedoOptions{}.darkest))
-            timings.push_back(std::move(timing));
+        for (gpu::Timing& timing : gpu.divide(p, {})) timings.push_back(std::move(timing));
     return timings;
 }
 
@@ -318,7 +320,8 @@ std::vector<double> resolveFloorsOf(const LampRoom& room, const gpu::Peak& peak)
                               (4 * others * 3 + raysOfFronts * 10) + neighbors * (3 * 4 + 9)),
             peak.floorSeconds(n * (16 + 4 + 4 * pairs + 16),
                               tapsOf(room.texels, kMostTaps) * 32 + n * pairs * 12),
-            peak.floorSeconds(n * (8 + 8 + 8 + 4 + 8), n * 20.0)};
+            peak.floorSeconds(n * (3 * 8 + 4 + 4 + 3 * 8 + 4), n * 80.0),
+            peak.floorSeconds(3 * 3 * 8 * pixelsOf(*room.texels.scan), 0.0)};
 }
 
 ResolveTimes measureResolve(const Bench& bench, Progress& progress)
@@ -335,6 +338,7 @@ ResolveTimes measureResolve(const Bench& bench, Progress& progress)
         const Progress::Stage stage(progress, "gpu");
         floors = resolveFloorsOf(room, bench.peak);
         ResolveGpu gpu(*bench.device, room.texels, room.solved);
+        gpu.setSurfels(room.said);
         times.once = inRows(resolveOfGpu(gpu, room), kKept)[0];
         ofGpu = best(bench.rounds, [&] {
             room.changePower();

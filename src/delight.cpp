@@ -3,7 +3,6 @@
 #include "albedo/page_layers.h"
 #include "decomposition_state.h"
 #include "relamp/delighter.h"
-#include "relamp/error.h"
 
 #include <utility>
 
@@ -12,11 +11,6 @@ namespace relamp
 
 Decomposition delight(const Scan& scan, const DelightOptions& options, Progress& progress)
 {
-    const bool asksForGpu = options.engine.engine == Engine::gpu || !options.engine.gpu.empty();
-    if (options.solver != Solver::thesis && asksForGpu)
-        throw Error(ErrorCode::unsupported,
-                    "the GPU computes the thesis solver alone: leave --engine and --gpu out, or "
-                    "take --solver thesis");
     return Delighter(scan).solve(options, progress);
 }
 
@@ -68,9 +62,11 @@ const Decomposition::State& Decomposition::state() const
 PageLayers Decomposition::layers(size_t page, Progress& progress) const
 {
     const Solution& solution = state_->solution;
-    return makeLayers(*state_->texels, page,
-                      {solution.shade, solution.shining, solution.trust, solution.fill},
-                      solution.options.albedo, progress);
+    const AlbedoOptions& options = solution.options.albedo;
+    if (solution.onDevice)
+        if (auto layers = solution.onDevice(page, solution.texels, options, progress))
+            return std::move(*layers);
+    return makeLayers(*state_->texels, page, solution.texels, options, progress);
 }
 
 } // namespace relamp

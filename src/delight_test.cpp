@@ -1,6 +1,7 @@
 #include "relamp/delight.h"
 
 #include "base/half.h"
+#include "decomposition_state.h"
 #include "relamp/error.h"
 #include "relamp/threads.h"
 #include "scan/texels.h"
@@ -8,6 +9,9 @@
 #include "shading/direct.shared.h"
 
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -240,6 +244,22 @@ TEST(Delight, ItsOwnLightsGivenBackChangeNothing)
             ASSERT_NEAR(floatFromHalf(b.albedo[i]), floatFromHalf(a.albedo[i]),
                         0.01f * floatFromHalf(a.albedo[i]) + 1e-4f);
     }
+}
+
+TEST(Delight, ADeviceThatGaveUpLeavesTheLayersToTheCpu)
+{
+    const Scan scan = panelRoom();
+    Progress progress;
+    const Decomposition found = delight(scan, thesis(), progress);
+    auto state = std::make_unique<Decomposition::State>(found.state());
+    bool isAsked = false;
+    state->solution.onDevice = [&](size_t, const SolvedTexels&, const AlbedoOptions&, Progress&) {
+        isAsked = true;
+        return std::optional<PageLayers>();
+    };
+    EXPECT_EQ(Decomposition(std::move(state)).layers(0, progress).albedo,
+              found.layers(0, progress).albedo);
+    EXPECT_TRUE(isAsked);
 }
 
 } // namespace relamp

@@ -83,7 +83,7 @@ void addBenchCommand(CLI::App& app, Run& run)
                  "changed, stage by stage, on GPU and CPU");
     const auto arguments = std::make_shared<BenchArguments>();
     addScanArguments(command, arguments->scan);
-    addEngineArguments(command, arguments->options.engine, "the thesis solver");
+    addEngineArguments(command, arguments->options.engine, "the stages");
     command
         .add_option("--rounds", arguments->options.rounds, "Frames, of which the best counts [5]")
         ->check(between(1, 1000))

@@ -261,7 +261,8 @@ void addDelightCommand(CLI::App& app, Run& run)
     command.add_flag("--fill", arguments->options.albedo.fill,
                      "Give what is unlit the albedo of the surface around it (thesis solver: "
                      "what is burnt out too)");
-    addEngineArguments(command, arguments->options.engine, "the thesis solver");
+    addEngineArguments(command, arguments->options.engine,
+                       "the light of lamps once they are found, and the thesis solver");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
     command.add_flag("--json", arguments->json, "Print the report as JSON and nothing else");
     addGatherDials(command, *arguments);

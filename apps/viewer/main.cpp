@@ -58,8 +58,10 @@ int main(int argc, char** argv)
         ->check(
             CLI::Validator([&options](std::string& text) { return takeSize(text, options); }, ""))
         ->type_name("WxH");
-    addEngineArguments(app, options.engine,
-                       "the thesis solver, lamps that are changed, and bounces of new light");
+    addEngineArguments(
+        app, options.engine,
+        "the light of lamps once they are found, the thesis solver, and bounces of new "
+        "light");
     const std::map<std::string, Smooth> smooth{
         {"auto", Smooth::automatic}, {"on", Smooth::on}, {"off", Smooth::off}};
     app.add_option("--smooth", options.smooth,

@@ -43,8 +43,8 @@ struct DelightOptions
     ThesisOptions thesis;
     AlbedoOptions albedo;
     std::optional<Lights> lights; // instead of looking for them
-    EngineOptions engine; // of the solver thesis, and of the solver gather where a Delighter
-                          // resolves; all else is the CPU's
+    EngineOptions engine; // of the solver thesis, and of the solver gather once it knows lamps,
+                          // stray light and shade; all else is the CPU's
 };
 
 /// Why an albedo cannot be believed.
@@ -116,7 +116,8 @@ private:
 /// result.
 ///
 /// Throws Error(unsupported) where the scan's texels cannot be told apart (overlapping UVs) or a
-/// GPU is asked for that this solver has no use for, and Error(cancelled).
+/// GPU is asked for that this solver has no use for, Error(device) where one is that is not there,
+/// and Error(cancelled).
 RELAMP_API Decomposition delight(const Scan& scan, const DelightOptions& options,
                                  Progress& progress);
 

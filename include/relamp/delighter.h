@@ -28,8 +28,7 @@ public:
     Delighter(Delighter&&) noexcept;
     Delighter& operator=(Delighter&&) noexcept;
 
-    /// As delight(), to the bit. After an Error it can be used on. Throws Error(device) where a GPU
-    /// is asked for that is not there.
+    /// As delight(), to the bit. After an Error it can be used on.
     [[nodiscard]] Decomposition solve(const DelightOptions& options, Progress& progress);
 
     /// Whether the last result of solve() is the solver gather's, so that it can be resolved.
@@ -38,9 +37,8 @@ public:
     /// The room as it would be had its lamps been as bright as `lights` say. These are the lights
     /// of the last result of solve(), with other radiances of the fixtures, irradiance of the sun
     /// and ambient light; all else of them is passed over. The very lights of that result give it
-    /// again, to the bit, whatever computes. Others are shaded on the engine of solve()'s options;
-    /// CPU and GPU agree to 0.5 % but for one value in a thousand, to 2 % but for one in ten
-    /// thousand.
+    /// again, to the bit, as long as the same engine computes: that of solve()'s options. CPU and
+    /// GPU agree to 0.5 % but for one value in a thousand, to 2 % but for one in ten thousand.
     ///
     /// No ray is cast and nothing is fitted again: light that the mesh does not explain is taken
     /// off as before. A fixture of radiance 0 is no lamp: what is burnt out of it is wall. Beyond

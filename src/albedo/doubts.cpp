@@ -1,7 +1,7 @@
 #include "albedo/doubts.h"
 
 #include "base/parallel.h"
-#include "base/ramp.h"
+#include "base/ramp.shared.h"
 #include "lights/expand.shared.h"
 
 #include <algorithm>

@@ -1,10 +1,8 @@
 #include "albedo/fill.h"
 
-#include "albedo/divide.shared.h"
+#include "albedo/fill.shared.h"
 #include "base/parallel.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -15,9 +13,6 @@ namespace
 
 constexpr int kMostPasses = 256; // each goes about two surfels inwards
 constexpr int kSmoothings = 32;
-constexpr float kSomeWhole = 0.5f; // channels
-constexpr float kBlack = 1e-3f;
-constexpr float kOtherPaint = 0.4f; // in the logarithm: half as bright again, or two thirds
 
 /// Mean of what is around, over and over: what meets in the middle does so without an edge.
 void smooth(const Surfels& surfels, std::span<const uint8_t> isKnown,
@@ -42,13 +37,6 @@ void smooth(const Surfels& surfels, std::span<const uint8_t> isKnown,
         });
         for (size_t i = 0; i < open.size(); ++i) values[open[i]] = means[i];
     }
-}
-
-/// How far the colour around can be that of a paint which is `scale` times as bright, 0..1.
-float likeness(float scale)
-{
-    const float off = std::log(std::max(scale, 1e-6f)) / kOtherPaint;
-    return 1.0f / (1.0f + off * off);
 }
 
 } // namespace
@@ -88,35 +76,7 @@ std::vector<glm::vec3> fillFromAround(const Surfels& surfels, std::span<const gl
 
 glm::vec3 filledAlbedo(const Divided& own, glm::vec3 around, glm::vec3 burntOut, glm::bvec3 isUnlit)
 {
-    const glm::vec3 least = own.albedo / own.lack;
-    float whole = 0.0f;
-    float theirs = 0.0f;
-    float count = 0.0f;
-    float brightest = 0.0f; // of what is burnt out
-    float most = 1.0f;      // times around, that is as bright
-    for (int c = 0; c < 3; ++c) {
-        const float isWhole = isUnlit[c] ? 0.0f : 1.0f - burntOut[c];
-        whole += isWhole * own.albedo[c];
-        theirs += isWhole * around[c];
-        count += isWhole;
-        if (isUnlit[c]) continue;
-        brightest = std::max(brightest, least[c]);
-        most = std::max(most, least[c] / std::max(around[c], kBlack));
-    }
-    const bool isTold = count > kSomeWhole && theirs > 0.0f;
-    const float scale = isTold ? whole / theirs : 1.0f;
-    const float like = likeness(isTold ? scale : most);
-    const float grey = isTold ? whole / count : brightest;
-    glm::vec3 filled = own.albedo;
-    for (int c = 0; c < 3; ++c) {
-        const float theirColor = std::min(scale * around[c], kWhitestPaper);
-        const float guess = std::max(grey + like * (theirColor - grey), least[c]);
-        if (isUnlit[c])
-            filled[c] = theirColor;
-        else
-            filled[c] += burntOut[c] * (guess - filled[c]);
-    }
-    return filled;
+    return filledAlbedo(own.albedo, own.lack, around, burntOut, isUnlit);
 }
 
 } // namespace relamp

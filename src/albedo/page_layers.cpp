@@ -2,28 +2,20 @@
 
 #include "albedo/confidence.h"
 #include "albedo/divide.h"
-#include "albedo/fill.h"
+#include "albedo/fill.shared.h"
+#include "albedo/layer_parts.h"
+#include "albedo/page_layers.shared.h"
 #include "base/half.h"
-#include "base/ramp.h"
-#include "image/burnt_out.shared.h"
 #include "image/gutter.h"
-#include "image/transfer.h"
-#include "lights/emitters.h"
+#include "lights/emitters.shared.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
-
-#include <glm/vector_relational.hpp>
+#include <span>
 
 namespace relamp
 {
 namespace
 {
-
-constexpr float kAlbedoOfFixtures =
-    0.6f; // a lamp's own glass cannot be seen for its light; confidence says so
-constexpr double kUnitsOfArea = 1e9; // a square metre; a thousandth of a square millimetre is one
 
 void storeRgb(std::vector<uint16_t>& layer, uint32_t pixel, const RgbBlock& block, size_t i,
               float scale)
@@ -48,7 +40,6 @@ private:
                     size_t i, uint32_t pixel);
     void fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around, float lack,
                       uint16_t* rho) const;
-    void addAreas(size_t begin, const TexelBlock& block);
     void fillGutters();
 
     size_t page_;
@@ -58,7 +49,7 @@ private:
     const AlbedoOptions& options_;
     PageLayers layers_;
     std::vector<uint8_t> covered_;
-    std::array<std::atomic<uint64_t>, kDoubts> area_{};
+    AreaOfDoubts areas_;
     bool ofVertices_;
     bool clips_;
 };
@@ -70,13 +61,8 @@ LayerMaker::LayerMaker(const Texels& texels, size_t page, const SolvedTexels& so
       clips_(texels.scan->pages[page].image.clipsAtWhite)
 {
     const Image& image = texels.scan->pages[page].image;
-    layers_.width = image.width;
-    layers_.height = image.height;
-    for (auto* layer : {&layers_.albedo, &layers_.direct, &layers_.indirect})
-        layer->resize(3 * image.pixels());
+    layers_ = emptyLayers(image);
     layers_.emission.resize(3 * image.pixels());
-    layers_.confidence.resize(image.pixels());
-    layers_.doubt.resize(image.pixels());
     covered_.resize(image.pixels());
 }
 
@@ -86,11 +72,10 @@ void LayerMaker::fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 a
 {
     const glm::bvec3 isUnlit =
         options_.fill ? glm::lessThan(shading, glm::vec3(options_.darkest)) : glm::bvec3(false);
-    glm::vec3 burntOut(0.0f);
-    for (int c = 0; c < 3 && clips_; ++c) burntOut[c] = ramp(kSafelyBelow, kBurntOut, radiance[c]);
+    const glm::vec3 burntOut = burntOutShares(radiance, clips_);
     if (!glm::any(isUnlit) && burntOut == glm::vec3(0.0f)) return;
     const glm::vec3 own(floatFromHalf(rho[0]), floatFromHalf(rho[1]), floatFromHalf(rho[2]));
-    const glm::vec3 filled = filledAlbedo({own, lack}, around, burntOut, isUnlit);
+    const glm::vec3 filled = filledAlbedo(own, lack, around, burntOut, isUnlit);
     for (int c = 0; c < 3; ++c) rho[c] = halfFromFloat(filled[c]);
 }
 
@@ -103,12 +88,9 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
     const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
     uint16_t* rho = &layers_.albedo[3 * size_t{pixel}];
     if (solved_.shining.surfels[block.surfel[i]] &&
-        isEmitting(radiance, clips_, {.threshold = solved_.shining.threshold})) {
-        for (int c = 0; c < 3; ++c) {
-            rho[c] = halfFromFloat(kAlbedoOfFixtures);
-            layers_.emission[3 * size_t{pixel} + static_cast<size_t>(c)] =
-                srgbByteFromLinear(radiance[c]);
-        }
+        isEmitting(radiance, clips_, solved_.shining.threshold)) {
+        std::fill(rho, rho + 3, halfFromFloat(kAlbedoOfFixtures));
+        storeEmission(radiance, pixel, layers_.emission);
         layers_.doubt[pixel] = Doubt::shines; // confidence stays 0
         return;
     }
@@ -135,22 +117,12 @@ void LayerMaker::makeBlock(size_t begin, size_t count)
     loader_.load(begin, count, block);
     loader_.loadSurfel(begin, count, block);
     solved_.shade(page_, begin, block, shading);
+    if (!solved_.rims.empty()) letRimsIn(solved_.rims, block, shading);
     divide(block, shading, options_.darkest, albedo);
     loader_.loadArea(begin, count, block);
     for (size_t i = 0; i < count; ++i)
         storeTexel(block, shading, albedo, i, texels_.pixel[begin + i]);
-    addAreas(begin, block);
-}
-
-/// Whole numbers, whose sum does not depend on their order.
-void LayerMaker::addAreas(size_t begin, const TexelBlock& block)
-{
-    std::array<double, kDoubts> area{};
-    for (size_t i = 0; i < block.count; ++i)
-        area[static_cast<size_t>(layers_.doubt[texels_.pixel[begin + i]])] +=
-            static_cast<double>(block.area[i]);
-    for (size_t d = 0; d < kDoubts; ++d)
-        area_[d] += static_cast<uint64_t>(std::llround(kUnitsOfArea * area[d]));
+    areas_.add(block, std::span(texels_.pixel).subspan(begin, count), layers_.doubt);
 }
 
 void LayerMaker::fillGutters()
@@ -168,11 +140,8 @@ PageLayers LayerMaker::run(Progress::Stage& stage)
         makeBlock(begin, count);
         stage.advance(count);
     });
-    const auto shines = [](uint8_t v) { return v != 0; };
-    if (std::none_of(layers_.emission.begin(), layers_.emission.end(), shines))
-        layers_.emission = {};
-    for (size_t d = 0; d < kDoubts; ++d)
-        layers_.area[d] = static_cast<double>(area_[d].load()) / kUnitsOfArea;
+    dropDarkEmission(layers_);
+    layers_.area = areas_.sum();
     fillGutters();
     return std::move(layers_);
 }

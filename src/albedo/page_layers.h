@@ -4,9 +4,14 @@
 #include "lights/shining.h"
 #include "relamp/delight.h"
 #include "scan/texels.h"
+#include "shading/buried.h"
 #include "shading/texel_shading.h"
 
-#include <span>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <glm/vec3.hpp>
 
 namespace relamp
 {
@@ -14,11 +19,17 @@ namespace relamp
 /// What a solver says of the texels.
 struct SolvedTexels
 {
-    const TexelShading& shade;
-    const Shining& shining;
-    std::span<const SurfelTrust> trust; // in the shading of surfels; empty: full
-    std::span<const glm::vec3> fill;    // albedo of surfels, for what is burnt out; or none
+    TexelShading shade;    // refers to the texels and the scene that were solved
+    std::vector<Rim> rims; // of surfels, for the buried ones; or none
+    Shining shining;
+    std::vector<SurfelTrust> trust; // in the shading of surfels; empty: full
+    std::vector<glm::vec3> fill;    // albedo of surfels, for what is burnt out; or none
 };
+
+/// The layers of a page as a device makes them of what a solver says; none where it gave up and the
+/// CPU has to.
+using DeviceLayers = std::function<std::optional<PageLayers>(
+    size_t page, const SolvedTexels& solved, const AlbedoOptions& options, Progress& progress)>;
 
 /// Shades, divides and rates all texels of a page; those that shine go to `emission`.
 PageLayers makeLayers(const Texels& texels, size_t page, const SolvedTexels& solved,

@@ -56,6 +56,7 @@ public:
         return false;
     }
 
+    [[nodiscard]] bool isCpu() const { return !choice_.device; }
     /// "cpu", or the name of the GPU.
     [[nodiscard]] std::string name() const
     {

@@ -16,7 +16,7 @@ GpuPicture::GpuPicture(const gpu::Device& device, uint32_t width, uint32_t heigh
     while (levels_.back().width > 1 || levels_.back().height > 1)
         add((levels_.back().width + 1) / 2, (levels_.back().height + 1) / 2);
     gpu::Commands commands(device);
-    commands.clear(levels_[0].pixels.buffer()); // nothing is covered yet
+    clear(commands);
     commands.run();
 }
 
@@ -24,18 +24,22 @@ GutterGpu::GutterGpu(const gpu::Device& device)
     : push_(device, kGutterPushSpirv), pull_(device, kGutterPullSpirv)
 {}
 
-void GutterGpu::fill(gpu::Commands& commands, const GpuPicture& picture) const
+void GutterGpu::fill(gpu::Commands& commands,
+                     std::initializer_list<std::reference_wrapper<const GpuPicture>> pictures) const
 {
     const auto record = [&](const gpu::Program& program, size_t fineLevel, size_t written) {
-        const auto& fine = picture.levels_[fineLevel];
-        const auto& coarse = picture.levels_[fineLevel + 1];
-        const size_t count = picture.levels_[written].pixels.count();
-        commands.dispatch(program, count,
-                          GutterArguments{fine.pixels.ref(), coarse.pixels.ref(), fine.width,
-                                          fine.height, coarse.width, static_cast<uint32_t>(count)});
+        for (const GpuPicture& picture : pictures) {
+            const auto& fine = picture.levels_[fineLevel];
+            const auto& coarse = picture.levels_[fineLevel + 1];
+            const size_t count = picture.levels_[written].pixels.count();
+            commands.dispatch(program, count,
+                              GutterArguments{fine.pixels.ref(), coarse.pixels.ref(), fine.width,
+                                              fine.height, coarse.width,
+                                              static_cast<uint32_t>(count)});
+        }
         commands.barrier();
     };
-    const size_t coarsest = picture.levels_.size() - 1;
+    const size_t coarsest = pictures.begin()->get().levels_.size() - 1;
     for (size_t level = 0; level < coarsest; ++level) record(push_, level, level + 1);
     for (size_t level = coarsest; level-- > 0;) record(pull_, level, level);
 }

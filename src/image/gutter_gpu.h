@@ -2,6 +2,8 @@
 
 #include "gpu/commands.h"
 
+#include <functional>
+#include <initializer_list>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -14,8 +16,11 @@ namespace relamp
 class GpuPicture
 {
 public:
+    /// Nothing is covered yet.
     GpuPicture(const gpu::Device& device, uint32_t width, uint32_t height);
 
+    /// Nothing is covered.
+    void clear(gpu::Commands& commands) const { commands.clear(levels_[0].pixels.buffer()); }
     /// The picture itself, `width` * `height`.
     [[nodiscard]] const gpu::Array<glm::uvec2>& pixels() const { return levels_[0].pixels; }
     /// Bytes that one takes on a device.
@@ -38,7 +43,9 @@ class GutterGpu
 public:
     explicit GutterGpu(const gpu::Device& device);
 
-    void fill(gpu::Commands& commands, const GpuPicture& picture) const;
+    /// Of pictures of one size.
+    void fill(gpu::Commands& commands,
+              std::initializer_list<std::reference_wrapper<const GpuPicture>> pictures) const;
 
 private:
     gpu::Program push_;

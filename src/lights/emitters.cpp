@@ -3,6 +3,7 @@
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "image/burnt_out.shared.h"
+#include "lights/emitters.shared.h"
 #include "lights/expand.shared.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ void add(const TexelBlock& block, size_t i, bool clips, const EmitterOptions& op
 {
     const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
     const float area = block.area[i];
-    if (isEmitting(radiance, clips, options)) {
+    if (isEmitting(radiance, clips, options.threshold)) {
         const glm::vec3 intensity =
             area * (clips ? expanded(radiance, options.expansion) : radiance);
         const float weight = luminance(intensity);
@@ -80,11 +81,6 @@ void mergeSameSurfel(std::vector<Emitter>& emitters)
 }
 
 } // namespace
-
-bool isEmitting(glm::vec3 radiance, bool clips, const EmitterOptions& options)
-{
-    return (!clips || isBurntOut(radiance, clips)) && luminance(radiance) >= options.threshold;
-}
 
 SurfelLight collectLight(const Texels& texels, const EmitterOptions& options, Progress& progress)
 {

@@ -36,10 +36,6 @@ struct SurfelLight
     std::vector<Emitter> emitters; // ascending by surfel
 };
 
-/// Whether a texel shines: bright as a whole and, in a texture that `clips`, burnt out in a
-/// channel.
-bool isEmitting(glm::vec3 radiance, bool clips, const EmitterOptions& options);
-
 /// Walks all texels once and sorts their light.
 SurfelLight collectLight(const Texels& texels, const EmitterOptions& options, Progress& progress);
 

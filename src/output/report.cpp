@@ -122,7 +122,7 @@ ordered_json optionsAsJson(const DelightOptions& options)
                         : options.solver == Solver::pathtrace ? optionsOfPathtrace(options)
                                                               : optionsAsJson(options.gather);
     json["solver"] = nameOf(options.solver);
-    if (options.solver == Solver::thesis) json["engine"] = options.engine.gpu;
+    if (options.solver != Solver::pathtrace) json["engine"] = options.engine.gpu;
     json["darkest"] = shortest(options.albedo.darkest);
     json["fill"] = options.albedo.fill;
     json["lightsFromFile"] = options.lights.has_value();

@@ -3,7 +3,7 @@
 #include "base/instruction_set.h"
 #include "base/lanes.h"
 #include "base/parallel.h"
-#include "base/ramp.h"
+#include "base/ramp.shared.h"
 #include "lights/expand.shared.h"
 #include "scan/texels.h"
 #include "shading/area_direct.shared.h"

@@ -109,8 +109,9 @@ void Relighter::light(const Relighting& lighting, Progress& progress)
     switch (state.options.solver) {
     case Solver::gather:
         state.radiosity.set(state.active, reflecting(state), ShadowDetail::texels, progress);
-        state.shade = withRims(state.texels, state.radiosity.shading(), state.radiance,
-                               state.radiosity.onFronts(), state.open);
+        state.shade = withRims(
+            state.texels, state.radiosity.shading(),
+            rimsOf(state.texels.surfels, state.radiance, state.radiosity.onFronts()), state.open);
         break;
     case Solver::thesis:
         state.shade = shadingByLpv(state, state.warnings, progress);

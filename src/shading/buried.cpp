@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "lights/expand.shared.h"
 #include "scan/footprints.h"
+#include "shading/buried.shared.h"
 #include "shading/hit_lists.h"
 #include "shading/sampling.shared.h"
 
@@ -81,13 +82,6 @@ uint8_t openShare(const RayScene& scene, const Footprints& prints, uint32_t texe
     return static_cast<uint8_t>(255 * open / kPlacesOfTexel);
 }
 
-/// What is around a buried surfel.
-struct Rim
-{
-    glm::vec3 shading{0.0f};
-    float albedo = 0.0f; // luminance; 0: nothing is open around it
-};
-
 Rim rimOf(const Surfels& surfels, const SurfelRadiance& radiance,
           std::span<const glm::vec3> irradiance, size_t buried)
 {
@@ -109,28 +103,15 @@ Rim rimOf(const Surfels& surfels, const SurfelRadiance& radiance,
     return {light / count, luminance(seen) / std::max(luminance(light), kDark)};
 }
 
-std::vector<Rim> rimsOf(const Surfels& surfels, const SurfelRadiance& radiance,
-                        std::span<const glm::vec3> irradiance)
-{
-    std::vector<Rim> rims(surfels.count());
-    forEachChunk(rims.size(), 1024, [&](size_t begin, size_t end) {
-        for (size_t s = begin; s < end; ++s)
-            if (surfels.isBuried(s)) rims[s] = rimOf(surfels, radiance, irradiance, s);
-    });
-    return rims;
-}
-
-/// As much of the light around as gives the texel the albedo around: from none to all of it.
+/// As much of the light around as the texture tells of.
 float shareByTexture(const Rim& rim, const TexelBlock& block, size_t i, const ShadingBlock& shading)
 {
     const RgbBlock& direct = shading.direct;
     const RgbBlock& indirect = shading.indirect;
-    const float seen = luminance(glm::vec3(block.r[i], block.g[i], block.b[i]));
     const float under = luminance(glm::vec3(
         direct.r[i] + indirect.r[i], direct.g[i] + indirect.g[i], direct.b[i] + indirect.b[i]));
-    const float around = luminance(rim.shading);
-    if (around <= under) return 0.0f;
-    return std::clamp((seen / rim.albedo - under) / (around - under), 0.0f, 1.0f);
+    return shareOfRim(luminance({block.r[i], block.g[i], block.b[i]}), under,
+                      luminance(rim.shading), rim.albedo);
 }
 
 void letIn(const Rim& rim, float share, size_t i, ShadingBlock& shading)
@@ -209,12 +190,30 @@ TexelMarks openShares(const Texels& texels, const RayScene& scene)
     return shares;
 }
 
-TexelShading withRims(const Texels& texels, TexelShading shade, const SurfelRadiance& radiance,
-                      std::span<const glm::vec3> irradiance, std::shared_ptr<const TexelMarks> open)
+std::vector<Rim> rimsOf(const Surfels& surfels, const SurfelRadiance& radiance,
+                        std::span<const glm::vec3> irradiance)
+{
+    std::vector<Rim> rims(surfels.count());
+    forEachChunk(rims.size(), 1024, [&](size_t begin, size_t end) {
+        for (size_t s = begin; s < end; ++s)
+            if (surfels.isBuried(s)) rims[s] = rimOf(surfels, radiance, irradiance, s);
+    });
+    return rims;
+}
+
+void letRimsIn(std::span<const Rim> rims, const TexelBlock& block, ShadingBlock& shading)
+{
+    for (size_t i = 0; i < block.count; ++i) {
+        const Rim& rim = rims[block.surfel[i]];
+        if (rim.albedo > 0.0f) letIn(rim, shareByTexture(rim, block, i, shading), i, shading);
+    }
+}
+
+TexelShading withRims(const Texels& texels, TexelShading shade, std::vector<Rim> rims,
+                      std::shared_ptr<const TexelMarks> open)
 {
     return [&texels, shade = std::move(shade), open = std::move(open),
-            rims = std::make_shared<const std::vector<Rim>>(
-                rimsOf(texels.surfels, radiance, irradiance))](
+            rims = std::make_shared<const std::vector<Rim>>(std::move(rims))](
                size_t p, size_t begin, const TexelBlock& block, ShadingBlock& out) {
         shade(p, begin, block, out);
         const PageTexels& page = texels.pages[p];
@@ -223,9 +222,7 @@ TexelShading withRims(const Texels& texels, TexelShading shade, const SurfelRadi
             while (begin + i >= page.runs[run + 1].begin) ++run;
             const Rim& rim = (*rims)[page.runs[run].surfel];
             if (rim.albedo <= 0.0f) continue;
-            const float share = open ? static_cast<float>((*open)[p][begin + i]) / 255.0f
-                                     : shareByTexture(rim, block, i, out);
-            letIn(rim, share, i, out);
+            letIn(rim, static_cast<float>((*open)[p][begin + i]) / 255.0f, i, out);
         }
     };
 }

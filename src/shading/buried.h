@@ -25,11 +25,24 @@ void separateBuried(Texels& texels, const RayScene& scene, Progress& progress);
 /// from all over them; of others all.
 TexelMarks openShares(const Texels& texels, const RayScene& scene);
 
-/// The shading, with some of the light around on buried texels at the rim of what lies there: such
-/// a texel is part open, and shows more than the light under a thing can make of the paint around.
-/// `irradiance`: found, one a surfel. `open`: as openShares gives them; null: the texture tells.
-TexelShading withRims(const Texels& texels, TexelShading shade, const SurfelRadiance& radiance,
-                      std::span<const glm::vec3> irradiance,
-                      std::shared_ptr<const TexelMarks> open = nullptr);
+/// What is around a buried surfel.
+struct Rim
+{
+    glm::vec3 shading{0.0f};
+    float albedo = 0.0f; // luminance; 0: nothing is open around it, or it is not buried
+};
+
+/// One a surfel. `irradiance`: found, one a surfel.
+std::vector<Rim> rimsOf(const Surfels& surfels, const SurfelRadiance& radiance,
+                        std::span<const glm::vec3> irradiance);
+
+/// Adds some of the light around on buried texels at the rim of what lies there: such a texel is
+/// part open, and shows more than the light under a thing can make of the paint around. So the
+/// texture tells how much; the block comes with radiance and surfels loaded.
+void letRimsIn(std::span<const Rim> rims, const TexelBlock& block, ShadingBlock& shading);
+
+/// The shading, with as much of the light around as lies open. `open`: as openShares gives them.
+TexelShading withRims(const Texels& texels, TexelShading shade, std::vector<Rim> rims,
+                      std::shared_ptr<const TexelMarks> open);
 
 } // namespace relamp

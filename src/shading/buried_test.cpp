@@ -81,14 +81,8 @@ TEST(Buried, AtItsRimThePaintAroundGoesOn)
     separateBuried(room.texels, room.scene, room.progress);
     const Surfels& surfels = room.texels.surfels;
     const SurfelRadiance radiance = collectRadiance(room.texels, room.progress);
-    const TexelShading dark = [](size_t, size_t, const TexelBlock& block, ShadingBlock& out) {
-        for (size_t i = 0; i < block.count; ++i) {
-            out.direct.r[i] = out.direct.g[i] = out.direct.b[i] = 0.0f;
-            out.indirect.r[i] = out.indirect.g[i] = out.indirect.b[i] = 0.1f;
-        }
-    };
-    const TexelShading shade = withRims(room.texels, dark, radiance,
-                                        std::vector<glm::vec3>(surfels.count(), glm::vec3(kPi)));
+    const std::vector<Rim> rims =
+        rimsOf(surfels, radiance, std::vector<glm::vec3>(surfels.count(), glm::vec3(kPi)));
     const TexelLoader loader(room.texels, 0);
     TexelBlock block;
     ShadingBlock shading;
@@ -97,7 +91,11 @@ TEST(Buried, AtItsRimThePaintAroundGoesOn)
         const size_t count = std::min<size_t>(256, room.texels.pages[0].count() - begin);
         loader.load(begin, count, block);
         loader.loadSurfel(begin, count, block);
-        shade(0, begin, block, shading);
+        for (size_t i = 0; i < count; ++i) {
+            shading.direct.r[i] = shading.direct.g[i] = shading.direct.b[i] = 0.0f;
+            shading.indirect.r[i] = shading.indirect.g[i] = shading.indirect.b[i] = 0.1f;
+        }
+        letRimsIn(rims, block, shading);
         for (size_t i = 0; i < count; ++i) {
             if (!surfels.isBuried(block.surfel[i])) continue;
             if (block.r[i] < 0.1f) {

@@ -1,11 +1,8 @@
 #include "solve/by_gather.h"
 
-#include "albedo/gather_closure.h"
-#include "fit/stray.h"
 #include "relamp/error.h"
-#include "shading/buried.h"
-#include "shading/lit_sides.h"
 #include "solve/found_room.h"
+#include "solve/room_solution.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,43 +15,6 @@ namespace relamp
 {
 namespace
 {
-
-/// How far a room's light is right.
-struct Rating
-{
-    Closure closure;
-    std::vector<SurfelTrust> trust;
-};
-
-Rating rate(const Texels& texels, const SolvedRoom& solved)
-{
-    const FoundRoom& room = solved.found;
-    Rating rating{closeLoop(room.hits, room.radiance, room.sides, room.found.ambient),
-                  trustByView(room.hits, texels.surfels.count())};
-    doubtEdges(texels.surfels, room.radiance, solved.lighting, rating.trust);
-    return rating;
-}
-
-/// `shade` is that of the room.
-Solution solutionOf(const Texels& texels, const SolvedRoom& solved, TexelShading shade,
-                    const DelightOptions& options, Rating rating)
-{
-    const FoundRoom& room = solved.found;
-    Solution solution{.options = options};
-    solution.options.gather = room.options;
-    solution.warnings = room.warnings;
-    solution.shining = shiningOf(room);
-    solution.closure = rating.closure;
-    solution.trust = std::move(rating.trust);
-    std::vector<glm::vec3> irradiance = withoutStray(solved.lighting.irradiance, solved.stray);
-    for (size_t s = 0; s < irradiance.size(); ++s) irradiance[s] *= solved.lit[s];
-    solution.shade = withRims(texels, std::move(shade), room.radiance, irradiance);
-    solution.fill =
-        fillOf(texels.surfels, room.radiance, albedoOf(texels, room.radiance, irradiance));
-    solution.lights = lightsOf(room);
-    solution.merged = solution.lights.points;
-    return solution;
-}
 
 void check(glm::vec3 light, const std::string& what)
 {
@@ -112,6 +72,13 @@ glm::vec3 shareOf(glm::vec3 part, glm::vec3 whole)
     return share;
 }
 
+/// What computed it, and what there is to say of that.
+void tell(const ResolveEngine& engine, Solution& solution)
+{
+    solution.options.engine = {engine.isCpu() ? Engine::cpu : Engine::gpu, engine.name()};
+    if (!engine.note().empty()) solution.warnings.push_back(engine.note());
+}
+
 } // namespace
 
 bool GatherSolver::isOfKept(const DelightOptions& options) const
@@ -126,20 +93,30 @@ Solution GatherSolver::solve(const DelightOptions& options, Progress& progress)
         kept_->asked = options;
         return resolve(kept_->found, options.albedo, progress);
     }
+    const auto engine = std::make_shared<ResolveEngine>(texels_, options.engine);
     FoundRoom found =
         findRoom(texels_, scene_, options, progress, kept_ ? &kept_->room.found : nullptr);
-    const Progress::Stage stage(progress, "shadows");
-    Rating rating;
-    KeptRoom kept{.room = solvedRoom(texels_, scene_, std::move(found),
-                                     [&](const SolvedRoom& room) { rating = rate(texels_, room); }),
-                  .asked = options};
-    kept.found = lightsOf(kept.room.found);
-    kept.powers = powersOf(kept.room);
-    kept_ = std::move(kept);
-    Solution solution = solutionOf(texels_, kept_->room, shadingOf(texels_, kept_->room), options,
-                                   std::move(rating));
-    solution.options.engine = {Engine::cpu, "cpu"};
+    std::optional<Rating> rating;
+    {
+        const Progress::Stage stage(progress, "shadows");
+        SolvedRoom room = solvedRoom(texels_, scene_, std::move(found), [&](const SolvedRoom& lit) {
+            if (engine->isCpu()) rating = rate(texels_, lit);
+        });
+        keep(std::move(room), options, engine);
+    }
+    if (!rating) return resolve(kept_->found, options.albedo, progress);
+    Solution solution = solutionOf(texels_, kept_->room, options, std::move(*rating));
+    tell(*engine, solution);
     return solution;
+}
+
+void GatherSolver::keep(SolvedRoom room, const DelightOptions& asked,
+                        std::shared_ptr<ResolveEngine> engine)
+{
+    kept_.emplace(KeptRoom{.room = std::move(room), .asked = asked});
+    kept_->found = lightsOf(kept_->room.found);
+    kept_->powers = powersOf(kept_->room);
+    kept_->engine.of(asked.engine, [&] { return std::move(engine); });
 }
 
 /// Patches of sun that light the room like lamps follow the sun.
@@ -169,22 +146,6 @@ LampPowers GatherSolver::setPowers(const Lights& lights)
     return powers;
 }
 
-/// Powers that were found are the CPU's, by whose bits they were found.
-GatherSolver::Resolved GatherSolver::shine(const LampPowers& powers)
-{
-    SolvedRoom& room = kept_->room;
-    if (powers == kept_->powers) {
-        relamp::resolve(texels_, room, powers);
-        return {shadingOf(texels_, room), {Engine::cpu, "cpu"}, ""};
-    }
-    const EngineOptions& asked = kept_->asked.engine;
-    const auto& engine =
-        kept_->engine.of(asked, [&] { return std::make_shared<ResolveEngine>(texels_, asked); });
-    TexelShading shade = engine->resolve(room, powers);
-    const std::string name = engine->name();
-    return {std::move(shade), {name == "cpu" ? Engine::cpu : Engine::gpu, name}, engine->note()};
-}
-
 Solution GatherSolver::resolve(const Lights& lights, const AlbedoOptions& albedo,
                                Progress& progress)
 {
@@ -193,16 +154,18 @@ Solution GatherSolver::resolve(const Lights& lights, const AlbedoOptions& albedo
     SolvedRoom& room = kept_->room;
     const LampPowers powers = setPowers(lights);
     room.found.shines = shinesOf(room.found);
-    Resolved resolved = shine(powers);
+    const auto& engine = kept_->engine.of(kept_->asked.engine, [&] {
+        return std::make_shared<ResolveEngine>(texels_, kept_->asked.engine);
+    });
+    DeviceLayers onDevice = engine->resolve(room, powers);
     stage.advance();
     Rating rating = rate(texels_, room);
     stage.advance();
     DelightOptions options = kept_->asked;
     options.albedo = albedo;
-    options.engine = resolved.engine;
-    Solution solution =
-        solutionOf(texels_, room, std::move(resolved.shade), options, std::move(rating));
-    if (!resolved.note.empty()) solution.warnings.push_back(resolved.note);
+    Solution solution = solutionOf(texels_, room, options, std::move(rating));
+    solution.onDevice = std::move(onDevice);
+    tell(*engine, solution);
     return solution;
 }
 

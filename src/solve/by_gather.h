@@ -45,17 +45,9 @@ private:
         Kept<EngineOptions, std::shared_ptr<ResolveEngine>> engine;
     };
 
-    /// The room's shading under some powers, and what computes it.
-    struct Resolved
-    {
-        TexelShading shade;
-        EngineOptions engine; // in force
-        std::string note;     // as ResolveEngine
-    };
-
     [[nodiscard]] bool isOfKept(const DelightOptions& options) const;
+    void keep(SolvedRoom room, const DelightOptions& asked, std::shared_ptr<ResolveEngine> engine);
     LampPowers setPowers(const Lights& lights);
-    Resolved shine(const LampPowers& powers);
 
     const Texels& texels_;
     const RayScene& scene_;

@@ -137,16 +137,16 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
     FoundRoom found = findRoom(texels, scene, options, progress);
     solution.warnings = found.warnings;
     solution.options.gather = found.options;
-    solution.shining = shiningOf(found);
+    solution.texels.shining = shiningOf(found);
     solution.lights = lightsOf(found);
     solution.merged = solution.lights.points;
 
     const auto room = std::make_shared<TracedRoom>(
         tracedRoomOf(texels, found, found.sides.albedo)); // a good start
     solution.closure = settle(texels, scene, found.radiance, options.pathtrace, *room, progress);
-    solution.fill = fillOf(texels.surfels, found.radiance, room->albedo);
-    solution.shade = shadingOf(texels, scene, room, options.pathtrace);
-    solution.trust = trustByView(found.hits, texels.surfels.count());
+    solution.texels.fill = fillOf(texels.surfels, found.radiance, room->albedo);
+    solution.texels.shade = shadingOf(texels, scene, room, options.pathtrace);
+    solution.texels.trust = trustByView(found.hits, texels.surfels.count());
     return solution;
 }
 

@@ -144,17 +144,18 @@ Solution ThesisSolver::solve(const DelightOptions& options, Progress& progress)
     }
 
     if (options.albedo.fill)
-        solution.fill = fillOf(texels_.surfels, light, *shading, options.albedo.darkest);
+        solution.texels.fill = fillOf(texels_.surfels, light, *shading, options.albedo.darkest);
     solution.options.thesis = shading->dials;
     solution.lights = lights;
     scalePower(solution.lights, *shading->dials.power, shading->ambient);
     solution.merged = lightsOfShadowMaps(solution.lights, shading->dials);
-    solution.shining = {std::vector<uint8_t>(texels_.surfels.count(), 0),
-                        options.thesis.emitterThreshold};
-    for (const Emitter& emitter : light.emitters) solution.shining.surfels[emitter.surfel] = 1;
+    solution.texels.shining = {std::vector<uint8_t>(texels_.surfels.count(), 0),
+                               options.thesis.emitterThreshold};
+    for (const Emitter& emitter : light.emitters)
+        solution.texels.shining.surfels[emitter.surfel] = 1;
     solution.options.engine = {engine->name() == "cpu" ? Engine::cpu : Engine::gpu, engine->name()};
-    solution.shade = [shading, engine, lights](size_t page, size_t begin, const TexelBlock& block,
-                                               ShadingBlock& out) {
+    solution.texels.shade = [shading, engine, lights](size_t page, size_t begin,
+                                                      const TexelBlock& block, ShadingBlock& out) {
         engine->shadeTexels(*shading, lights, {page, begin}, block, out);
     };
     return solution;

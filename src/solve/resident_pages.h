@@ -11,6 +11,13 @@
 namespace relamp
 {
 
+/// What pages may take of a device's memory, in bytes; the rest is for the room itself, and for
+/// others.
+inline uint64_t usualBudget(const gpu::Device& device)
+{
+    return device.description().memory / 5 * 4;
+}
+
 /// Pages on a device. They stay as long as all fit into a budget; else they take turns.
 template<class Page>
 class ResidentPages
@@ -19,12 +26,11 @@ public:
     using BytesOf = std::function<uint64_t(size_t page)>;
     using Make = std::function<std::unique_ptr<Page>(size_t page)>;
 
-    /// `budget` is in bytes, 0: four fifths of the device's memory; the rest is for the room
-    /// itself, and for others.
+    /// `budget` is in bytes, 0: the usual.
     ResidentPages(const gpu::Device& device, size_t count, uint64_t budget, BytesOf bytesOf,
                   Make make)
-        : budget_(budget != 0 ? budget : device.description().memory / 5 * 4),
-          bytesOf_(std::move(bytesOf)), make_(std::move(make)), pages_(count)
+        : budget_(budget != 0 ? budget : usualBudget(device)), bytesOf_(std::move(bytesOf)),
+          make_(std::move(make)), pages_(count)
     {}
 
     [[nodiscard]] size_t count() const { return pages_.size(); }

@@ -1,19 +1,11 @@
 #include "solve/resolve_engine.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace relamp
 {
 namespace
 {
-
-void toShading(RgbBlock& block, size_t count)
-{
-    constexpr float kPerPi = 1.0f / 3.14159265f;
-    for (float* channel : {block.r, block.g, block.b})
-        std::transform(channel, channel + count, channel, [](float e) { return kPerPi * e; });
-}
 
 SettledLight settledBy(const ResolveGpu& gpu)
 {
@@ -32,46 +24,47 @@ ResolveEngine::ResolveEngine(const Texels& texels, const EngineOptions& options)
       })
 {}
 
-TexelShading ResolveEngine::resolve(SolvedRoom& room, const LampPowers& powers)
+DeviceLayers ResolveEngine::resolve(SolvedRoom& room, const LampPowers& powers)
 {
     const auto asked = std::make_shared<const Asked>(Asked{powers, room.found.shines});
     SettledLight light;
     const std::unique_lock lock(mutex_);
     room_ = &room;
+    lit_ = nullptr;
     const bool isSettled = gpu_.compute([&](ResolveGpu& gpu) {
         gpu.gather(asked->powers, asked->shines);
         light = settledBy(gpu);
     });
     if (!isSettled) {
         relamp::resolve(texels_, room, powers);
-        return shadingOf(texels_, room);
+        return nullptr;
     }
     relamp::resolve(texels_, room, powers, std::move(light));
-    return [self = shared_from_this(), asked, onCpu = shadingOf(texels_, room)](
-               size_t page, size_t begin, const TexelBlock& block, ShadingBlock& out) {
-        const auto irradiance = self->irradianceOf(asked, page);
-        if (!irradiance) return onCpu(page, begin, block, out);
-        irradiance->copy(begin, block.count, out);
-        toShading(out.direct, block.count);
-        toShading(out.indirect, block.count);
+    return [self = shared_from_this(), asked](size_t page, const SolvedTexels& solved,
+                                              const AlbedoOptions& options, Progress& progress) {
+        const Progress::Stage stage(progress, "divide");
+        progress.check();
+        return self->layersOf(asked, page, solved, options);
     };
 }
 
-/// Null where the CPU has to do it.
-std::shared_ptr<const PageIrradiance>
-ResolveEngine::irradianceOf(const std::shared_ptr<const Asked>& asked, size_t page)
+std::optional<PageLayers> ResolveEngine::layersOf(const std::shared_ptr<const Asked>& asked,
+                                                  size_t page, const SolvedTexels& solved,
+                                                  const AlbedoOptions& options)
 {
     const std::unique_lock lock(mutex_);
-    if (irradiance_ && lit_ == asked && page_ == page) return irradiance_;
-    irradiance_ = nullptr;
+    std::optional<PageLayers> layers;
     gpu_.compute([&](ResolveGpu& gpu) {
-        gpu.gather(asked->powers, asked->shines); // nothing where these are still its own
-        gpu.shade(page);
-        irradiance_ = std::make_shared<const PageIrradiance>(gpu.irradiance());
-        lit_ = asked;
-        page_ = page;
+        if (lit_ != asked) {
+            lit_ = nullptr;                           // until all of it is there
+            gpu.gather(asked->powers, asked->shines); // nothing where these are still its own
+            gpu.setSurfels(solved);
+            lit_ = asked;
+        }
+        gpu.divide(page, options);
+        layers = gpu.layers();
     });
-    return irradiance_;
+    return layers;
 }
 
 } // namespace relamp

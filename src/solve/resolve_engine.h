@@ -1,16 +1,16 @@
 #pragma once
 
+#include "albedo/page_layers.h"
 #include "gpu/twin.h"
 #include "relamp/devices.h"
 #include "scan/texels.h"
-#include "shading/texel_shading.h"
-#include "solve/page_irradiance.h"
 #include "solve/resolve.h"
 #include "solve/resolve_gpu.h"
 
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,11 +27,12 @@ public:
     /// there is none.
     ResolveEngine(const Texels& texels, const EngineOptions& options);
 
-    /// As resolve(), and the shading that follows as shadingOf(). That outlives the call, is thread
-    /// safe, and stays as it is whatever is resolved later.
-    TexelShading resolve(SolvedRoom& room, const LampPowers& powers);
+    /// As resolve(). What makes the layers of its pages then, as makeLayers(): that outlives the
+    /// call, is thread safe, and stays as it is whatever is resolved later. Null: the CPU.
+    DeviceLayers resolve(SolvedRoom& room, const LampPowers& powers);
 
     /// As gpu::Twin.
+    [[nodiscard]] bool isCpu() const { return gpu_.isCpu(); }
     [[nodiscard]] std::string name() const { return gpu_.name(); }
     [[nodiscard]] const std::string& note() const { return gpu_.note(); }
 
@@ -43,17 +44,14 @@ private:
         std::vector<uint8_t> shines;
     };
 
-    std::shared_ptr<const PageIrradiance> irradianceOf(const std::shared_ptr<const Asked>& asked,
-                                                       size_t page);
+    std::optional<PageLayers> layersOf(const std::shared_ptr<const Asked>& asked, size_t page,
+                                       const SolvedTexels& solved, const AlbedoOptions& options);
 
     const Texels& texels_;
     const SolvedRoom* room_ = nullptr; // while it is resolved
     std::mutex mutex_;
     gpu::Twin<ResolveGpu> gpu_;
-    // The page that was asked for last, and under which powers; none: null.
-    std::shared_ptr<const PageIrradiance> irradiance_;
-    std::shared_ptr<const Asked> lit_;
-    size_t page_ = 0;
+    std::shared_ptr<const Asked> lit_; // what the device shades by; null: nothing yet
 };
 
 } // namespace relamp

@@ -1,12 +1,13 @@
 #include "solve/resolve_engine.h"
 
-#include "scenes/apart.h"
+#include "scenes/apart_layers.h"
 #include "scenes/gpu_scene.h"
 #include "scenes/lit_room.h"
 #include "scenes/solved.h"
+#include "solve/room_solution.h"
 
-#include <functional>
-#include <optional>
+#include <tuple>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -17,31 +18,20 @@ namespace
 
 using scenes::Apart;
 
-/// What a page's texels get, in their order.
-std::vector<glm::vec3> shadingOf(const Texels& texels, const TexelShading& shade)
-{
-    std::vector<glm::vec3> all;
-    const TexelLoader loader(texels, 0);
-    const size_t count = texels.pages[0].count();
-    for (size_t begin = 0; begin < count; begin += TexelBlock::kCapacity) {
-        TexelBlock block;
-        ShadingBlock out;
-        const size_t size = std::min(TexelBlock::kCapacity, count - begin);
-        loader.load(begin, size, block);
-        loader.loadSurfel(begin, size, block);
-        shade(0, begin, block, out);
-        for (size_t i = 0; i < size; ++i) {
-            all.emplace_back(out.direct.r[i], out.direct.g[i], out.direct.b[i]);
-            all.emplace_back(out.indirect.r[i], out.indirect.g[i], out.indirect.b[i]);
-        }
-    }
-    return all;
-}
-
 LampPowers times(LampPowers powers, float factor)
 {
     for (glm::vec3& lamp : powers.lamps) lamp *= factor;
     return powers;
+}
+
+void expectLightAlike(const PageLayers& ofGpu, const PageLayers& ofCpu)
+{
+    scenes::expectAlike(ofGpu, ofCpu);
+    for (const auto layer : {&PageLayers::direct, &PageLayers::indirect}) {
+        const Apart apart = scenes::apart(ofGpu.*layer, ofCpu.*layer);
+        EXPECT_LT(apart.beyond(3e-3f), 1e-3);
+        EXPECT_LT(apart.most(), 0.02f);
+    }
 }
 
 /// A room that one engine resolves.
@@ -52,10 +42,20 @@ struct Room
           engine(std::make_shared<ResolveEngine>(room.texels, options))
     {}
 
-    TexelShading resolve(const LampPowers& powers) { return engine->resolve(room.solved, powers); }
-    [[nodiscard]] std::vector<glm::vec3> shading(const TexelShading& shade) const
+    /// The room under these powers, as the engine makes it.
+    Solution resolve(const LampPowers& powers)
     {
-        return shadingOf(room.texels, shade);
+        DeviceLayers onDevice = engine->resolve(room.solved, powers);
+        Solution solution =
+            solutionOf(room.texels, room.solved, {}, rate(room.texels, room.solved));
+        solution.onDevice = std::move(onDevice);
+        return solution;
+    }
+    [[nodiscard]] PageLayers layers(const Solution& solution) const
+    {
+        Progress progress;
+        if (!solution.onDevice) return makeLayers(room.texels, 0, solution.texels, {}, progress);
+        return solution.onDevice(0, solution.texels, {}, progress).value();
     }
 
     scenes::Solved room;
@@ -84,7 +84,7 @@ TEST_F(GpuResolveEngine, DoesTheSameOnEither)
     EXPECT_EQ(cpu.engine->name(), "cpu");
     EXPECT_EQ(gpu.engine->name(), device().description().name);
     const LampPowers powers = times(cpu.found, 1.6f);
-    expectAlike(gpu.shading(gpu.resolve(powers)), cpu.shading(cpu.resolve(powers)));
+    expectLightAlike(gpu.layers(gpu.resolve(powers)), cpu.layers(cpu.resolve(powers)));
 
     const SolvedRoom& found = gpu.room.solved;
     const SolvedRoom& expected = cpu.room.solved;
@@ -97,16 +97,21 @@ TEST_F(GpuResolveEngine, DoesTheSameOnEither)
 }
 
 // Results are asked for layers long after others were resolved, on the same device.
-TEST_F(GpuResolveEngine, EarlierShadingStaysWhatItIs)
+TEST_F(GpuResolveEngine, EarlierLayersStayWhatTheyAre)
 {
     Room room({.engine = Engine::gpu});
-    const TexelShading first = room.resolve(times(room.found, 0.5f));
-    const std::vector<glm::vec3> before = room.shading(first);
-    const TexelShading second = room.resolve(times(room.found, 3.0f));
-    const std::vector<glm::vec3> after = room.shading(second);
-    EXPECT_NE(before, after);
-    EXPECT_EQ(room.shading(first), before);
-    EXPECT_EQ(room.shading(second), after);
+    const Solution first = room.resolve(times(room.found, 0.5f));
+    const PageLayers before = room.layers(first);
+    const Solution second = room.resolve(times(room.found, 3.0f));
+    const PageLayers after = room.layers(second);
+    EXPECT_NE(before.albedo, after.albedo);
+    EXPECT_NE(before.confidence, after.confidence);
+    for (const auto& [solution, expected] : {std::tie(first, before), std::tie(second, after)}) {
+        const PageLayers layers = room.layers(solution);
+        EXPECT_EQ(layers.albedo, expected.albedo);
+        EXPECT_EQ(layers.indirect, expected.indirect);
+        EXPECT_EQ(layers.confidence, expected.confidence);
+    }
 }
 
 // A lamp that is off is a burnt-out wall, which sends on what it gets.
@@ -117,13 +122,13 @@ TEST_F(GpuResolveEngine, ALampThatIsOffSendsOnWhatItGets)
     const LampPowers on = times(cpu.found, 1.1f);
     LampPowers off = times(cpu.found, 0.0f);
     off.ambient = glm::vec3(0.5f);
-    expectAlike(gpu.shading(gpu.resolve(on)), cpu.shading(cpu.resolve(on)));
+    expectLightAlike(gpu.layers(gpu.resolve(on)), cpu.layers(cpu.resolve(on)));
     for (Room* room : {&cpu, &gpu}) {
         std::vector<uint8_t>& shines = room->room.solved.found.shines;
         EXPECT_NE(std::count(shines.begin(), shines.end(), 1), 0);
         std::fill(shines.begin(), shines.end(), uint8_t{0});
     }
-    expectAlike(gpu.shading(gpu.resolve(off)), cpu.shading(cpu.resolve(off)));
+    expectLightAlike(gpu.layers(gpu.resolve(off)), cpu.layers(cpu.resolve(off)));
 }
 
 TEST_F(GpuResolveEngine, LeavesADeviceInSoftwareAloneUnlessItIsAskedFor)

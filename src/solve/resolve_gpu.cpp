@@ -42,6 +42,16 @@ std::vector<std::vector<float>> onListsOf(const SolvedRoom& room)
     return onLists;
 }
 
+/// For pages, beside the pictures of one.
+uint64_t budgetOf(const gpu::Device& device, uint64_t budget, const Texels& texels)
+{
+    uint64_t pictures = 0;
+    for (const Page& page : texels.scan->pages)
+        pictures = std::max<uint64_t>(pictures, LayerPictures::bytesOf(page.image.pixels()));
+    if (budget == 0) budget = usualBudget(device);
+    return budget > pictures ? budget - pictures : 1;
+}
+
 } // namespace
 
 /// A page on the device, what was computed of it, and from what.
@@ -57,28 +67,28 @@ struct ResolveGpu::Page
         const size_t count = all.pages[page].count();
         return GpuTexels::bytesOf(all, page) +
                sizeof(uint32_t) * LampTermsGpu::termsOf(lamps, count) +
-               2 * sizeof(glm::uvec2) * count +
-               GpuPicture::bytesOf(all.scan->pages[page].image.pixels());
+               2 * sizeof(glm::uvec2) * count;
     }
 
     GpuTexels texels;
     gpu::Array<uint32_t> terms;
     gpu::Array<glm::uvec2> direct;
     gpu::Array<glm::uvec2> indirect;
-    std::optional<GpuPicture> albedo; // from the first division on
-    StageInputs termsOf, shadingOf, albedoOf;
+    StageInputs termsOf, shadingOf;
 };
 
 ResolveGpu::ResolveGpu(const gpu::Device& device, const Texels& texels, const SolvedRoom& room,
                        uint64_t budget)
-    : device_(device), shade_(device, kResolveSpirv), surfels_(device, texels.surfels),
+    : device_(device), texels_(texels), shade_(device, kResolveSpirv),
+      surfels_(device, texels.surfels),
       sides_(device, room.found.hits, room.found.radiance, {room.found.shines, room.lit}),
-      lamps_(device, texels.surfels, *room.light, scalesOf(room)), divide_(device),
+      lamps_(device, texels.surfels, *room.light, scalesOf(room)),
+      layers_(device, texels.surfels.count()), gutter_(device),
       termsOfLists_(lamps_.keep(onListsOf(room), sides_.lists())),
       directOfLists_(device, sides_.lists()),
       stray_(device, {room.stray.octaves().begin(), room.stray.octaves().end()}),
       pages_(
-          device, texels.pages.size(), budget,
+          device, texels.pages.size(), budgetOf(device, budget, texels),
           [&texels, lamps = room.light->lamps.size()](size_t page) {
               return Page::bytesOf(texels, page, lamps);
           },
@@ -143,20 +153,48 @@ std::vector<gpu::Timing> ResolveGpu::shade(size_t index)
     return commands.timings();
 }
 
-std::vector<gpu::Timing> ResolveGpu::divide(size_t index, float darkest)
+void ResolveGpu::setSurfels(const SolvedTexels& solved)
+{
+    ++said_;
+    layers_.setSurfels(solved);
+}
+
+/// Makes the pictures this page's.
+void ResolveGpu::takeLayers(gpu::Commands& commands, size_t page)
+{
+    const Image& image = texels_.scan->pages[page].image;
+    const Image& before = texels_.scan->pages[picturesOf_].image;
+    const bool fits = pictures_ && image.width == before.width && image.height == before.height;
+    if (fits && page != picturesOf_) pictures_->clear(commands);
+    if (!fits) {
+        pictures_.reset(); // that two are not there at once
+        pictures_.emplace(device_, static_cast<uint32_t>(image.width),
+                          static_cast<uint32_t>(image.height));
+    }
+    picturesOf_ = page;
+}
+
+std::vector<gpu::Timing> ResolveGpu::divide(size_t index, const AlbedoOptions& options)
 {
     std::vector<gpu::Timing> timings = shade(index);
     Page& page = pages_[index];
-    if (!page.albedoOf.change({page.shadingOf.version(), static_cast<double>(darkest)}))
-        return timings;
-    if (!page.albedo) page.albedo.emplace(device_, page.texels.width, page.texels.height);
+    const bool isAsBefore =
+        !divided_.change({static_cast<double>(index), gathered_.version(), said_,
+                          static_cast<double>(options.darkest), options.fill ? 1.0 : 0.0});
+    if (isAsBefore && pictures_) return timings; // memory may have been short for them
+    const relamp::Page& scanned = texels_.scan->pages[index];
     gpu::Commands commands(device_);
     commands.mark("divide");
-    divide_.divide(commands, page.texels, page.direct, page.indirect,
-                   {.power = 1.0f, .ambient = glm::vec3(0.0f), .darkest = darkest}, *page.albedo);
+    takeLayers(commands, index);
+    layers_.divide(commands, {page.texels, page.direct, page.indirect, scanned.image.clipsAtWhite},
+                   options, *pictures_);
+    if (!scanned.ofVertices) { // its pixels have no neighbours
+        commands.mark("dilate");
+        gutter_.fill(commands, {pictures_->albedo, pictures_->direct, pictures_->indirect});
+    }
     commands.run();
-    const std::vector<gpu::Timing> ofDivision = commands.timings();
-    timings.insert(timings.end(), ofDivision.begin(), ofDivision.end());
+    const std::vector<gpu::Timing> ofLayers = commands.timings();
+    timings.insert(timings.end(), ofLayers.begin(), ofLayers.end());
     return timings;
 }
 
@@ -170,9 +208,9 @@ PageIrradiance ResolveGpu::irradiance() const
     return {pages_[last_].direct.download(), pages_[last_].indirect.download()};
 }
 
-std::vector<glm::uvec2> ResolveGpu::albedo() const
+PageLayers ResolveGpu::layers() const
 {
-    return pages_[last_].albedo->pixels().download();
+    return layersFrom(*pictures_, texels_, picturesOf_);
 }
 
 } // namespace relamp

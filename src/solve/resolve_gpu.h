@@ -1,6 +1,7 @@
 #pragma once
 
-#include "albedo/divide_gpu.h"
+#include "albedo/page_layers_gpu.h"
+#include "image/gutter_gpu.h"
 #include "scan/texels_gpu.h"
 #include "shading/lamp_terms_gpu.h"
 #include "shading/lit_sides_gpu.h"
@@ -10,14 +11,15 @@
 #include "solve/stage_inputs.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace relamp
 {
 
-/// resolve() on a GPU, from powers to albedo. Between its stages nothing leaves the device, and a
-/// stage runs again only where something that it depends on is not as it was. What lamps do to
+/// resolve() on a GPU, from powers to layers. Of texels nothing leaves the device before these, and
+/// a stage runs again only where something that it depends on is not as it was. What lamps do to
 /// texels at radiance 1 is computed once and kept.
 ///
 /// Pages stay on the device where `budget` lets them; else they take turns.
@@ -34,8 +36,10 @@ public:
     /// Shading of one page under the powers of gather(), which came before. What is read below is
     /// this page's.
     std::vector<gpu::Timing> shade(size_t page);
-    /// And its albedo. `darkest` as AlbedoOptions.
-    std::vector<gpu::Timing> divide(size_t page, float darkest);
+    /// What is said of surfels under these powers; its shading is passed over.
+    void setSurfels(const SolvedTexels& solved);
+    /// Shading of a page and its layers, as makeLayers(); setSurfels() came before.
+    std::vector<gpu::Timing> divide(size_t page, const AlbedoOptions& options);
 
     /// Of surfels: irradiance that came from no lamp; w: share of the light that is there.
     [[nodiscard]] std::vector<glm::vec4> indirectOnSurfels() const;
@@ -43,28 +47,34 @@ public:
     [[nodiscard]] std::vector<glm::vec4> gathered() const { return sides_.gathered().download(); }
     /// Of the last page: irradiance by texel.
     [[nodiscard]] PageIrradiance irradiance() const;
-    /// Of the last page that was divided, by pixel: RGB as halves in two numbers; the last half is
-    /// 1 where a texel is.
-    [[nodiscard]] std::vector<glm::uvec2> albedo() const;
+    /// Of the last page that was divided.
+    [[nodiscard]] PageLayers layers() const;
 
 private:
     struct Page;
 
+    void takeLayers(gpu::Commands& commands, size_t page);
+
     const gpu::Device& device_;
+    const Texels& texels_;
     gpu::Program shade_;
     GpuSurfels surfels_;
     LitSidesGpu sides_;
     LampTermsGpu lamps_;
-    DivideGpu divide_;
+    PageLayersGpu layers_;
+    GutterGpu gutter_;
     gpu::Array<uint32_t> termsOfLists_;
     gpu::Array<glm::uvec2> directOfLists_;
     gpu::Array<float> stray_;
     ResidentPages<Page> pages_;
+    std::optional<LayerPictures> pictures_; // of the page that was divided last
+    size_t picturesOf_ = 0;
     size_t last_ = 0; // shade()
 
-    StageInputs powers_, gathered_;
+    StageInputs powers_, gathered_, divided_;
     std::vector<uint8_t> shines_; // of the last gather()
     double shining_ = 0.0;        // their version
+    double said_ = 0.0;           // setSurfels()'s
 };
 
 } // namespace relamp

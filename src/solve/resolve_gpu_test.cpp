@@ -1,12 +1,12 @@
 #include "solve/resolve_gpu.h"
 
-#include "albedo/divide.h"
-#include "scenes/apart.h"
+#include "scenes/apart_layers.h"
 #include "scenes/gpu_scene.h"
 #include "scenes/lit_room.h"
 #include "scenes/scenes.h"
 #include "scenes/solved.h"
 #include "scenes/sun_room.h"
+#include "solve/room_solution.h"
 
 #include <map>
 #include <memory>
@@ -23,7 +23,6 @@ using scenes::Apart;
 using ::testing::ElementsAre;
 
 constexpr float kPi = 3.14159265f;
-constexpr float kDarkest = 0.02f;
 
 /// The lit room, and a table top in it that has a page of its own.
 Scan roomOfTwoPages()
@@ -65,7 +64,9 @@ struct Twins
     {
         gather(found); // that it has to change
         resolve(room.texels, room.solved, powers);
+        said = solutionOf(room.texels, room.solved, {}, rate(room.texels, room.solved)).texels;
         gather(powers);
+        gpu.setSurfels(said);
     }
 
     std::vector<gpu::Timing> gather(const LampPowers& under)
@@ -97,6 +98,7 @@ struct Twins
     LampPowers found;
     LampPowers powers;
     ResolveGpu gpu;
+    SolvedTexels said; // under `powers`, by the CPU
 };
 
 /// Every test runs on each of these; they are made once.
@@ -191,45 +193,42 @@ TEST_P(GpuResolve, ShadesTexelsAsTheCpuDoes)
     }
 }
 
-// The whole chain, from powers to albedo.
-TEST_P(GpuResolve, EndsInTheAlbedoOfTheCpu)
+// The whole chain, from powers to finished pages: rims, what is burnt out, doubts and gutters too.
+TEST_P(GpuResolve, EndsInTheLayersOfTheCpu)
 {
     Twins& room = twins();
-    for (size_t p = 0; p < room.pages(); ++p) {
-        room.gpu.divide(p, kDarkest);
-        const std::vector<glm::uvec2> found = room.gpu.albedo();
-        Apart apart(0.02f);
-        room.forEachShaded(p, [&](const TexelBlock& block, const ShadingBlock& shading, size_t b) {
-            AlbedoBlock expected;
-            divide(block, shading, kDarkest, expected);
-            for (size_t i = 0; i < block.count; ++i)
-                apart.add(glm::vec3(halves(found[room.room.texels.pages[p].pixel[b + i]])),
-                          {floatFromHalf(expected.r[i]), floatFromHalf(expected.g[i]),
-                           floatFromHalf(expected.b[i])});
-        });
-        EXPECT_LT(apart.beyond(5e-3f), 1e-3);
-        EXPECT_LT(apart.most(), 0.02f);
-    }
+    for (size_t p = 0; p < room.pages(); ++p)
+        for (const bool fill : {false, true}) {
+            Progress progress;
+            const AlbedoOptions options{.fill = fill};
+            room.gpu.divide(p, options);
+            const PageLayers found = room.gpu.layers();
+            const PageLayers expected =
+                makeLayers(room.room.texels, p, room.said, options, progress);
+            scenes::expectAlike(found, expected);
+            EXPECT_LT(scenes::apart(found.albedo, expected.albedo).most(), 0.02f);
+        }
 }
 
 TEST_P(GpuResolve, ComputesAgainOnlyWhatChanged)
 {
     Twins& room = twins();
     room.gather(room.powers);
-    room.gpu.divide(0, kDarkest);
-    const std::vector<glm::uvec2> before = room.gpu.albedo();
+    room.gpu.divide(0, {});
+    const PageLayers before = room.gpu.layers();
     EXPECT_THAT(ran(room.gather(room.powers)), ElementsAre());
-    EXPECT_THAT(ran(room.gpu.divide(0, kDarkest)), ElementsAre());
-    EXPECT_THAT(ran(room.gpu.divide(0, 0.1f)), ElementsAre("divide"));
+    EXPECT_THAT(ran(room.gpu.divide(0, {})), ElementsAre());
+    EXPECT_THAT(ran(room.gpu.divide(0, {.darkest = 0.1f})), ElementsAre("divide", "dilate"));
 
     EXPECT_THAT(ran(room.gather(room.found)), ElementsAre("gather"));
-    EXPECT_THAT(ran(room.gpu.divide(0, kDarkest)), ElementsAre("shading", "divide"));
-    EXPECT_NE(room.gpu.albedo(), before);
+    EXPECT_THAT(ran(room.gpu.divide(0, {})), ElementsAre("shading", "divide", "dilate"));
+    EXPECT_NE(room.gpu.layers().albedo, before.albedo);
 
     // And back again, to the same bits.
     room.gather(room.powers);
-    room.gpu.divide(0, kDarkest);
-    EXPECT_EQ(room.gpu.albedo(), before);
+    room.gpu.divide(0, {});
+    EXPECT_EQ(room.gpu.layers().albedo, before.albedo);
+    EXPECT_EQ(room.gpu.layers().confidence, before.confidence);
 }
 
 using GpuResolvePages = scenes::GpuTest;
@@ -239,11 +238,14 @@ TEST_F(GpuResolvePages, TakeTurnsWhereMemoryIsShort)
     Twins room(device(), roomOfTwoPages());
     ResolveGpu oneAtATime(device(), room.room.texels, room.room.solved, 1);
     oneAtATime.gather(room.powers, room.room.solved.found.shines);
+    oneAtATime.setSurfels(room.said);
     for (const size_t p : {0u, 1u, 0u}) {
-        room.gpu.divide(p, kDarkest);
-        EXPECT_THAT(ran(oneAtATime.divide(p, kDarkest)), ElementsAre("lamps", "shading", "divide"));
+        room.gpu.divide(p, {});
+        EXPECT_THAT(ran(oneAtATime.divide(p, {})),
+                    ElementsAre("lamps", "shading", "divide", "dilate"));
         EXPECT_EQ(oneAtATime.irradiance().direct, room.gpu.irradiance().direct);
         EXPECT_EQ(oneAtATime.irradiance().indirect, room.gpu.irradiance().indirect);
+        EXPECT_EQ(oneAtATime.layers().albedo, room.gpu.layers().albedo);
     }
 }
 

@@ -182,7 +182,7 @@ std::vector<gpu::Timing> ThesisGpu::page(const ThesisFrame& frame, size_t index)
         divide_.divide(commands, page.texels, page.direct, page.indirect, dials, page.albedo);
         if (!texels_.scan->pages[index].ofVertices) { // its pixels have no neighbours
             commands.mark("dilate");
-            gutter_.fill(commands, page.albedo);
+            gutter_.fill(commands, {page.albedo});
         }
     }
     std::vector<gpu::Timing> timings;

@@ -1,0 +1,71 @@
+#ifndef RELAMP_CONFIDENCE_SHARED_H
+#define RELAMP_CONFIDENCE_SHARED_H
+
+#include "albedo/divide.shared.h"
+#include "base/ramp.shared.h"
+#include "image/burnt_out.shared.h"
+
+SHARED_BEGIN
+
+SHARED_CONST kWellLit = 4.0f;   // times `darkest`
+SHARED_CONST kMuchLacks = 2.0f; // times the shading
+
+// Doubt, as numbers.
+const uint kDoubtNone = 0u;
+const uint kDoubtClipped = 1u;
+const uint kDoubtShines = 2u;
+const uint kDoubtUnlit = 3u;
+const uint kDoubtUnseen = 4u;
+const uint kDoubtBackFace = 5u;
+const uint kDoubtPenumbra = 6u;
+const uint kDoubtWhiterThanPaper = 7u;
+
+struct Rated
+{
+    float value; // 0..1
+    float least; // factor of it
+    uint doubt;  // whose that is
+};
+
+SHARED_FN Rated lessBy(Rated rated, float left, uint doubt)
+{
+    rated.value *= left;
+    if (left < rated.least) {
+        rated.least = left;
+        rated.doubt = doubt;
+    }
+    return rated;
+}
+
+// How far an albedo can be believed. `trust` in the shading: SurfelTrust's seen, front, edges.
+SHARED_FN Rated ratedAlbedo(vec3 radiance, bool clips, vec3 shading, float darkest, vec3 trust)
+{
+    const float lack = lightThatLacks(dividedByShading(radiance, shading, darkest));
+    const float weakest = min(shading.x, min(shading.y, shading.z));
+    const float clear = clips ? ramp(kBurntOut, kSafelyBelow, brightestChannel(radiance)) : 1.0f;
+    Rated rated;
+    rated.value = 1.0f;
+    rated.least = 1.0f;
+    rated.doubt = kDoubtNone;
+    rated = lessBy(rated, clear, kDoubtClipped);
+    rated = lessBy(rated, ramp(darkest, kWellLit * darkest, weakest), kDoubtUnlit);
+    rated = lessBy(rated, trust.x, kDoubtUnseen);
+    rated = lessBy(rated, trust.y, kDoubtBackFace);
+    rated = lessBy(rated, trust.z, kDoubtPenumbra);
+    return lessBy(rated, ramp(kMuchLacks, 1.0f, lack), kDoubtWhiterThanPaper);
+}
+
+SHARED_FN uint confidenceByte(float value)
+{
+    return uint(round(255.0f * value));
+}
+
+// What speaks most against it; nothing from one half on.
+SHARED_FN uint doubtOf(Rated rated)
+{
+    return confidenceByte(rated.value) >= 128u ? kDoubtNone : rated.doubt;
+}
+
+SHARED_END
+
+#endif

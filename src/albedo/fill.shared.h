@@ -1,0 +1,70 @@
+#ifndef RELAMP_FILL_SHARED_H
+#define RELAMP_FILL_SHARED_H
+
+#include "albedo/divide.shared.h"
+#include "base/ramp.shared.h"
+
+#ifdef __cplusplus
+#include <glm/ext/vector_bool3.hpp>
+#include <glm/vector_relational.hpp>
+#endif
+
+SHARED_BEGIN
+
+SHARED_CONST kSomeWhole = 0.5f; // channels
+SHARED_CONST kBlackPaint = 1e-3f;
+SHARED_CONST kOtherPaint = 0.4f; // in the logarithm: half as bright again, or two thirds
+
+// How likely each channel is burnt out, 0..1. `clips`: Image::clipsAtWhite.
+SHARED_FN vec3 burntOutShares(vec3 radiance, bool clips)
+{
+    if (!clips) return vec3(0.0f);
+    return vec3(ramp(kSafelyBelow, kBurntOut, radiance.x),
+                ramp(kSafelyBelow, kBurntOut, radiance.y),
+                ramp(kSafelyBelow, kBurntOut, radiance.z));
+}
+
+// How far the colour around can be that of a paint which is `scale` times as bright, 0..1.
+SHARED_FN float likenessOfPaint(float scale)
+{
+    const float off = log(max(scale, 1e-6f)) / kOtherPaint;
+    return 1.0f / (1.0f + off * off);
+}
+
+// filledAlbedo() of an albedo under a shading of which `lack` times as much was needed.
+SHARED_FN vec3 filledAlbedo(vec3 own, float lack, vec3 around, vec3 burntOut, bvec3 isUnlit)
+{
+    const vec3 least = own / lack;
+    float whole = 0.0f;
+    float theirs = 0.0f;
+    float count = 0.0f;
+    float brightest = 0.0f; // of what is burnt out
+    float most = 1.0f;      // times around, that is as bright
+    for (int c = 0; c < 3; ++c) {
+        const float isWhole = isUnlit[c] ? 0.0f : 1.0f - burntOut[c];
+        whole += isWhole * own[c];
+        theirs += isWhole * around[c];
+        count += isWhole;
+        if (isUnlit[c]) continue;
+        brightest = max(brightest, least[c]);
+        most = max(most, least[c] / max(around[c], kBlackPaint));
+    }
+    const bool isTold = count > kSomeWhole && theirs > 0.0f;
+    const float scale = isTold ? whole / theirs : 1.0f;
+    const float like = likenessOfPaint(isTold ? scale : most);
+    const float grey = isTold ? whole / count : brightest;
+    vec3 filled = own;
+    for (int c = 0; c < 3; ++c) {
+        const float theirColor = min(scale * around[c], kWhitestPaper);
+        const float guess = max(grey + like * (theirColor - grey), least[c]);
+        if (isUnlit[c])
+            filled[c] = theirColor;
+        else
+            filled[c] += burntOut[c] * (guess - filled[c]);
+    }
+    return filled;
+}
+
+SHARED_END
+
+#endif

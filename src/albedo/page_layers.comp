@@ -1,0 +1,71 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+#include "albedo/confidence.shared.h"
+#include "albedo/fill.shared.h"
+#include "albedo/page_layers.gpu.h"
+#include "albedo/page_layers.shared.h"
+#include "lights/emitters.shared.h"
+#include "shading/buried.shared.h"
+
+ARGUMENTS(PageLayersArguments)
+
+const float kPerPi = 1.0 / 3.14159265;
+
+struct Shading
+{
+    vec3 direct;
+    vec3 indirect;
+};
+
+// With some of the light around at the rim of what is buried.
+Shading shadingOf(uint i, vec4 rim, vec3 radiance)
+{
+    Shading shading;
+    shading.direct = kPerPi * halves(arguments.direct.at[i]).rgb;
+    shading.indirect = kPerPi * halves(arguments.indirect.at[i]).rgb;
+    if (rim.w <= 0.0) return shading;
+    const float share =
+        shareOfRim(luminance(radiance), luminance(shading.direct + shading.indirect),
+                   luminance(rim.rgb), rim.w);
+    shading.direct *= 1.0 - share;
+    shading.indirect += share * (rim.rgb - shading.indirect);
+    return shading;
+}
+
+// What is burnt out, and if asked for what is unlit, follows the surface around.
+vec3 filled(vec3 albedo, float lack, vec3 radiance, vec3 shading, vec3 around)
+{
+    const vec3 burntOut = burntOutShares(radiance, arguments.clips != 0);
+    const bvec3 isUnlit = lessThan(shading, vec3(arguments.unlitBelow));
+    if (arguments.fills == 0 || (!any(isUnlit) && burntOut == vec3(0.0))) return albedo;
+    return filledAlbedo(albedo, lack, around, burntOut, isUnlit);
+}
+
+void main()
+{
+    const uint i = threadIndex();
+    if (i >= arguments.count) return;
+    const uint surfel = arguments.surfel.at[i];
+    const uint pixel = arguments.pixel.at[i];
+    const bool clips = arguments.clips != 0;
+    const vec3 radiance = halves(arguments.radiance.at[i]).rgb;
+    const vec4 rim = arguments.rims.at[surfel];
+    const Shading shading = shadingOf(i, rim, radiance);
+    const vec3 total = shading.direct + shading.indirect;
+    const vec3 divided = dividedByShading(radiance, total, arguments.darkest);
+    const float lack = lightThatLacks(divided);
+    arguments.directOut.at[pixel] = packedHalves(vec4(lack * shading.direct, 1.0));
+    arguments.indirectOut.at[pixel] = packedHalves(vec4(lack * shading.indirect, 1.0));
+    const vec4 around = arguments.around.at[surfel];
+    if (around.w > 0.0 && isEmitting(radiance, clips, arguments.threshold)) {
+        arguments.albedoOut.at[pixel] = packedHalves(vec4(vec3(kAlbedoOfFixtures), 1.0));
+        arguments.ratingOut.at[pixel] = kDoubtShines << 8; // confidence is 0
+        return;
+    }
+    const vec3 albedo = filled(divided / lack, lack, radiance, total, around.rgb);
+    arguments.albedoOut.at[pixel] = packedHalves(vec4(albedo, 1.0));
+    const vec4 trust = arguments.trust.at[surfel];
+    const Rated rated = ratedAlbedo(radiance, clips, total, arguments.darkest, trust.xyz);
+    arguments.ratingOut.at[pixel] = confidenceByte(rated.value) | doubtOf(rated) << 8;
+}

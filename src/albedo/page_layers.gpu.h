@@ -1,0 +1,33 @@
+#ifndef RELAMP_PAGE_LAYERS_GPU_H
+#define RELAMP_PAGE_LAYERS_GPU_H
+
+#include "gpu/compute.h"
+
+SHARED_BEGIN
+
+// A thread a texel. Pictures are halves; the last is 1 where a texel is.
+struct PageLayersArguments
+{
+    Uvec2s radiance; // of texels, halves
+    Uvec2s direct;   // irradiance, halves
+    Uvec2s indirect;
+    Uints surfel;
+    Uints pixel;
+    Vec4s rims;   // of surfels: shading around buried ones, and its albedo or 0
+    Vec4s trust;  // seen, front, edges
+    Vec4s around; // albedo for what is burnt out; w: 1 where it holds a part of a lamp
+    Uvec2s albedoOut;
+    Uvec2s directOut;
+    Uvec2s indirectOut;
+    Uints ratingOut; // of pixels: confidence 0..255 and 256 times the doubt
+    float darkest;
+    float unlitBelow; // shading from which an albedo is the texel's own
+    float threshold;  // luminance from which a texel of a lamp shines
+    uint clips;       // not 0: Image::clipsAtWhite
+    uint fills;       // not 0: `around` is known
+    uint count;       // of texels
+};
+
+SHARED_END
+
+#endif

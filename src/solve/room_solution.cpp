@@ -1,0 +1,54 @@
+#include "solve/room_solution.h"
+
+#include "albedo/gather_closure.h"
+#include "fit/stray.h"
+#include "shading/lit_sides.h"
+#include "solve/found_room.h"
+
+#include <utility>
+
+namespace relamp
+{
+namespace
+{
+
+/// On surfels, less what the mesh does not explain.
+std::vector<glm::vec3> irradianceOf(const SolvedRoom& room)
+{
+    std::vector<glm::vec3> irradiance = withoutStray(room.lighting.irradiance, room.stray);
+    for (size_t s = 0; s < irradiance.size(); ++s) irradiance[s] *= room.lit[s];
+    return irradiance;
+}
+
+} // namespace
+
+Rating rate(const Texels& texels, const SolvedRoom& room)
+{
+    const FoundRoom& found = room.found;
+    Rating rating{closeLoop(found.hits, found.radiance, found.sides, found.found.ambient),
+                  trustByView(found.hits, texels.surfels.count())};
+    doubtEdges(texels.surfels, found.radiance, room.lighting, rating.trust);
+    return rating;
+}
+
+Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightOptions& asked,
+                    Rating rating)
+{
+    const FoundRoom& found = room.found;
+    const std::vector<glm::vec3> irradiance = irradianceOf(room);
+    Solution solution{.options = asked};
+    solution.options.gather = found.options;
+    solution.warnings = found.warnings;
+    solution.closure = rating.closure;
+    solution.texels = {.shade = shadingOf(texels, room),
+                       .rims = rimsOf(texels.surfels, found.radiance, irradiance),
+                       .shining = shiningOf(found),
+                       .trust = std::move(rating.trust),
+                       .fill = fillOf(texels.surfels, found.radiance,
+                                      albedoOf(texels, found.radiance, irradiance))};
+    solution.lights = lightsOf(found);
+    solution.merged = solution.lights.points;
+    return solution;
+}
+
+} // namespace relamp
