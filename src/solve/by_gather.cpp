@@ -1,5 +1,6 @@
 #include "solve/by_gather.h"
 
+#include "base/call_all.h"
 #include "relamp/error.h"
 #include "solve/found_room.h"
 #include "solve/room_solution.h"
@@ -93,9 +94,13 @@ Solution GatherSolver::solve(const DelightOptions& options, Progress& progress)
         kept_->asked = options;
         return resolve(kept_->found, options.albedo, progress);
     }
-    const auto engine = std::make_shared<ResolveEngine>(texels_, options.engine);
-    FoundRoom found =
-        findRoom(texels_, scene_, options, progress, kept_ ? &kept_->room.found : nullptr);
+    std::shared_ptr<ResolveEngine> engine;
+    FoundRoom found;
+    callAll([&] { engine = std::make_shared<ResolveEngine>(texels_, options.engine); }, // drivers
+            [&] {
+                const FoundRoom* before = kept_ ? &kept_->room.found : nullptr;
+                found = findRoom(texels_, scene_, options, progress, before);
+            });
     std::optional<Rating> rating;
     {
         const Progress::Stage stage(progress, "shadows");
