@@ -46,6 +46,10 @@ TEST(Script, NumbersAreWholeWords)
     EXPECT_FLOAT_EQ(numberOf("-1.5"), -1.5f);
     for (const char* word : {"", "1x", "nan", "inf", "one", "1e99"})
         EXPECT_THROW(static_cast<void>(numberOf(word)), relamp::Error) << word;
+    // To the last one: a float would make 4294967296 of it.
+    EXPECT_EQ(wholeNumberOf("4294967295"), 4294967295u);
+    for (const char* word : {"", "-1", "1.5", "4294967296", "one"})
+        EXPECT_THROW(static_cast<void>(wholeNumberOf(word)), relamp::Error) << word;
 }
 
 } // namespace

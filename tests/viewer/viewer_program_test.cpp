@@ -275,15 +275,16 @@ TEST(ViewerProgram, SavesWhatWasSaidOfTheDayOfTheScan)
 TEST(ViewerProgram, DialsSolveAgain)
 {
     const scenes::TemporaryFolder out;
-    const std::vector<std::string> dials{"quality draft",          "dial.rays 6",
-                                         "dial.darkest 0.7",       "solver thesis",
-                                         "dial.power 2",           "dial.light-levels 1",
-                                         "dial.attenuation 1 2 3", "dial.ambient 0.3",
-                                         "dial.lpv off",           "dial.emitter-threshold 0.6"};
+    const std::vector<std::string> dials{
+        "quality draft",    "dial.rays 6",         "dial.darkest 0.7",
+        "solver pathtrace", "dial.seed 7",         "solver thesis",
+        "dial.power 2",     "dial.light-levels 1", "dial.attenuation 1 2 3",
+        "dial.ambient 0.3", "dial.lpv off",        "dial.emitter-threshold 0.6"};
     const auto file = [&](size_t i) { return out / (std::to_string(i) + ".exr"); };
-    std::string script = "set panels off\nset marks off\nset " + dials[0] + "\nopen " +
-                         (kBedroom / "scan.glb").string() + "\nwait scan\n" + kCamera +
-                         "press 5\nwait solve\nscreenshot " + file(0).string() + " view\n";
+    std::string script = "set panels off\nset marks off\nset " + dials[0] +
+                         "\nset dial.samples 1\nopen " + (kBedroom / "scan.glb").string() +
+                         "\nwait scan\n" + kCamera + "press 5\nwait solve\nscreenshot " +
+                         file(0).string() + " view\n";
     for (size_t i = 1; i < dials.size(); ++i) {
         const char* layer = dials[i] == "dial.darkest 0.7" ? "6" : "5";
         script += "set " + dials[i] + "\npress " + layer + "\nwait solve\nscreenshot " +
