@@ -82,6 +82,8 @@ int main(int argc, char** argv)
     options.scan = scan.options;
     try {
         const relamp::ThreadLimit threads(scan.threads);
+        // First what is to draw, too: no --engine does without that.
+        if (!options.engine.gpu.empty()) static_cast<void>(relamp::gpuDevice(options.engine.gpu));
         relamp::checkDevice(options.engine);
         Viewer viewer(options);
         viewer.run();
