@@ -1,7 +1,7 @@
 #include "relamp/image.h"
 
-#include "relamp/error.h"
 #include "scenes/pictures.h"
+#include "scenes/refusal.h"
 #include "scenes/temporary_folder.h"
 
 #include <algorithm>
@@ -36,12 +36,7 @@ Image read(const Bytes& bytes, Transfer transfer = Transfer::automatic,
 
 std::string refusal(const Bytes& bytes)
 {
-    try {
-        read(bytes);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return scenes::refusalOf([&] { read(bytes); });
 }
 
 glm::vec3 pixel(const Image& image, size_t i)

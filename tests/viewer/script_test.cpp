@@ -1,5 +1,7 @@
 #include "script.h"
 
+#include "scenes/refusal.h"
+
 #include "relamp/error.h"
 
 #include <gmock/gmock.h>
@@ -12,12 +14,7 @@ using testing::HasSubstr;
 
 std::string complaintOf(const char* text)
 {
-    try {
-        parseScript(text, "a.txt");
-    } catch (const relamp::Error& error) {
-        return error.what();
-    }
-    return "";
+    return relamp::scenes::refusalOf([&] { parseScript(text, "a.txt"); });
 }
 
 TEST(Script, IsCommandsWithWordsAndComments)
