@@ -302,9 +302,11 @@ void GltfReader::readPages(Progress& progress)
         const tinygltf::Image& source = model_.images[static_cast<size_t>(image)];
         const std::string what = fmt::format("{}: image {} \"{}\"", name_, image, source.name);
         if (source.bufferView < 0)
-            malformed(what,
-                      fmt::format("the picture file that it names is missing or unreadable: {}",
-                                  source.uri.substr(0, kLongestName)));
+            malformed(
+                what,
+                fmt::format("the picture file that it names is missing or unreadable: {}; put it "
+                            "beside the file",
+                            source.uri.substr(0, kLongestName)));
         const auto& views = model_.bufferViews;
         if (static_cast<size_t>(source.bufferView) >= views.size())
             malformed(what, "has no content");
