@@ -188,7 +188,7 @@ void addSolverOptions(CLI::App& command, relamp::RelightOptions& options)
         .add_option("--solver", options.solver,
                     "gather (shadows and radiosity), pathtrace (slow, the reference), or thesis "
                     "(no shadows, one bounce) [gather]")
-        ->transform(CLI::CheckedTransformer(solvers).description(""))
+        ->transform(oneOf(solvers))
         ->type_name("NAME");
     command
         .add_option("--rays", options.rays,

@@ -64,7 +64,7 @@ int main(int argc, char** argv)
         {"auto", Smooth::automatic}, {"on", Smooth::on}, {"off", Smooth::off}};
     app.add_option("--smooth", options.smooth,
                    "Smooth edges: on, off, or auto: on a graphics card [auto]")
-        ->transform(CLI::CheckedTransformer(smooth).description(""))
+        ->transform(oneOf(smooth))
         ->type_name("WHEN");
     app.add_option("--script", options.script,
                    "Lines of commands that drive it instead of a person")
