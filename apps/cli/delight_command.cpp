@@ -137,7 +137,7 @@ void addGatherDials(CLI::App& command, DelightArguments& arguments)
             "--quality", gather.quality,
             "draft for a first look, on textures of 512 pixels; standard; or high: four times "
             "the rays [standard]")
-        ->transform(CLI::CheckedTransformer(qualities).description(""))
+        ->transform(oneOf(qualities))
         ->type_name("NAME")
         ->group(kGatherGroup);
     addPlaces(command, "--light", arguments.lightsAt,
@@ -247,7 +247,7 @@ void addDelightCommand(CLI::App& app, Run& run)
         .add_option("--solver", arguments->options.solver,
                     "How the shading is found: gather, pathtrace (slow, the reference), or thesis "
                     "(Choi 2018) [gather]")
-        ->transform(CLI::CheckedTransformer(solvers).description(""))
+        ->transform(oneOf(solvers))
         ->type_name("NAME");
     command
         .add_option("--lights", arguments->lights,

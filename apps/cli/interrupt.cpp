@@ -1,5 +1,7 @@
 #include "interrupt.h"
 
+#include "terminal.h"
+
 #include <chrono>
 #include <csignal>
 
@@ -49,5 +51,6 @@ void Interrupt::watch()
     }
     if (done_) return;
     progress_.abandon();
+    printProblem("interrupted");
     _exit(kExitCode);
 }

@@ -57,7 +57,7 @@ int main(int argc, char** argv)
         "Takes the light out of a scanned room: albedo, lights, and a room that can be relit.",
         "relamp");
     app.set_version_flag("--version", std::string("relamp ") + relamp::version());
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1); // none is told of last, behind what was mistyped
     app.get_formatter()->column_width(34);
     app.footer("Examples:\n"
                "  relamp info kitchen.glb\n"
@@ -77,6 +77,7 @@ int main(int argc, char** argv)
     addViewCommand(app, run);
     try {
         app.parse(argc, argv);
+        if (!run) throw CLI::RequiredError("A subcommand");
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : kUsage;
     }

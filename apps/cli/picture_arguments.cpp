@@ -73,7 +73,7 @@ void addPictureArguments(CLI::App& command, PictureArguments& arguments)
     command
         .add_option("--view", options.view.view,
                     "How bright light is shown: standard (cut off at white), agx, aces [standard]")
-        ->transform(CLI::CheckedTransformer(views).description(""))
+        ->transform(oneOf(views))
         ->type_name("NAME")
         ->group(group);
     command
@@ -92,7 +92,7 @@ void addPictureArguments(CLI::App& command, PictureArguments& arguments)
         .add_option(
             "--show", arguments.show,
             "relit; or, for comparison, scan, the light it was scanned in, or albedo [relit]")
-        ->transform(CLI::CheckedTransformer(shows).description(""))
+        ->transform(oneOf(shows))
         ->type_name("WHAT")
         ->group(group);
     addFilm(command, arguments);

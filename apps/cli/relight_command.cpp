@@ -4,13 +4,16 @@
 #include "scan_arguments.h"
 #include "terminal.h"
 
+#include "relamp/error.h"
 #include "relamp/film.h"
 #include "relamp/relight.h"
 #include "relamp/threads.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <memory>
 #include <optional>
@@ -18,6 +21,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace
 {
@@ -136,6 +140,19 @@ void write(RelightArguments& arguments, const relamp::DelitRoom& room,
     notes.insert(notes.end(), relighter.warnings().begin(), relighter.warnings().end());
 }
 
+/// Before long work begins. The folder of a film is made where it is not there.
+void checkPlace(const RelightArguments& arguments)
+{
+    const std::filesystem::path& output = arguments.output;
+    if (arguments.picture.isFilm() && output.extension() != ".mp4") return;
+    const std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
+    if (access(folder.c_str(), W_OK) == 0) return;
+    throw relamp::Error(relamp::ErrorCode::cannotWrite,
+                        fmt::format("{}: cannot be written: {}: {}; make that folder, or name "
+                                    "another with -o",
+                                    output.string(), folder.string(), std::strerror(errno)));
+}
+
 int run(RelightArguments& arguments)
 {
     const Talk talk = arguments.quiet ? Talk::quiet : Talk::normal;
@@ -144,6 +161,7 @@ int run(RelightArguments& arguments)
     const Interrupt interrupt(progress);
     const relamp::ThreadLimit threads(arguments.room.threads);
     relamp::checkDevice(arguments.options.engine);
+    checkPlace(arguments);
 
     arguments.delit.asScan = arguments.room.options;
     const relamp::DelitRoom room =
@@ -188,7 +206,7 @@ void addSolverOptions(CLI::App& command, relamp::RelightOptions& options)
         .add_option("--solver", options.solver,
                     "gather (shadows and radiosity), pathtrace (slow, the reference), or thesis "
                     "(no shadows, one bounce) [gather]")
-        ->transform(CLI::CheckedTransformer(solvers).description(""))
+        ->transform(oneOf(solvers))
         ->type_name("NAME");
     command
         .add_option("--rays", options.rays,

@@ -1,9 +1,5 @@
 #include "scan_arguments.h"
 
-#include <map>
-
-#include <fmt/format.h>
-
 CLI::Validator between(double low, double high)
 {
     const auto check = [low, high](const std::string& text) {
@@ -29,7 +25,7 @@ void addScanArguments(CLI::App& command, ScanArguments& arguments)
         ->type_name("SCAN");
     command
         .add_option("--up", options.up, "The file's axis that points to the ceiling: y or z [y]")
-        ->transform(CLI::CheckedTransformer(axes).description(""))
+        ->transform(oneOf(axes))
         ->type_name("AXIS");
     command.add_option("--scale", options.scale, "Metres a unit of the file [1]")
         ->check(between(1e-6, 1e6))
@@ -37,7 +33,7 @@ void addScanArguments(CLI::App& command, ScanArguments& arguments)
     command
         .add_option("--transfer", options.transfer,
                     "What the texture's numbers are: srgb, linear, or auto by type [auto]")
-        ->transform(CLI::CheckedTransformer(transfers).description(""))
+        ->transform(oneOf(transfers))
         ->type_name("CURVE");
     command
         .add_option("--skip-mesh", options.skipMeshes, "Leave out meshes of this name (repeatable)")
@@ -58,7 +54,7 @@ void addEngineArguments(CLI::App& command, relamp::EngineOptions& engine, const 
             "--engine", engine.engine,
             fmt::format("What computes {}: cpu, gpu, or auto: a real GPU if there is one [auto]",
                         what))
-        ->transform(CLI::CheckedTransformer(engines).description(""))
+        ->transform(oneOf(engines))
         ->type_name("NAME");
     command
         .add_option("--gpu", engine.gpu,

@@ -4,9 +4,11 @@
 #include "relamp/scan.h"
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 /// What every command that reads a scan wants to know about it.
 struct ScanArguments
@@ -18,6 +20,23 @@ struct ScanArguments
 
 /// Takes numbers from `low` to `high`. CLI::Range would take NaN as well.
 CLI::Validator between(double low, double high);
+
+/// Takes the words of `values` for what they stand for, and no others.
+template<class Value>
+CLI::Validator oneOf(const std::map<std::string, Value>& values)
+{
+    const auto take = [values](std::string& word) -> std::string {
+        const auto found = values.find(word);
+        if (found == values.end()) {
+            std::string known;
+            for (const auto& [name, value] : values) known += (known.empty() ? "" : ", ") + name;
+            return fmt::format("\"{}\" is none of {}", word, known);
+        }
+        word = std::to_string(static_cast<int>(found->second)); // as CLI11 reads an enumeration
+        return "";
+    };
+    return {take, ""};
+}
 
 /// --engine and --gpu, which compute `what`.
 void addEngineArguments(CLI::App& command, relamp::EngineOptions& engine, const std::string& what);

@@ -66,7 +66,7 @@ int main(int argc, char** argv)
         {"auto", Smooth::automatic}, {"on", Smooth::on}, {"off", Smooth::off}};
     app.add_option("--smooth", options.smooth,
                    "Smooth edges: on, off, or auto: on a graphics card [auto]")
-        ->transform(CLI::CheckedTransformer(smooth).description(""))
+        ->transform(oneOf(smooth))
         ->type_name("WHEN");
     app.add_option("--script", options.script,
                    "Lines of commands that drive it instead of a person")
@@ -84,6 +84,8 @@ int main(int argc, char** argv)
     options.scan = scan.options;
     try {
         const relamp::ThreadLimit threads(scan.threads);
+        // First what is to draw, too: no --engine does without that.
+        if (!options.engine.gpu.empty()) static_cast<void>(relamp::gpuDevice(options.engine.gpu));
         relamp::checkDevice(options.engine);
         Viewer viewer(options);
         viewer.run();

@@ -35,6 +35,14 @@ void drawGather(relamp::GatherOptions& gather)
     }
 }
 
+void drawPathtrace(relamp::PathtraceOptions& pathtrace)
+{
+    ImGui::SliderInt("Samples", &pathtrace.samples, 1, 65536, "%d",
+                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+    const uint32_t step = 1;
+    ImGui::InputScalar("Seed", ImGuiDataType_U32, &pathtrace.seed, &step);
+}
+
 /// A dial that follows from the scan unless it is set.
 void dial(const char* label, std::optional<float>& value, float otherwise, float high)
 {
@@ -104,9 +112,7 @@ void drawSolverPanel(Viewer& viewer)
         drawThesis(dials.thesis);
     else
         drawGather(dials.gather);
-    if (dials.solver == relamp::Solver::pathtrace)
-        ImGui::SliderInt("Samples", &dials.samples, 1, 65536, "%d",
-                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+    if (dials.solver == relamp::Solver::pathtrace) drawPathtrace(dials.pathtrace);
     ImGui::SliderFloat("Darkest", &dials.albedo.darkest, 0.001f, 1.0f, "%.3f",
                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
     ImGui::Checkbox("Fill what is unlit", &dials.albedo.fill);

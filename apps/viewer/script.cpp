@@ -8,6 +8,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -80,6 +82,16 @@ void checkCommand(const ScriptCommand& command, const std::string& name)
         fail(name, command.line, fmt::format("it must read: {}", found->usage));
 }
 
+/// The number that a word is, to its last letter.
+template<class Number>
+std::optional<Number> wholeWord(const std::string& word)
+{
+    Number value{};
+    const char* end = word.data() + word.size();
+    const auto [stop, error] = std::from_chars(word.data(), end, value);
+    return error == std::errc() && stop == end ? std::optional(value) : std::nullopt;
+}
+
 } // namespace
 
 std::vector<ScriptCommand> parseScript(std::string_view text, const std::string& name)
@@ -105,9 +117,18 @@ std::vector<ScriptCommand> readScript(const std::filesystem::path& file)
 
 float numberOf(const std::string& word)
 {
-    float value = 0.0f;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
+    const std::optional<float> value = wholeWord<float>(word);
+    if (!value || !std::isfinite(*value))
         throw relamp::Error(relamp::ErrorCode::malformed, fmt::format("\"{}\" is no number", word));
-    return value;
+    return *value;
+}
+
+uint32_t wholeNumberOf(const std::string& word)
+{
+    const std::optional<uint32_t> value = wholeWord<uint32_t>(word);
+    if (!value)
+        throw relamp::Error(relamp::ErrorCode::malformed,
+                            fmt::format("\"{}\" is no whole number from 0 to {}", word,
+                                        std::numeric_limits<uint32_t>::max()));
+    return *value;
 }

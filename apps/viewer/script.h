@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -31,3 +32,5 @@ std::vector<ScriptCommand> readScript(const std::filesystem::path& file);
 
 /// A number that a script gives. Throws relamp::Error with a sentence that names the word.
 float numberOf(const std::string& word);
+/// From 0 to 4294967295.
+uint32_t wholeNumberOf(const std::string& word);

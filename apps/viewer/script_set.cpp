@@ -109,7 +109,9 @@ const std::map<std::string, std::function<void(Dials&, const Words&)>>& dials()
              d.gather.shadowRays = 0;
              if (w[1] != "auto") setNumber(d.gather.shadowRays, w, 1.0f, 1024.0f);
          }},
-        {"dial.samples", [](D& d, const W& w) { setNumber(d.samples, w, 1.0f, 65536.0f); }},
+        {"dial.samples",
+         [](D& d, const W& w) { setNumber(d.pathtrace.samples, w, 1.0f, 65536.0f); }},
+        {"dial.seed", [](D& d, const W& w) { d.pathtrace.seed = wholeNumberOf(w[1]); }},
         {"dial.darkest", [](D& d, const W& w) { setNumber(d.albedo.darkest, w, 1e-6f, 1.0f); }},
         {"dial.fill", [](D& d, const W& w) { d.albedo.fill = flag(w); }},
         {"dial.emitter-threshold",

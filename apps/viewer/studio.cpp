@@ -36,9 +36,9 @@ relamp::DelightOptions Dials::options() const
     relamp::DelightOptions options;
     options.solver = solver;
     options.gather = gather;
+    options.pathtrace = pathtrace;
     options.thesis = thesis;
     options.albedo = albedo;
-    options.pathtrace.samples = samples;
     return options;
 }
 

@@ -25,9 +25,9 @@ struct Dials
 {
     relamp::Solver solver = relamp::Solver::gather;
     relamp::GatherOptions gather;
+    relamp::PathtraceOptions pathtrace;
     relamp::ThesisOptions thesis;
     relamp::AlbedoOptions albedo;
-    int samples = 64;
 
     bool operator==(const Dials& other) const = default;
     [[nodiscard]] relamp::DelightOptions options() const;

@@ -20,15 +20,9 @@ std::vector<glm::vec3> shadingAt(size_t count, const ThesisShading& shading, con
     forEachChunk(count, TexelBlock::kCapacity, [&](size_t begin, size_t end) {
         TexelBlock block;
         ShadingBlock out;
-        block.count = end - begin;
-        for (size_t i = 0; i < block.count; ++i) {
-            const auto& [position, normal] = siteOf(begin + i);
-            block.x[i] = position.x;
-            block.y[i] = position.y;
-            block.z[i] = position.z;
-            block.nx[i] = normal.x;
-            block.ny[i] = normal.y;
-            block.nz[i] = normal.z;
+        for (size_t i = begin; i < end; ++i) {
+            const auto& [position, normal] = siteOf(i);
+            block.add(position, normal);
         }
         shade(shading, block, out);
         for (size_t i = 0; i < block.count; ++i)

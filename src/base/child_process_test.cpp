@@ -1,5 +1,7 @@
 #include "base/child_process.h"
 
+#include "scenes/refusal.h"
+
 #include "relamp/error.h"
 
 #include <atomic>
@@ -24,12 +26,7 @@ using testing::StartsWith;
 std::string refusalOf(const std::function<Bytes()>& work, const ChildLimits& limits = {})
 {
     Progress progress;
-    try {
-        runInChild(work, limits, "room.obj", progress);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return scenes::refusalOf([&] { runInChild(work, limits, "room.obj", progress); });
 }
 
 } // namespace

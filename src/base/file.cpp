@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -28,16 +29,35 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
     throw Error(ErrorCode::cannotRead, fmt::format("{}: {}", file.string(), why));
 }
 
-[[noreturn]] void cannotWrite(const std::filesystem::path& file)
-{
-    throw Error(ErrorCode::cannotWrite,
-                fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
-}
+constexpr std::string_view kStaged = ".relamp-"; // behind a name, and six letters behind that
 
 /// For mkstemp and mkdtemp.
 std::string patternBeside(const std::filesystem::path& target)
 {
-    return (target.parent_path() / fmt::format(".{}.XXXXXX", target.filename().string())).string();
+    return (target.parent_path() / fmt::format(".{}{}XXXXXX", target.filename().string(), kStaged))
+        .string();
+}
+
+/// The place that a file is meant for, by which a person knows it, wherever it is written first.
+std::filesystem::path targetOf(const std::filesystem::path& file)
+{
+    std::filesystem::path target;
+    for (const std::filesystem::path& part : file) {
+        const std::string name = part.string();
+        const size_t mark = name.rfind(kStaged);
+        const bool isStaged =
+            mark != std::string::npos && name[0] == '.' && name.size() == mark + kStaged.size() + 6;
+        target /= isStaged ? name.substr(1, mark - 1) : name;
+    }
+    return target;
+}
+
+[[noreturn]] void cannotWrite(const std::filesystem::path& file)
+{
+    const int reason = errno;
+    throw Error(
+        ErrorCode::cannotWrite,
+        fmt::format("{}: cannot be written: {}", targetOf(file).string(), std::strerror(reason)));
 }
 
 } // namespace
@@ -52,7 +72,7 @@ std::vector<std::byte> readFile(const std::filesystem::path& file, size_t larges
 
     const auto size = std::filesystem::file_size(file, failure);
     if (failure) cannotRead(file, failure.message());
-    if (size == 0) cannotRead(file, "is empty (0 bytes)");
+    if (size == 0) cannotRead(file, "is empty (0 bytes); copy it again");
     if (size > largest)
         cannotRead(file, fmt::format("is larger than the {} MiB that can be read", largest >> 20));
 

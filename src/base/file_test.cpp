@@ -1,6 +1,7 @@
 #include "base/file.h"
 
 #include "relamp/error.h"
+#include "scenes/refusal.h"
 #include "scenes/temporary_folder.h"
 
 #include <gmock/gmock.h>
@@ -13,15 +14,11 @@ namespace
 {
 
 using testing::HasSubstr;
+using testing::StartsWith;
 
 std::string refusal(const std::filesystem::path& file, size_t largest = 1 << 20)
 {
-    try {
-        readFile(file, largest);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return scenes::refusalOf([&] { readFile(file, largest); });
 }
 
 } // namespace
@@ -60,6 +57,16 @@ TEST(File, WhatCannotBeWrittenIsNamedWithItsReason)
         EXPECT_EQ(error.code(), ErrorCode::cannotWrite);
         EXPECT_THAT(error.what(), HasSubstr("below: cannot be written: Not a directory"));
     }
+}
+
+// Nobody knows the hidden folder that a result is written into before it is moved.
+TEST(File, WhatCannotBeWrittenIsNamedByThePlaceThatItIsMeantFor)
+{
+    const scenes::TemporaryFolder folder;
+    const std::filesystem::path staged = stageFolder(folder / ".room.v2");
+    const std::filesystem::path beside = std::filesystem::path(".none") / "albedo.exr";
+    EXPECT_THAT(scenes::refusalOf([&] { writeFile(staged / beside, "text"); }),
+                StartsWith((folder / ".room.v2" / beside).string() + ": cannot be written"));
 }
 
 } // namespace relamp

@@ -1,13 +1,27 @@
 #include "gpu/device.h"
 
 #include "gpu/check.h"
+#include "relamp/error.h"
 
 #include <algorithm>
+
+#include <fmt/format.h>
 
 namespace relamp::gpu
 {
 namespace
 {
+
+/// What `find` finds for an engine: where that is nothing, there is another engine.
+template<class Find>
+auto foundForEngine(const Find& find)
+{
+    try {
+        return find();
+    } catch (const Error& error) {
+        throw Error(error.code(), fmt::format("{}; --engine cpu does without", error.what()));
+    }
+}
 
 VkDevice makeDevice(const Instance::Candidate& chosen)
 {
@@ -32,7 +46,8 @@ VkDevice makeDevice(const Instance::Candidate& chosen)
 } // namespace
 
 Device::Device(const std::string& wish, Validation validation)
-    : instance_(validation), chosen_(instance_.choose(wish)), device_(makeDevice(chosen_))
+    : instance_(foundForEngine([&] { return Instance(validation); })),
+      chosen_(foundForEngine([&] { return instance_.choose(wish); })), device_(makeDevice(chosen_))
 {
     vkGetDeviceQueue(device_, chosen_.queueFamily, 0, &queue_);
 
@@ -76,7 +91,7 @@ namespace relamp
 void checkDevice(const EngineOptions& options)
 {
     if (options.engine == Engine::gpu || (options.engine != Engine::cpu && !options.gpu.empty()))
-        static_cast<void>(gpu::Instance().choose(options.gpu));
+        gpu::foundForEngine([&] { return gpu::Instance().choose(options.gpu); });
 }
 
 } // namespace relamp

@@ -23,7 +23,7 @@ constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 
 [[noreturn]] void noDevice(const std::string& why)
 {
-    throw Error(ErrorCode::device, fmt::format("GPU: {}; --engine cpu does without", why));
+    throw Error(ErrorCode::device, "GPU: " + why);
 }
 
 template<class Item, class List>
@@ -152,7 +152,8 @@ Instance::Instance(Validation validation)
     create.enabledExtensionCount = validates ? 1 : 0;
     create.ppEnabledExtensionNames = &extension;
     if (vkCreateInstance(&create, nullptr, &instance_) != VK_SUCCESS)
-        noDevice("this machine has no Vulkan driver");
+        noDevice("this machine has no Vulkan driver (install the one of your graphics card, or "
+                 "mesa-vulkan-drivers)");
     volkLoadInstance(instance_);
     if (validates) listen();
 }

@@ -15,6 +15,7 @@ PictureHeader headerFrom(const OIIO::ImageSpec& spec)
     return {.width = spec.width,
             .height = spec.height,
             .depth = spec.depth,
+            .tilePixels = static_cast<double>(spec.tile_width) * spec.tile_height * spec.tile_depth,
             .channels = spec.nchannels,
             .alphaChannel = spec.alpha_channel,
             .isOfBytes = spec.format.basesize() == 1,

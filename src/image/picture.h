@@ -15,6 +15,7 @@ struct PictureHeader
     int64_t width = 0;
     int64_t height = 0;
     int64_t depth = 1;        // 1: flat
+    double tilePixels = 0;    // of a tile, which is decoded as a whole; 0: in lines
     int channels = 0;         // as decoded
     int alphaChannel = -1;    // -1: none
     bool isOfBytes = true;    // a byte a sample

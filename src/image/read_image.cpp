@@ -4,6 +4,7 @@
 #include "base/file.h"
 #include "base/half.h"
 #include "image/chroma.h"
+#include "image/claimed_size.h"
 #include "image/damage.h"
 #include "image/exr_header.h"
 #include "image/jpeg.h"
@@ -47,6 +48,11 @@ void checkSize(const PictureHeader& header, size_t bytes, const std::string& nam
                                     "scale it down",
                                     width, height));
     const int64_t sampleSize = header.isOfBytes ? 1 : sizeof(float);
+    if (header.tilePixels * header.channels * static_cast<double>(sampleSize) >
+        static_cast<double>(mayUnpackTo(bytes)))
+        malformed(name, fmt::format("its header claims tiles of {:.0f} pixels, but the file has "
+                                    "only {} bytes; it is damaged",
+                                    header.tilePixels, bytes));
     if (width * height * header.channelsToRead() * sampleSize > mayUnpackTo(bytes))
         malformed(name, fmt::format("its header claims {} x {} pixels, but the file has only {} "
                                     "bytes; it is damaged",
@@ -106,6 +112,7 @@ Picture readPicture(std::span<const std::byte> bytes, const std::string& format,
     try {
         if (format == "jpeg") return readJpeg(bytes, check);
         if (format == "png") return readPng(bytes, check);
+        if (const auto claimed = claimedSize(bytes, format)) check(*claimed);
         return readOtherFormat(bytes, format, check);
     } catch (const UndecodablePicture& reason) {
         malformed(name, fmt::format("cannot be decoded as {}: {}", format, reason.what()));

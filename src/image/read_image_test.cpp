@@ -1,7 +1,7 @@
 #include "relamp/image.h"
 
-#include "relamp/error.h"
 #include "scenes/pictures.h"
+#include "scenes/refusal.h"
 #include "scenes/temporary_folder.h"
 
 #include <algorithm>
@@ -36,12 +36,7 @@ Image read(const Bytes& bytes, Transfer transfer = Transfer::automatic,
 
 std::string refusal(const Bytes& bytes)
 {
-    try {
-        read(bytes);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return scenes::refusalOf([&] { read(bytes); });
 }
 
 glm::vec3 pixel(const Image& image, size_t i)
@@ -272,11 +267,53 @@ TEST(ReadImage, LinesBeforeTheFileAreRefused)
     EXPECT_THAT(refusal(bytes), HasSubstr("cannot be decoded"));
 }
 
+/// One tile of RGB, of which next to nothing is there.
+Bytes tiffOfATile(uint16_t side)
+{
+    const std::array<std::array<uint16_t, 2>, 10> tags{{{256, 64}, // width, height
+                                                        {257, 64},
+                                                        {258, 8}, // bits a sample
+                                                        {259, 1}, // not packed
+                                                        {262, 2}, // RGB
+                                                        {277, 3}, // samples a pixel
+                                                        {322, side},
+                                                        {323, side},
+                                                        {324, 200}, // where it lies, how long it is
+                                                        {325, 100}}};
+    Bytes bytes{'I', 'I', '*', 0, 8, 0, 0, 0};
+    const auto append = [&bytes](uint16_t word) {
+        bytes.push_back(static_cast<uint8_t>(word & 0xff));
+        bytes.push_back(static_cast<uint8_t>(word >> 8));
+    };
+    append(tags.size());
+    for (const auto& [tag, value] : tags)
+        for (const int word : {int{tag}, 3, 1, 0, int{value}, 0})
+            append(static_cast<uint16_t>(word));
+    bytes.resize(300);
+    return bytes;
+}
+
+TEST(ReadImage, TilesThatTheFileCannotHoldAreRefusedBeforeThereIsRoomForThem)
+{
+    EXPECT_THAT(refusal(tiffOfATile(16384)), HasSubstr("claims tiles of 268435456 pixels"));
+    EXPECT_THAT(refusal(tiffOfATile(64)), HasSubstr("cannot be decoded"));
+}
+
 TEST(ReadImage, SizesThatTheFileCannotHoldAreRefusedBeforeThereIsRoomForThem)
 {
     EXPECT_THAT(refusal(scenes::pngClaiming(60000, 60000)),
                 HasSubstr("claims 60000 x 60000 pixels"));
     EXPECT_THAT(refusal(scenes::pngClaiming(20000, 20000)), HasSubstr("but the file has only"));
+    // OpenImageIO, which makes room as it opens these, would have said what else is wrong.
+    Bytes webp = pictureFile("webp", noise());
+    std::fill_n(webp.begin() + 26, 4, uint8_t{0x3f}); // width and height of a frame of VP8
+    webp.resize(40);
+    EXPECT_THAT(refusal(webp), HasSubstr("claims 16191 x 16191 pixels, but the file has only"));
+    Bytes bmp = pictureFile("bmp", noise());
+    bmp[20] = bmp[24] = 1; // width and height beyond 65536
+    bmp[28] = 8;           // bits a pixel
+    bmp[30] = 1;           // run lengths
+    EXPECT_THAT(refusal(bmp), HasSubstr("claims 65552 x 65552 pixels"));
 }
 
 } // namespace relamp

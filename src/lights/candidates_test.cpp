@@ -60,24 +60,33 @@ TEST(Candidates, LampIsCutOffThePlaneThatItRisesOver)
     EXPECT_NEAR(candidates[1].centre.y, 0.1f, 0.03f);
 }
 
-// A panel stands five centimetres off the ceiling that it burns out beside it, and the scan joins
-// them by a ramp. A plane half way between them would hold both.
+// A panel stands five centimetres off the ceiling that it burns out on both sides of it, and the
+// scan joins them by ramps with a ledge. The ledges' plane, half way, would hold all of them.
 TEST(Candidates, PanelIsCutOffTheCeilingThatItHardlyRisesOver)
 {
+    const auto strip = [](glm::vec2 from, glm::vec2 to) { // x and y
+        return scenes::Panel{
+            {from.x, from.y, 0.7f}, {0, 0, 0.6f}, {to.x - from.x, to.y - from.y, 0}};
+    };
     const std::vector<scenes::Panel> parts{
-        {{0, 0, 0}, {0, 0, 2}, {2, 0, 0}},                 // the ceiling, facing up
-        {{0.8f, 0, 0.7f}, {0, 0, 0.6f}, {0.2f, 0.05f, 0}}, // the ramp
-        {{1.0f, 0.05f, 0.7f}, {0, 0, 0.6f}, {0.5f, 0, 0}}};
+        {{0, 0, 0}, {0, 0, 2}, {2, 0, 0}}, // ceiling, facing up
+        strip({0.55f, 0}, {0.62f, 0.025f}),     strip({0.62f, 0.025f}, {0.68f, 0.025f}),
+        strip({0.68f, 0.025f}, {0.75f, 0.05f}), strip({0.75f, 0.05f}, {1.25f, 0.05f}), // the panel
+        strip({1.25f, 0.05f}, {1.32f, 0.025f}), strip({1.32f, 0.025f}, {1.38f, 0.025f}),
+        strip({1.38f, 0.025f}, {1.45f, 0})};
     const scenes::Paint paint = [](glm::vec3 p, glm::vec3) {
-        const bool isPool = p.x > 0.3f && p.x < 0.85f && p.z > 0.7f && p.z < 1.3f;
+        const float off = std::abs(p.x - 1.0f);
+        const bool isPool = off > 0.45f && off < 0.75f && std::abs(p.z - 1.0f) < 0.3f;
         return glm::vec3(isPool || p.y > 0.001f ? 1.0f : 0.5f);
     };
     const auto candidates = candidatesOf(scenes::panels(parts, 64, paint));
-    ASSERT_GE(candidates.size(), 2u);
-    EXPECT_NEAR(candidates[0].centre.y, 0.0f, 0.01f);
-    EXPECT_NEAR(candidates[0].area, 0.4f, 0.06f); // with half the ramp
-    EXPECT_NEAR(candidates[1].centre.y, 0.05f, 0.01f);
-    EXPECT_NEAR(candidates[1].area, 0.34f, 0.06f);
+    ASSERT_EQ(candidates.size(), 3u);
+    EXPECT_NEAR(candidates[0].centre.y, 0.05f, 0.01f);
+    EXPECT_NEAR(candidates[0].area, 0.37f, 0.06f); // with the upper ramps
+    for (const size_t pool : {1u, 2u}) {
+        EXPECT_NEAR(candidates[pool].centre.y, 0.0f, 0.01f);
+        EXPECT_NEAR(candidates[pool].area, 0.27f, 0.06f); // with a ramp and a ledge
+    }
 }
 
 // A sconce's pool of light is small for a plane, but the wall goes on around it; a lamp's own flat

@@ -1,6 +1,6 @@
 #include "relamp/lights.h"
 
-#include "relamp/error.h"
+#include "scenes/refusal.h"
 #include "scenes/temporary_folder.h"
 
 #include <cmath>
@@ -31,12 +31,7 @@ Lights read(const std::string& text)
 
 std::string refusal(const std::string& text)
 {
-    try {
-        read(text);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return scenes::refusalOf([&] { read(text); });
 }
 
 const std::string kLamp = R"({"centre": [1, 2, 3], "area": 2, "radiance": [4, 2, 0])";

@@ -1,6 +1,7 @@
 #include "relamp/film.h"
 
 #include "relamp/error.h"
+#include "scenes/refusal.h"
 #include "scenes/scenes.h"
 #include "scenes/temporary_folder.h"
 
@@ -71,12 +72,7 @@ protected:
 
     std::string refusal(const std::string& target)
     {
-        try {
-            write(target);
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "";
+        return scenes::refusalOf([&] { write(target); });
     }
 
     Progress progress;

@@ -1,6 +1,6 @@
 #include "relight/ies.h"
 
-#include "relamp/error.h"
+#include "scenes/refusal.h"
 
 #include <cmath>
 
@@ -23,12 +23,7 @@ IesPhotometry parsed(const std::string& text)
 
 std::string refusal(const std::string& text)
 {
-    try {
-        parsed(text);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return scenes::refusalOf([&] { parsed(text); });
 }
 
 /// A file with these horizontal angles whose intensity is candela(vertical, horizontal), degrees.

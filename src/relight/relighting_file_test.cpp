@@ -1,6 +1,6 @@
-#include "relamp/error.h"
 #include "relamp/relight.h"
 #include "relight/photometry.h"
+#include "scenes/refusal.h"
 #include "scenes/temporary_folder.h"
 
 #include <gmock/gmock.h>
@@ -37,12 +37,7 @@ Relighting read(const std::string& text)
 
 std::string refusal(const std::string& text)
 {
-    try {
-        read(text);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return scenes::refusalOf([&] { read(text); });
 }
 
 std::string refusalOfLight(const std::string& light)
@@ -53,12 +48,7 @@ std::string refusalOfLight(const std::string& light)
 std::string refusalOfSetting(const std::string& setting)
 {
     Relighting lighting = darkened(twoFixtures());
-    try {
-        setFixture(lighting, twoFixtures(), setting);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return scenes::refusalOf([&] { setFixture(lighting, twoFixtures(), setting); });
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "relamp/timeline.h"
 
-#include "relamp/error.h"
+#include "scenes/refusal.h"
 #include "scenes/temporary_folder.h"
 
 #include <filesystem>
@@ -36,22 +36,12 @@ protected:
 
     std::string refusal(const std::string& text)
     {
-        try {
-            read(text);
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "";
+        return scenes::refusalOf([&] { read(text); });
     }
 
     std::string refusalBetween(const std::string& first, const std::string& second)
     {
-        try {
-            between(first, second);
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "";
+        return scenes::refusalOf([&] { between(first, second); });
     }
 
     scenes::TemporaryFolder folder;

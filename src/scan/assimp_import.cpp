@@ -263,7 +263,9 @@ std::vector<std::byte> importAndPack(const std::filesystem::path& file)
                                              aiProcess_JoinIdenticalVertices | aiProcess_FlipUVs |
                                              aiProcess_ValidateDataStructure);
     if (scene == nullptr || scene->mRootNode == nullptr)
-        malformed(file.string(), fmt::format("cannot be read: {}", importer.GetErrorString()));
+        malformed(file.string(),
+                  fmt::format("cannot be read: {}\nExport it again, as GLB, OBJ or PLY",
+                              importer.GetErrorString()));
     const Import import = SceneReader(*scene).read();
     std::vector<std::byte> bytes;
     visitAll(import, Packer{bytes});

@@ -51,7 +51,7 @@ class AssimpReader
 {
 public:
     AssimpReader(const std::filesystem::path& file, const ScanOptions& options)
-        : file_(file), options_(options), textures_(file)
+        : file_(file), options_(options), skipped_(options), textures_(file)
     {
         scan_.name = file.stem().string();
         scan_.worldFromFile = worldFromFile(options);
@@ -66,6 +66,7 @@ private:
 
     std::filesystem::path file_;
     const ScanOptions& options_;
+    SkippedMeshes skipped_;
     ScanTextures textures_;
     Scan scan_;
 };
@@ -110,7 +111,7 @@ void AssimpReader::takeMesh(Import::Mesh& source, const Import::Material& materi
 {
     Mesh mesh;
     mesh.name = source.name;
-    if (isSkipped(options_, mesh.name)) return;
+    if (skipped_.holds(mesh.name)) return;
     for (const glm::vec3& p : source.positions)
         mesh.positions.emplace_back(scan_.worldFromFile * glm::vec4(p, 1.0f));
     std::vector<glm::vec3> normals;
@@ -138,6 +139,7 @@ Scan AssimpReader::read(Progress& progress)
     // What these formats keep as bytes a vertex came from a photo, through its transfer curve.
     addVertexPage(scan_, options_.transfer == Transfer::linear ? Transfer::linear : Transfer::srgb,
                   file_.string());
+    skipped_.tell(scan_.warnings);
     return std::move(scan_);
 }
 

@@ -1,7 +1,7 @@
 #include "scan/assimp_read.h"
 
-#include "relamp/error.h"
 #include "scenes/pictures.h"
+#include "scenes/refusal.h"
 #include "scenes/temporary_folder.h"
 
 #include <glm/geometric.hpp>
@@ -41,12 +41,7 @@ protected:
     }
     std::string refusal(const std::string& name = "room.obj")
     {
-        try {
-            read(name);
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "";
+        return scenes::refusalOf([&] { read(name); });
     }
     void writeSquare(const std::string& mtl)
     {

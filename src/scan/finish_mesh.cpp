@@ -78,7 +78,7 @@ void dropUnusable(Mesh& mesh, std::vector<std::string>& warnings)
     if (broken > 0)
         warnings.push_back(
             fmt::format("mesh \"{}\": {} triangles have a vertex that is not a finite "
-                        "number and were left out",
+                        "number or lies beyond 1000 km, and were left out",
                         mesh.name, broken));
     if (flat > 0)
         warnings.push_back(

@@ -1,6 +1,6 @@
 #include "scan/finish_mesh.h"
 
-#include "relamp/error.h"
+#include "scenes/refusal.h"
 
 #include <cmath>
 #include <limits>
@@ -41,12 +41,7 @@ std::vector<std::string> finish(Mesh& mesh, std::vector<glm::vec3> normals = {})
 
 std::string refusal(Mesh mesh)
 {
-    try {
-        finish(mesh);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return scenes::refusalOf([&] { finish(mesh); });
 }
 
 } // namespace

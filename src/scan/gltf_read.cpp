@@ -100,7 +100,8 @@ class GltfReader
 {
 public:
     GltfReader(const std::filesystem::path& file, const ScanOptions& options, PlainGltf&& plain)
-        : name_(file.string()), options_(options), source_(std::make_shared<GltfSource>())
+        : name_(file.string()), options_(options), skipped_(options),
+          source_(std::make_shared<GltfSource>())
     {
         model_ = parseModel(joinGlb(dumpJson(plain.document), plain.binary), name_);
         source_->document = std::move(plain.document);
@@ -125,6 +126,7 @@ private:
 
     std::string name_;
     const ScanOptions& options_;
+    SkippedMeshes skipped_;
     tinygltf::Model model_;
     std::shared_ptr<GltfSource> source_;
     Scan scan_;
@@ -231,7 +233,7 @@ void GltfReader::takePrimitive(GltfSource::MeshOrigin origin, const glm::mat4& w
                 : !nodeName.empty()  ? nodeName
                                      : fmt::format("mesh {}", origin.mesh);
     const std::string what = fmt::format("{}: mesh \"{}\"", name_, mesh.name);
-    if (isSkipped(options_, mesh.name)) return;
+    if (skipped_.holds(mesh.name)) return;
     if (primitive.mode < TINYGLTF_MODE_TRIANGLES || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
         scan_.warnings.push_back(fmt::format(
             "mesh \"{}\": points and lines have no surface and were left out", mesh.name));
@@ -302,9 +304,11 @@ void GltfReader::readPages(Progress& progress)
         const tinygltf::Image& source = model_.images[static_cast<size_t>(image)];
         const std::string what = fmt::format("{}: image {} \"{}\"", name_, image, source.name);
         if (source.bufferView < 0)
-            malformed(what,
-                      fmt::format("the picture file that it names is missing or unreadable: {}",
-                                  source.uri.substr(0, kLongestName)));
+            malformed(
+                what,
+                fmt::format("the picture file that it names is missing or unreadable: {}; put it "
+                            "beside the file",
+                            source.uri.substr(0, kLongestName)));
         const auto& views = model_.bufferViews;
         if (static_cast<size_t>(source.bufferView) >= views.size())
             malformed(what, "has no content");
@@ -335,6 +339,7 @@ Scan GltfReader::read(Progress& progress)
     visitScene();
     readPages(progress);
     addVertexPage(scan_, options_.transfer, name_);
+    skipped_.tell(scan_.warnings);
     keepSource();
     return std::move(scan_);
 }

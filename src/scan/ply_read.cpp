@@ -84,7 +84,8 @@ class PlyReader
 public:
     PlyReader(std::span<const std::byte> bytes, const std::filesystem::path& file,
               const ScanOptions& options)
-        : name_(file.string()), options_(options), header_(parsePlyHeader(bytes, name_)),
+        : name_(file.string()), options_(options), skipped_(options),
+          header_(parsePlyHeader(bytes, name_)),
           body_(bytes.subspan(header_.size), header_.encoding, name_), textures_(file),
           hasCornerUvs_(facesHaveCoordinates(header_))
     {
@@ -110,6 +111,7 @@ private:
 
     std::string name_;
     const ScanOptions& options_;
+    SkippedMeshes skipped_;
     PlyHeader header_;
     PlyBody body_;
     ScanTextures textures_;
@@ -270,7 +272,7 @@ void PlyReader::finish(Part& part)
 {
     Mesh mesh;
     mesh.name = parts_.size() == 1 ? scan_.name : fmt::format("{} {}", scan_.name, part.texture);
-    if (isSkipped(options_, mesh.name)) return;
+    if (skipped_.holds(mesh.name)) return;
     checkIndices(part);
     const bool hasPictures = !header_.textureFiles.empty();
     std::vector<glm::vec3> normals;
@@ -316,6 +318,7 @@ Scan PlyReader::read(Progress& progress)
     // What PLY keeps as bytes a vertex came from a photo, through its transfer curve.
     addVertexPage(scan_, options_.transfer == Transfer::linear ? Transfer::linear : Transfer::srgb,
                   name_);
+    skipped_.tell(scan_.warnings);
     return std::move(scan_);
 }
 

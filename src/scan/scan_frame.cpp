@@ -1,6 +1,6 @@
 #include "scan/scan_frame.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 namespace relamp
 {
@@ -13,10 +13,23 @@ glm::mat4 worldFromFile(const ScanOptions& options)
     return {{s, 0, 0, 0}, {0, s, 0, 0}, {0, 0, s, 0}, {0, 0, 0, 1}};
 }
 
-bool isSkipped(const ScanOptions& options, const std::string& meshName)
+SkippedMeshes::SkippedMeshes(const ScanOptions& options)
 {
-    const auto& skip = options.skipMeshes;
-    return std::find(skip.begin(), skip.end(), meshName) != skip.end();
+    for (const std::string& name : options.skipMeshes) isMet_[name] = false;
+}
+
+bool SkippedMeshes::holds(const std::string& meshName)
+{
+    const auto found = isMet_.find(meshName);
+    if (found == isMet_.end()) return false;
+    found->second = true;
+    return true;
+}
+
+void SkippedMeshes::tell(std::vector<std::string>& warnings) const
+{
+    for (const auto& [name, isMet] : isMet_)
+        if (!isMet) warnings.push_back(fmt::format("no mesh is called \"{}\" (--skip-mesh)", name));
 }
 
 } // namespace relamp

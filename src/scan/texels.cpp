@@ -348,17 +348,8 @@ void TexelLoader::loadSurfel(size_t begin, size_t count, TexelBlock& block) cons
 
 void loadSurfels(const Surfels& surfels, size_t begin, size_t end, TexelBlock& block)
 {
-    block.count = end - begin;
-    for (size_t i = 0; i < block.count; ++i) {
-        const glm::vec3 position = surfels.position[begin + i];
-        const glm::vec3 normal = surfels.normal[begin + i];
-        block.x[i] = position.x;
-        block.y[i] = position.y;
-        block.z[i] = position.z;
-        block.nx[i] = normal.x;
-        block.ny[i] = normal.y;
-        block.nz[i] = normal.z;
-    }
+    block.count = 0;
+    for (size_t s = begin; s < end; ++s) block.add(surfels.position[s], surfels.normal[s]);
 }
 
 } // namespace relamp

@@ -110,6 +110,18 @@ struct TexelBlock
     alignas(64) float r[kPadded] = {}, g[kPadded] = {}, b[kPadded] = {};    // radiance, linear
     alignas(64) float area[kCapacity] = {};                                 // m^2
     uint32_t surfel[kCapacity] = {};
+
+    /// One more texel, of which nothing else is known.
+    void add(glm::vec3 position, glm::vec3 normal)
+    {
+        x[count] = position.x;
+        y[count] = position.y;
+        z[count] = position.z;
+        nx[count] = normal.x;
+        ny[count] = normal.y;
+        nz[count] = normal.z;
+        ++count;
+    }
 };
 
 /// RGB of a block of texels, structure of arrays. Entries behind the block's last texel are

@@ -19,20 +19,6 @@ constexpr glm::vec3 kUp(0, 1, 0);
 constexpr glm::vec3 kDown(0, -1, 0);
 constexpr float kOffSurface = 2e-3f; // m; shadow rays start so far off
 
-/// A panel cut into patches.
-AreaLight lightOf(const scenes::Panel& panel, int cells)
-{
-    std::vector<ClippedPatch> patches;
-    const float area = glm::length(glm::cross(panel.alongU, panel.alongV));
-    const auto across = static_cast<float>(cells);
-    for (int v = 0; v < cells; ++v)
-        for (int u = 0; u < cells; ++u)
-            patches.push_back({panel.at((static_cast<float>(u) + 0.5f) / across,
-                                        (static_cast<float>(v) + 0.5f) / across),
-                               panel.normal(), area / (across * across), 0});
-    return AreaLight(std::move(patches));
-}
-
 /// Of `side` squared, `height` above the origin, facing down.
 scenes::Panel above(float height, float side)
 {
@@ -62,14 +48,14 @@ TEST(AreaDirect, SmallPatchFallsOffWithTheSquareOfTheDistance)
 {
     const float area = 1e-4f;
     for (const float height : {0.5f, 1.0f, 4.0f})
-        EXPECT_NEAR(openAt(lightOf(above(height, 0.01f), 1), glm::vec3(0.0f), kUp),
+        EXPECT_NEAR(openAt(scenes::lightOf(above(height, 0.01f), 1), glm::vec3(0.0f), kUp),
                     area / (height * height), 1e-3f * area / (height * height));
 }
 
 TEST(AreaDirect, FollowsTheCosineAtBothEndsAndIsDarkBehind)
 {
     const float half = std::sqrt(0.5f);
-    const AreaLight light = lightOf(above(1.0f, 0.01f), 1);
+    const AreaLight light = scenes::lightOf(above(1.0f, 0.01f), 1);
     EXPECT_NEAR(openAt(light, glm::vec3(0.0f), {half, half, 0}), 1e-4f * half, 1e-7f);
     // 45 degrees off: a cosine at the lamp, one at the floor, twice the distance squared
     EXPECT_NEAR(openAt(light, {1, 0, 0}, kUp), 1e-4f * 0.25f, 1e-7f);
@@ -81,7 +67,7 @@ TEST(AreaDirect, FollowsTheCosineAtBothEndsAndIsDarkBehind)
 TEST(AreaDirect, LargePanelLightsByItsFormFactor)
 {
     const scenes::Panel panel = above(1.0f, 2.0f);
-    const AreaLight light = lightOf(panel, 16);
+    const AreaLight light = scenes::lightOf(panel, 16);
     for (const glm::vec3 place : {glm::vec3(0.0f), glm::vec3(1, 0, 0.3f), glm::vec3(3, 0.5f, 0)}) {
         const float exact = scenes::irradianceFrom(panel, place, kUp);
         EXPECT_NEAR(openAt(light, place, kUp), exact, 0.01f * exact);
@@ -102,7 +88,7 @@ TEST(AreaDirect, PatchesStandForEqualAreas)
 TEST(AreaDirect, PatchesAndSamplesAgree)
 {
     const scenes::Surfaces far(scenes::square(1.0f, 8, scenes::plain(glm::vec3(0.5f))));
-    const AreaLight light = lightOf(above(4.0f, 1.0f), 8);
+    const AreaLight light = scenes::lightOf(above(4.0f, 1.0f), 8);
     std::mt19937 random(1);
     const auto number = [&] { return static_cast<float>(random() % 1000) / 1000.0f; };
     TexelBlock block;
@@ -123,7 +109,7 @@ TEST(AreaDirect, PatchesAndSamplesAgree)
 TEST(AreaDirect, ShadowIsWhatStandsBetween)
 {
     const scenes::Surfaces scene(floorAndTable());
-    const AreaLight light = lightOf(above(3.0f, 0.2f), 4);
+    const AreaLight light = scenes::lightOf(above(3.0f, 0.2f), 4);
     const auto sampleAt = [&](glm::vec3 place) {
         return sampleAreaLight(scene.rays, light, place, kUp, 16, 0.5f);
     };

@@ -1,5 +1,7 @@
 #include "shading/direct.h"
 
+#include "scenes/surfaces.h"
+
 #include <cmath>
 #include <random>
 
@@ -12,22 +14,11 @@ namespace
 
 constexpr glm::vec3 kInverseSquare(0.0f, 0.0f, 1.0f);
 
-void addTexel(TexelBlock& block, glm::vec3 position, glm::vec3 normal)
-{
-    const size_t i = block.count++;
-    block.x[i] = position.x;
-    block.y[i] = position.y;
-    block.z[i] = position.z;
-    block.nx[i] = normal.x;
-    block.ny[i] = normal.y;
-    block.nz[i] = normal.z;
-}
-
 float irradianceAt(glm::vec3 position, glm::vec3 normal, glm::vec3 attenuation = kInverseSquare)
 {
     const PointLight light{.position = {0, 2, 0}, .intensity = {10, 0, 0}};
     TexelBlock block;
-    addTexel(block, position, normal);
+    scenes::addTexel(block, position, normal);
     RgbBlock out;
     directIrradiance(block, LightArrays({&light, 1}), attenuation, out);
     return out.r[0];
@@ -72,8 +63,9 @@ TEST(Direct, IsTheSameForAllInstructionSets)
     }
     TexelBlock block;
     for (int i = 0; i < 501; ++i)
-        addTexel(block, {metres(random), metres(random), metres(random)},
-                 glm::normalize(glm::vec3(metres(random), metres(random), metres(random)) - 2.5f));
+        scenes::addTexel(
+            block, {metres(random), metres(random), metres(random)},
+            glm::normalize(glm::vec3(metres(random), metres(random), metres(random)) - 2.5f));
     const LightArrays arrays(lights);
     RgbBlock narrow;
     directIrradiance(block, arrays, {0.01f, 0.0f, 1.0f}, narrow, InstructionSet::baseline);

@@ -21,19 +21,6 @@ constexpr glm::vec3 kUp(0, 1, 0);
 /// A pane of a metre squared in the plane z = 0 that looks along z, of patches of 2 cm.
 constexpr scenes::Panel kPane{{-0.5f, -0.5f, 0}, {1, 0, 0}, {0, 1, 0}};
 
-AreaLight lightOf(const scenes::Panel& panel, int cells)
-{
-    std::vector<ClippedPatch> patches;
-    const float area = glm::length(glm::cross(panel.alongU, panel.alongV));
-    const auto across = static_cast<float>(cells);
-    for (int v = 0; v < cells; ++v)
-        for (int u = 0; u < cells; ++u)
-            patches.push_back({panel.at((static_cast<float>(u) + 0.5f) / across,
-                                        (static_cast<float>(v) + 0.5f) / across),
-                               panel.normal(), area / (across * across), 0});
-    return AreaLight(std::move(patches));
-}
-
 float openAt(const LampPatches& lamp, glm::vec3 place, glm::vec3 normal,
              InstructionSet set = bestInstructionSet())
 {
@@ -62,7 +49,7 @@ AreaLight ball(size_t patches)
 
 TEST(LampPatches, EveryPatchIsTheSumOfItsParts)
 {
-    const LampPatches lamp(lightOf(kPane, 50));
+    const LampPatches lamp(scenes::lightOf(kPane, 50));
     EXPECT_NEAR(lamp.area[0], 1.0f, 1e-4f);
     EXPECT_EQ(lamp.after[0], lamp.count());
     for (uint32_t i = 0; i < lamp.count(); ++i) {
@@ -78,7 +65,7 @@ TEST(LampPatches, EveryPatchIsTheSumOfItsParts)
 // Reveals and frames stand a few centimetres beside a pane.
 TEST(LampPatches, BesideAPaneItsLightIsLambertsPolygon)
 {
-    const LampPatches lamp(lightOf(kPane, 50));
+    const LampPatches lamp(scenes::lightOf(kPane, 50));
     const scenes::Panel pane = kPane;
     for (const float off : {0.01f, 0.02f, 0.05f, 0.2f, 0.7f, 3.0f}) {
         const glm::vec3 reveal(0.1f, -0.5f, off); // looks up along the pane
@@ -93,7 +80,7 @@ TEST(LampPatches, BesideAPaneItsLightIsLambertsPolygon)
 TEST(LampPatches, FromAfarFewPatchesAreAsGoodAsAll)
 {
     const scenes::Panel pane = kPane;
-    const LampPatches lamp(lightOf(pane, 50));
+    const LampPatches lamp(scenes::lightOf(pane, 50));
     const float exact = scenes::irradianceFrom(pane, {0.4f, -0.5f, 2.0f}, kUp);
     EXPECT_NEAR(openAt(lamp, {0.4f, -0.5f, 2.0f}, kUp), exact, 0.01f * exact);
 }
@@ -101,7 +88,7 @@ TEST(LampPatches, FromAfarFewPatchesAreAsGoodAsAll)
 // One patch hands over to its parts by and by: no step shows on a wall.
 TEST(LampPatches, LightHasNoStepsAlongAWall)
 {
-    const LampPatches lamp(lightOf(kPane, 50));
+    const LampPatches lamp(scenes::lightOf(kPane, 50));
     float former = openAt(lamp, {0, -0.5f, 0.3f}, kUp);
     for (float z = 0.301f; z < 4.0f; z += 0.001f) {
         const float here = openAt(lamp, {0, -0.5f, z}, kUp);
@@ -113,7 +100,7 @@ TEST(LampPatches, LightHasNoStepsAlongAWall)
 // A pane that shines to both sides has no mean facing.
 TEST(LampPatches, BothSidesOfAPaneShine)
 {
-    const AreaLight front = lightOf(kPane, 10);
+    const AreaLight front = scenes::lightOf(kPane, 10);
     std::vector<ClippedPatch> patches(front.patches().begin(), front.patches().end());
     for (const ClippedPatch& patch : front.patches()) {
         patches.push_back(patch);
@@ -140,7 +127,7 @@ TEST(LampPatches, ABallShinesAllAroundAlike)
 
 TEST(LampPatches, AllInstructionSetsAgree)
 {
-    const LampPatches lamp(lightOf(kPane, 20));
+    const LampPatches lamp(scenes::lightOf(kPane, 20));
     for (const glm::vec3 place : {glm::vec3(0, -0.5f, 0.04f), glm::vec3(0.3f, -0.5f, 1.1f)}) {
         const float baseline = openAt(lamp, place, kUp, InstructionSet::baseline);
         for (const InstructionSet set : scenes::widerSets())

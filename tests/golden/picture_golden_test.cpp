@@ -163,6 +163,14 @@ TEST_F(PictureProgram, AVideoNeedsFfmpeg)
     EXPECT_THAT(names(), ElementsAre());
 }
 
+TEST_F(PictureProgram, AFolderThatIsNotThereIsToldOfBeforeAllWork)
+{
+    const Outcome run = relight({"--lights", lamp, "-o", (folder / "none" / "lit.png").string()});
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_THAT(run.err, HasSubstr("none/lit.png: cannot be written: "));
+    EXPECT_THAT(run.err, HasSubstr("make that folder"));
+}
+
 TEST_F(PictureProgram, AScanWithoutCamerasSaysSo)
 {
     const Outcome run = runRelamp({"relight", room(), "--camera", "0", "-o", folder / "a.png"});

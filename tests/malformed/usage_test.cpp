@@ -43,9 +43,11 @@ TEST_F(Usage, WhatIsNotKnownIsNamed)
     expectUsageError({"delight", folder / "room.ply", "-o", folder / "out", "--brighter"},
                      "--brighter");
     expectUsageError({"delight", folder / "room.ply", "more", "-o", folder / "out"}, "more");
-    expectUsageError({"paint", folder / "room.ply"}, "subcommand");
+    expectUsageError({"paint", folder / "room.ply"}, "paint");
     expectUsageError("--solver", {"bogus", ""});
-    expectUsageError("--up", {"x", "up"});
+    expectUsageError("--up", {"x", "up", "0"});
+    expectUsageError({"delight", folder / "room.ply", "-o", folder / "out", "--quality", "best"},
+                     "\"best\" is none of draft, high, standard");
     expectUsageError("--transfer", {"gamma"});
 }
 

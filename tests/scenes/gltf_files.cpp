@@ -5,6 +5,7 @@
 #include "scan/gltf_read.h"
 #include "scan/ply_read.h"
 #include "scenes/pictures.h"
+#include "scenes/refusal.h"
 
 #include <stdexcept>
 
@@ -259,12 +260,7 @@ Scan read(const std::string& bytes, const ScanOptions& options, const std::strin
 
 std::string refusal(const std::string& bytes, const std::string& name)
 {
-    try {
-        read(bytes, {}, name);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return refusalOf([&] { read(bytes, {}, name); });
 }
 
 } // namespace relamp::scenes

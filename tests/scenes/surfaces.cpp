@@ -54,13 +54,20 @@ std::vector<InstructionSet> widerSets()
 
 void addTexel(TexelBlock& block, glm::vec3 position, glm::vec3 normal)
 {
-    const size_t i = block.count++;
-    block.x[i] = position.x;
-    block.y[i] = position.y;
-    block.z[i] = position.z;
-    block.nx[i] = normal.x;
-    block.ny[i] = normal.y;
-    block.nz[i] = normal.z;
+    block.add(position, normal);
+}
+
+AreaLight lightOf(const Panel& panel, int cells)
+{
+    std::vector<ClippedPatch> patches;
+    const float area = glm::length(glm::cross(panel.alongU, panel.alongV));
+    const auto across = static_cast<float>(cells);
+    for (int v = 0; v < cells; ++v)
+        for (int u = 0; u < cells; ++u)
+            patches.push_back({panel.at((static_cast<float>(u) + 0.5f) / across,
+                                        (static_cast<float>(v) + 0.5f) / across),
+                               panel.normal(), area / (across * across), 0});
+    return AreaLight(std::move(patches));
 }
 
 } // namespace relamp::scenes

@@ -4,6 +4,8 @@
 #include "lights/surfel_radiance.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
+#include "scenes/scenes.h"
+#include "shading/area_direct.h"
 #include "shading/hit_lists.h"
 
 #include <vector>
@@ -36,5 +38,8 @@ std::vector<InstructionSet> widerSets();
 
 /// A texel of a block.
 void addTexel(TexelBlock& block, glm::vec3 position, glm::vec3 normal);
+
+/// A panel cut into cells x cells patches.
+AreaLight lightOf(const Panel& panel, int cells);
 
 } // namespace relamp::scenes

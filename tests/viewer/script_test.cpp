@@ -1,5 +1,7 @@
 #include "script.h"
 
+#include "scenes/refusal.h"
+
 #include "relamp/error.h"
 
 #include <gmock/gmock.h>
@@ -12,12 +14,7 @@ using testing::HasSubstr;
 
 std::string complaintOf(const char* text)
 {
-    try {
-        parseScript(text, "a.txt");
-    } catch (const relamp::Error& error) {
-        return error.what();
-    }
-    return "";
+    return relamp::scenes::refusalOf([&] { parseScript(text, "a.txt"); });
 }
 
 TEST(Script, IsCommandsWithWordsAndComments)
@@ -46,6 +43,10 @@ TEST(Script, NumbersAreWholeWords)
     EXPECT_FLOAT_EQ(numberOf("-1.5"), -1.5f);
     for (const char* word : {"", "1x", "nan", "inf", "one", "1e99"})
         EXPECT_THROW(static_cast<void>(numberOf(word)), relamp::Error) << word;
+    // To the last one: a float would make 4294967296 of it.
+    EXPECT_EQ(wholeNumberOf("4294967295"), 4294967295u);
+    for (const char* word : {"", "-1", "1.5", "4294967296", "one"})
+        EXPECT_THROW(static_cast<void>(wholeNumberOf(word)), relamp::Error) << word;
 }
 
 } // namespace
