@@ -20,7 +20,7 @@ constexpr size_t kPairs = 6;           // of a place
 constexpr size_t kTexels = 64;         // of a place, at most
 constexpr float kMostBurntOut = 0.02f; // of a place
 constexpr double kScale = 0.25;        // of the Cauchy loss, octaves
-constexpr double kStiffness = 0.003;   // of the curve, in pairs' squared residuals
+constexpr double kStiffness = 5e-4;    // of the curve, in pairs' squared residuals
 constexpr int kRounds = 20;
 constexpr float kDarkest = 1e-4f; // shading
 
