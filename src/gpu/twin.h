@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include <tbb/task_arena.h>
+
 namespace relamp::gpu
 {
 
@@ -29,7 +31,8 @@ std::string handedOver(const Error& error);
 /// What a GPU computes in place of the CPU, as the options say; made when it is first asked for.
 ///
 /// A device that nobody asked for and that fails hands over to the CPU, for good. To be used by one
-/// thread at a time.
+/// thread at a time, so mostly under a lock: where stages loop on all threads, the one that waits
+/// for them takes up nothing else, which might want the same lock.
 template<class Stages>
 class Twin
 {
@@ -45,8 +48,10 @@ public:
     {
         if (!choice_.device) return false;
         try {
-            if (!stages_) stages_ = make_(*choice_.device);
-            work(*stages_);
+            tbb::this_task_arena::isolate([&] {
+                if (!stages_) stages_ = make_(*choice_.device);
+                work(*stages_);
+            });
             return true;
         } catch (const Error& error) {
             if (!choice_.isFree || error.code() != ErrorCode::device) throw;

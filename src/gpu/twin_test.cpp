@@ -1,8 +1,16 @@
 #include "gpu/twin.h"
 
+#include "base/parallel.h"
 #include "scenes/gpu_scene.h"
 
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <thread>
+
 #include <gmock/gmock.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 namespace relamp::gpu
 {
@@ -76,6 +84,35 @@ TEST_F(GpuTwin, WhatIsNoFaultOfTheDeviceIsNoReasonToHandOver)
     Twin<Stages> stages = twin(true);
     EXPECT_THROW(stages.compute([](Stages&) { fail(ErrorCode::cancelled); }), Error);
     EXPECT_NE(stages.name(), "cpu");
+}
+
+// In a loop whose chunks take turns, as blocks of texels do: a second one on the same thread would
+// wait for the lock that it holds.
+TEST_F(GpuTwin, WhoWaitsForItsLoopsTakesUpNoChunkOfALoopAround)
+{
+    constexpr int kThreads = 8;
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, kThreads);
+    Twin<Stages> stages = twin(true);
+    std::mutex mutex;
+    std::atomic<int> secondChunks = 0;
+    tbb::task_arena(kThreads).execute([&] {
+        forEachChunk(1000, 1, [&](size_t, size_t) {
+            static thread_local bool holdsLock = false;
+            if (holdsLock) {
+                ++secondChunks;
+                return;
+            }
+            const std::lock_guard lock(mutex);
+            holdsLock = true;
+            stages.compute([](Stages&) {
+                forEachChunk(16, 1, [](size_t, size_t) {
+                    std::this_thread::sleep_for(std::chrono::microseconds(20));
+                });
+            });
+            holdsLock = false;
+        });
+    });
+    EXPECT_EQ(secondChunks, 0);
 }
 
 TEST_F(GpuTwin, ASoftwareDeviceIsChosenOnlyWhereItIsAskedFor)
