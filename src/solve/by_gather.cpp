@@ -77,7 +77,8 @@ glm::vec3 shareOf(glm::vec3 part, glm::vec3 whole)
 void tell(const ResolveEngine& engine, Solution& solution)
 {
     solution.options.engine = {engine.isCpu() ? Engine::cpu : Engine::gpu, engine.name()};
-    if (!engine.note().empty()) solution.warnings.push_back(engine.note());
+    if (std::string note = engine.note(); !note.empty())
+        solution.warnings.push_back(std::move(note));
 }
 
 } // namespace

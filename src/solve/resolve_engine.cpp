@@ -28,14 +28,7 @@ DeviceLayers ResolveEngine::resolve(SolvedRoom& room, const LampPowers& powers)
 {
     const auto asked = std::make_shared<const Asked>(Asked{powers, room.found.shines});
     SettledLight light;
-    const std::unique_lock lock(mutex_);
-    room_ = &room;
-    lit_ = nullptr;
-    const bool isSettled = gpu_.compute([&](ResolveGpu& gpu) {
-        gpu.gather(asked->powers, asked->shines);
-        light = settledBy(gpu);
-    });
-    if (!isSettled) {
+    if (!settle(room, *asked, light)) {
         relamp::resolve(texels_, room, powers);
         return nullptr;
     }
@@ -46,6 +39,18 @@ DeviceLayers ResolveEngine::resolve(SolvedRoom& room, const LampPowers& powers)
         progress.check();
         return self->layersOf(asked, page, solved, options);
     };
+}
+
+/// False where the CPU has to do it.
+bool ResolveEngine::settle(const SolvedRoom& room, const Asked& asked, SettledLight& light)
+{
+    const std::unique_lock lock(mutex_);
+    room_ = &room;
+    lit_ = nullptr;
+    return gpu_.compute([&](ResolveGpu& gpu) {
+        gpu.gather(asked.powers, asked.shines);
+        light = settledBy(gpu);
+    });
 }
 
 std::optional<PageLayers> ResolveEngine::layersOf(const std::shared_ptr<const Asked>& asked,
@@ -65,6 +70,24 @@ std::optional<PageLayers> ResolveEngine::layersOf(const std::shared_ptr<const As
         layers = gpu.layers();
     });
     return layers;
+}
+
+bool ResolveEngine::isCpu() const
+{
+    const std::unique_lock lock(mutex_);
+    return gpu_.isCpu();
+}
+
+std::string ResolveEngine::name() const
+{
+    const std::unique_lock lock(mutex_);
+    return gpu_.name();
+}
+
+std::string ResolveEngine::note() const
+{
+    const std::unique_lock lock(mutex_);
+    return gpu_.note();
 }
 
 } // namespace relamp

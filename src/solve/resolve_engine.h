@@ -32,9 +32,9 @@ public:
     DeviceLayers resolve(SolvedRoom& room, const LampPowers& powers);
 
     /// As gpu::Twin.
-    [[nodiscard]] bool isCpu() const { return gpu_.isCpu(); }
-    [[nodiscard]] std::string name() const { return gpu_.name(); }
-    [[nodiscard]] const std::string& note() const { return gpu_.note(); }
+    [[nodiscard]] bool isCpu() const;
+    [[nodiscard]] std::string name() const;
+    [[nodiscard]] std::string note() const;
 
 private:
     /// What the light of a room follows from.
@@ -44,12 +44,13 @@ private:
         std::vector<uint8_t> shines;
     };
 
+    bool settle(const SolvedRoom& room, const Asked& asked, SettledLight& light);
     std::optional<PageLayers> layersOf(const std::shared_ptr<const Asked>& asked, size_t page,
                                        const SolvedTexels& solved, const AlbedoOptions& options);
 
     const Texels& texels_;
     const SolvedRoom* room_ = nullptr; // while it is resolved
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     gpu::Twin<ResolveGpu> gpu_;
     std::shared_ptr<const Asked> lit_; // what the device shades by; null: nothing yet
 };

@@ -63,4 +63,16 @@ std::shared_ptr<const PageIrradiance> ThesisEngine::irradianceOf(const ThesisSha
     return irradiance_;
 }
 
+std::string ThesisEngine::name() const
+{
+    const std::unique_lock lock(mutex_);
+    return gpu_.name();
+}
+
+std::string ThesisEngine::note() const
+{
+    const std::unique_lock lock(mutex_);
+    return gpu_.note();
+}
+
 } // namespace relamp

@@ -33,15 +33,15 @@ public:
                      const TexelBlock& block, ShadingBlock& out);
 
     /// As gpu::Twin.
-    [[nodiscard]] std::string name() const { return gpu_.name(); }
-    [[nodiscard]] const std::string& note() const { return gpu_.note(); }
+    [[nodiscard]] std::string name() const;
+    [[nodiscard]] std::string note() const;
 
 private:
     std::shared_ptr<const PageIrradiance> irradianceOf(const ThesisShading& shading,
                                                        const Lights& lights, size_t page);
 
     const Texels& texels_;
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     gpu::Twin<ThesisGpu> gpu_;
     // The page that was asked for last, and the shading that it was asked of; none: null.
     std::shared_ptr<const PageIrradiance> irradiance_;
