@@ -17,14 +17,20 @@ namespace
 
 constexpr size_t kPixels = 65536; // in a row, to one thread
 
+/// As halfFromFloat() makes them: nothing subnormal, nothing negative.
+uint16_t plainHalf(uint32_t half)
+{
+    return static_cast<uint16_t>(half < 0x400u || half >= 0x8000u ? 0u : half);
+}
+
 void unpack(const GpuPicture& picture, std::vector<uint16_t>& rgb)
 {
     const std::vector<glm::uvec2> pixels = picture.pixels().download();
     forEachChunk(pixels.size(), kPixels, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
-            rgb[3 * i] = static_cast<uint16_t>(pixels[i].x & 0xffffu);
-            rgb[3 * i + 1] = static_cast<uint16_t>(pixels[i].x >> 16);
-            rgb[3 * i + 2] = static_cast<uint16_t>(pixels[i].y & 0xffffu);
+            rgb[3 * i] = plainHalf(pixels[i].x & 0xffffu);
+            rgb[3 * i + 1] = plainHalf(pixels[i].x >> 16);
+            rgb[3 * i + 2] = plainHalf(pixels[i].y & 0xffffu);
         }
     });
 }
