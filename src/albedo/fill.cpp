@@ -1,6 +1,5 @@
 #include "albedo/fill.h"
 
-#include "albedo/fill.shared.h"
 #include "base/parallel.h"
 
 #include <cstdint>
@@ -72,11 +71,6 @@ std::vector<glm::vec3> fillFromAround(const Surfels& surfels, std::span<const gl
     }
     smooth(surfels, isKnown, known, filled);
     return filled;
-}
-
-glm::vec3 filledAlbedo(const Divided& own, glm::vec3 around, glm::vec3 burntOut, glm::bvec3 isUnlit)
-{
-    return filledAlbedo(own.albedo, own.lack, around, burntOut, isUnlit);
 }
 
 } // namespace relamp

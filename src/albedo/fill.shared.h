@@ -31,7 +31,10 @@ SHARED_FN float likenessOfPaint(float scale)
     return 1.0f / (1.0f + off * off);
 }
 
-// filledAlbedo() of an albedo under a shading of which `lack` times as much was needed.
+// Albedo of a texel of which channels are burnt out or unlit. What a burnt-out channel shows is the
+// least that it can be, and the less sure the more light lacks: `own` is under `lack` times the
+// shading (lightThatLacks()). `around`: of the surface. `burntOut`: 0..1, how likely a channel is:
+// what several photos were blended to may be in part.
 SHARED_FN vec3 filledAlbedo(vec3 own, float lack, vec3 around, vec3 burntOut, bvec3 isUnlit)
 {
     const vec3 least = own / lack;

@@ -1,11 +1,15 @@
 #include "albedo/fill.h"
 
+#include "albedo/fill.shared.h"
+
 #include <gmock/gmock.h>
 
 #include <glm/geometric.hpp>
 
 namespace relamp
 {
+
+constexpr float kEnough = 1.0f; // light: none lacks
 
 /// Surfels in a row, each beside the next.
 Surfels row(uint32_t count)
@@ -52,15 +56,16 @@ TEST(Fill, WhatIsBurntOutIsAsAroundButNeverDarkerThanItShows)
     const glm::vec3 all(1.0f);
     const glm::bvec3 none(false);
     const glm::vec3 around(0.8f, 0.7f, 0.6f);
-    EXPECT_EQ(filledAlbedo({glm::vec3(0.3f)}, around, all, none), around);
-    EXPECT_EQ(filledAlbedo({glm::vec3(0.9f)}, around, all, none), glm::vec3(0.9f));
-    EXPECT_EQ(filledAlbedo({glm::vec3(0.3f)}, around, glm::vec3(0.0f), none), glm::vec3(0.3f));
+    EXPECT_EQ(filledAlbedo(glm::vec3(0.3f), kEnough, around, all, none), around);
+    EXPECT_EQ(filledAlbedo(glm::vec3(0.9f), kEnough, around, all, none), glm::vec3(0.9f));
+    EXPECT_EQ(filledAlbedo(glm::vec3(0.3f), kEnough, around, glm::vec3(0.0f), none),
+              glm::vec3(0.3f));
 }
 
 TEST(Fill, ShadingThatNoPaintAgreesWithTellsNothing)
 {
     const glm::vec3 around(0.8f, 0.7f, 0.6f);
-    EXPECT_EQ(filledAlbedo({glm::vec3(0.9f), 1.8f}, around, glm::vec3(1.0f), glm::bvec3(false)),
+    EXPECT_EQ(filledAlbedo(glm::vec3(0.9f), 1.8f, around, glm::vec3(1.0f), glm::bvec3(false)),
               around);
 }
 
@@ -69,11 +74,13 @@ TEST(Fill, ChannelsThatAreWholeSayHowBrightTheOthersAre)
 {
     const glm::vec3 red(1, 0, 0);
     const glm::bvec3 none(false);
-    const glm::vec3 same = filledAlbedo({{0.4f, 0.5f, 0.25f}}, {0.6f, 0.5f, 0.25f}, red, none);
+    const glm::vec3 same =
+        filledAlbedo({0.4f, 0.5f, 0.25f}, kEnough, {0.6f, 0.5f, 0.25f}, red, none);
     EXPECT_NEAR(same.r, 0.6f, 1e-6f);
     EXPECT_EQ(same.g, 0.5f);
     // three times as bright is another paint, of a colour of its own: rather grey
-    const glm::vec3 other = filledAlbedo({{0.4f, 0.45f, 0.45f}}, {0.3f, 0.15f, 0.15f}, red, none);
+    const glm::vec3 other =
+        filledAlbedo({0.4f, 0.45f, 0.45f}, kEnough, {0.3f, 0.15f, 0.15f}, red, none);
     EXPECT_GT(other.r, 0.45f);
     EXPECT_LT(other.r, 0.55f);
 }
@@ -81,7 +88,7 @@ TEST(Fill, ChannelsThatAreWholeSayHowBrightTheOthersAre)
 // White cloth beside green: all channels are at white, and under warm light need the least of red.
 TEST(Fill, WhatIsBurntOutInAllChannelsHasNoHueOfItsOwn)
 {
-    const glm::vec3 filled = filledAlbedo({{0.7f, 0.8f, 0.88f}}, {0.3f, 0.45f, 0.2f},
+    const glm::vec3 filled = filledAlbedo({0.7f, 0.8f, 0.88f}, kEnough, {0.3f, 0.45f, 0.2f},
                                           glm::vec3(1.0f), glm::bvec3(false));
     EXPECT_GT(filled.r, 0.8f);
     EXPECT_NEAR(filled.g, 0.88f, 0.05f);
@@ -93,7 +100,7 @@ TEST(Fill, WhatMayBeBurntOutIsFilledInPart)
 {
     const glm::vec3 around(0.8f, 0.7f, 0.6f);
     const glm::vec3 half =
-        filledAlbedo({{0.6f, 0.7f, 0.6f}}, around, {0.5f, 0, 0}, glm::bvec3(false));
+        filledAlbedo({0.6f, 0.7f, 0.6f}, kEnough, around, {0.5f, 0, 0}, glm::bvec3(false));
     EXPECT_GT(half.r, 0.65f);
     EXPECT_LT(half.r, 0.7f);
     EXPECT_EQ(half.g, 0.7f);
@@ -102,7 +109,8 @@ TEST(Fill, WhatMayBeBurntOutIsFilledInPart)
 TEST(Fill, WhatIsUnlitIsAsAroundWhateverItShows)
 {
     const glm::vec3 around(0.8f, 0.7f, 0.6f);
-    EXPECT_EQ(filledAlbedo({glm::vec3(0.9f)}, around, glm::vec3(0.0f), glm::bvec3(true)), around);
+    EXPECT_EQ(filledAlbedo(glm::vec3(0.9f), kEnough, around, glm::vec3(0.0f), glm::bvec3(true)),
+              around);
 }
 
 } // namespace relamp
