@@ -42,8 +42,8 @@ struct FrameTimes : StageTimes
     size_t shadowMaps = 0;
 };
 
-/// The gather solver after the power of a lamp changed, from powers to albedo. Finding the lamps,
-/// rays and shadows come before it.
+/// The gather solver after the power of a lamp changed, from powers to finished layers. Finding the
+/// lamps, rays and shadows come before it, and what is said of surfels.
 struct ResolveTimes : StageTimes
 {
     size_t lamps = 0; // the sun is one
