@@ -96,7 +96,7 @@ TEST_F(GpuTwin, WhoWaitsForItsLoopsTakesUpNoChunkOfALoopAround)
     std::mutex mutex;
     std::atomic<int> secondChunks = 0;
     tbb::task_arena(kThreads).execute([&] {
-        forEachChunk(1000, 1, [&](size_t, size_t) {
+        forEachChunk(600, 1, [&](size_t, size_t) {
             static thread_local bool holdsLock = false;
             if (holdsLock) {
                 ++secondChunks;
@@ -105,7 +105,7 @@ TEST_F(GpuTwin, WhoWaitsForItsLoopsTakesUpNoChunkOfALoopAround)
             const std::lock_guard lock(mutex);
             holdsLock = true;
             stages.compute([](Stages&) {
-                forEachChunk(16, 1, [](size_t, size_t) {
+                forEachChunk(8, 1, [](size_t, size_t) {
                     std::this_thread::sleep_for(std::chrono::microseconds(20));
                 });
             });
