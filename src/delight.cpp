@@ -29,9 +29,12 @@ const std::vector<PointLight>& Decomposition::mergedLights() const
     return state_->solution.merged;
 }
 
-const DelightOptions& Decomposition::optionsInForce() const
+DelightOptions Decomposition::optionsInForce() const
 {
-    return state_->solution.options;
+    const Solution& solution = state_->solution;
+    DelightOptions options = solution.options;
+    options.engine = solution.engine ? solution.engine().engine : EngineOptions{Engine::cpu, "cpu"};
+    return options;
 }
 
 const Closure& Decomposition::closure() const
@@ -39,9 +42,14 @@ const Closure& Decomposition::closure() const
     return state_->solution.closure;
 }
 
-const std::vector<std::string>& Decomposition::warnings() const
+std::vector<std::string> Decomposition::warnings() const
 {
-    return state_->solution.warnings;
+    const Solution& solution = state_->solution;
+    std::vector<std::string> warnings = solution.warnings;
+    if (!solution.engine) return warnings;
+    if (std::string note = solution.engine().note; !note.empty())
+        warnings.push_back(std::move(note));
+    return warnings;
 }
 
 size_t Decomposition::texelCount() const

@@ -95,10 +95,12 @@ public:
     [[nodiscard]] const Lights& lights() const;
     /// The lights as few as they can be shown with: those closer than the merge distance are one.
     [[nodiscard]] const std::vector<PointLight>& mergedLights() const;
-    /// The options, with all that was derived from the scan filled in.
-    [[nodiscard]] const DelightOptions& optionsInForce() const;
+    /// The options, with all that was derived from the scan filled in. The engine, and what
+    /// warnings() say of it, are those of now: one that nobody asked for may hand over to the CPU
+    /// while it makes layers.
+    [[nodiscard]] DelightOptions optionsInForce() const;
     [[nodiscard]] const Closure& closure() const;
-    [[nodiscard]] const std::vector<std::string>& warnings() const;
+    [[nodiscard]] std::vector<std::string> warnings() const;
     [[nodiscard]] size_t texelCount() const;
     [[nodiscard]] double area() const; // m^2 of textured surface
 

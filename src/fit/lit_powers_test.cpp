@@ -66,6 +66,17 @@ TEST(LitPowers, DarkPlacesThatMakeLampsWeakerAreHeard)
     EXPECT_FLOAT_EQ(powerOf(fitLitPowers(corners.data, corners.pairs, areas)), powerOf(all));
 }
 
+TEST(LitPowers, FewLitPairsAreNotBelieved)
+{
+    DarkCorners corners(0.05f);
+    std::erase_if(corners.pairs, [](MaterialPair pair) {
+        return pair.p % 3 != 0 && pair.q % 3 != 0 && pair.p > kPlaces / 20;
+    });
+    const float areas[] = {1.0f};
+    const float all = powerOf(fitPowers(corners.data, corners.pairs));
+    EXPECT_FLOAT_EQ(powerOf(fitLitPowers(corners.data, corners.pairs, areas)), all);
+}
+
 TEST(LitPowers, WithoutPlacesNothingIsKnown)
 {
     const float areas[] = {1.0f};

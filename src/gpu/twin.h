@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/device.h"
+#include "gpu/in_force.h"
 #include "relamp/devices.h"
 #include "relamp/error.h"
 
@@ -30,9 +31,11 @@ std::string handedOver(const Error& error);
 
 /// What a GPU computes in place of the CPU, as the options say; made when it is first asked for.
 ///
-/// A device that nobody asked for and that fails hands over to the CPU, for good. To be used by one
-/// thread at a time, so mostly under a lock: where stages loop on all threads, the one that waits
-/// for them takes up nothing else, which might want the same lock.
+/// A device that nobody asked for and that fails hands over to the CPU, for good. Where other work
+/// fails half-way, the next gets new stages: what these take for computed need not be.
+///
+/// To be used by one thread at a time, so mostly under a lock: where stages loop on all threads, the
+/// one that waits for them takes up nothing else, which might want the same lock.
 template<class Stages>
 class Twin
 {
@@ -54,9 +57,12 @@ public:
             });
             return true;
         } catch (const Error& error) {
-            if (!choice_.isFree || error.code() != ErrorCode::device) throw;
             stages_.reset(); // before the device that it works on
+            if (!choice_.isFree || error.code() != ErrorCode::device) throw;
             choice_ = {.note = handedOver(error)};
+        } catch (...) {
+            stages_.reset();
+            throw;
         }
         return false;
     }
@@ -69,6 +75,10 @@ public:
     }
     /// As Choice::note.
     [[nodiscard]] const std::string& note() const { return choice_.note; }
+    [[nodiscard]] InForce inForce() const
+    {
+        return {{isCpu() ? Engine::cpu : Engine::gpu, name()}, note()};
+    }
 
 private:
     Choice choice_;

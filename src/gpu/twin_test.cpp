@@ -79,6 +79,18 @@ TEST_F(GpuTwin, FailsWhereSomebodyDid)
     EXPECT_TRUE(stages.compute([](Stages&) {})); // it is for the person to decide
 }
 
+// Work that ended half-way leaves behind what later work would take for done.
+TEST_F(GpuTwin, MakesStagesAnewAfterWorkThatFailed)
+{
+    Twin<Stages> stages = twin(false);
+    const auto failing = [](Stages& s) {
+        ++s.calls;
+        fail(ErrorCode::device);
+    };
+    EXPECT_THROW(stages.compute(failing), Error);
+    EXPECT_TRUE(stages.compute([](Stages& s) { EXPECT_EQ(++s.calls, 1); }));
+}
+
 TEST_F(GpuTwin, WhatIsNoFaultOfTheDeviceIsNoReasonToHandOver)
 {
     Twin<Stages> stages = twin(true);

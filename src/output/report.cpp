@@ -185,7 +185,8 @@ std::string reportAsJson(const Scan& scan, const Decomposition& result, const Wr
                          const Progress& progress)
 {
     std::vector<std::string> warnings = scan.warnings;
-    warnings.insert(warnings.end(), result.warnings().begin(), result.warnings().end());
+    const std::vector<std::string> ofResult = result.warnings();
+    warnings.insert(warnings.end(), ofResult.begin(), ofResult.end());
     const ordered_json report{{"program", std::string("relamp ") + version()},
                               {"scan", scanAsJson(scan, result, written.scanFile)},
                               {"options", optionsAsJson(result.optionsInForce())},

@@ -1,13 +1,15 @@
 #include "shading/lamp_terms_gpu.h"
 
+#include "relamp/error.h"
 #include "shading/lamp_terms.comp.h"
 #include "shading/lamp_terms_sum.comp.h"
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <limits>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace relamp
 {
@@ -133,7 +135,11 @@ void LampTermsGpu::keep(gpu::Commands& commands, const GpuTexels& page, const Gp
 
 LampTerms LampTermsGpu::lit(const gpu::Array<uint32_t>& terms, size_t places) const
 {
-    assert(terms.count() <= std::numeric_limits<uint32_t>::max()); // programs count in 32 bits
+    if (terms.count() > std::numeric_limits<int32_t>::max())
+        throw Error(ErrorCode::device,
+                    fmt::format("{} lamps on {} texels of one page are more than a GPU's programs "
+                                "count; --engine cpu does without",
+                                lamps_.size(), places));
     return {terms.ref(), radiance_.ref(), static_cast<uint32_t>(radiance_.count() / 2),
             static_cast<uint32_t>(places)};
 }

@@ -73,14 +73,6 @@ glm::vec3 shareOf(glm::vec3 part, glm::vec3 whole)
     return share;
 }
 
-/// What computed it, and what there is to say of that.
-void tell(const ResolveEngine& engine, Solution& solution)
-{
-    solution.options.engine = {engine.isCpu() ? Engine::cpu : Engine::gpu, engine.name()};
-    if (std::string note = engine.note(); !note.empty())
-        solution.warnings.push_back(std::move(note));
-}
-
 } // namespace
 
 bool GatherSolver::isOfKept(const DelightOptions& options) const
@@ -106,13 +98,13 @@ Solution GatherSolver::solve(const DelightOptions& options, Progress& progress)
     {
         const Progress::Stage stage(progress, "shadows");
         SolvedRoom room = solvedRoom(texels_, scene_, std::move(found), [&](const SolvedRoom& lit) {
-            if (engine->isCpu()) rating = rate(texels_, lit);
+            if (engine->inForce().engine.engine == Engine::cpu) rating = rate(texels_, lit);
         });
         keep(std::move(room), options, engine);
     }
     if (!rating) return resolve(kept_->found, options.albedo, progress);
     Solution solution = solutionOf(texels_, kept_->room, options, std::move(*rating));
-    tell(*engine, solution);
+    solution.engine = [engine] { return engine->inForce(); };
     return solution;
 }
 
@@ -171,7 +163,7 @@ Solution GatherSolver::resolve(const Lights& lights, const AlbedoOptions& albedo
     options.albedo = albedo;
     Solution solution = solutionOf(texels_, room, options, std::move(rating));
     solution.onDevice = std::move(onDevice);
-    tell(*engine, solution);
+    solution.engine = [engine] { return engine->inForce(); };
     return solution;
 }
 

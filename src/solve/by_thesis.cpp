@@ -135,7 +135,6 @@ Solution ThesisSolver::solve(const DelightOptions& options, Progress& progress)
         options.engine, [&] { return std::make_shared<ThesisEngine>(texels_, options.engine); });
     const auto shading =
         std::make_shared<ThesisShading>(engine->solve(stages_, lights, dials, progress));
-    if (!engine->note().empty()) solution.warnings.push_back(engine->note());
     setDials(*shading, texels_, light, lights, progress);
     {
         const Progress::Stage stage(progress, "closure");
@@ -153,7 +152,7 @@ Solution ThesisSolver::solve(const DelightOptions& options, Progress& progress)
                                options.thesis.emitterThreshold};
     for (const Emitter& emitter : light.emitters)
         solution.texels.shining.surfels[emitter.surfel] = 1;
-    solution.options.engine = {engine->name() == "cpu" ? Engine::cpu : Engine::gpu, engine->name()};
+    solution.engine = [engine] { return engine->inForce(); };
     solution.texels.shade = [shading, engine, lights](size_t page, size_t begin,
                                                       const TexelBlock& block, ShadingBlock& out) {
         engine->shadeTexels(*shading, lights, {page, begin}, block, out);

@@ -1,5 +1,7 @@
 #include "solve/resolve_engine.h"
 
+#include "relamp/error.h"
+
 #include <utility>
 
 namespace relamp
@@ -16,10 +18,27 @@ SettledLight settledBy(const ResolveGpu& gpu)
     return light;
 }
 
+/// A room is there for stages that are made meanwhile, and not after.
+class Lent
+{
+public:
+    Lent(const SolvedRoom*& place, const SolvedRoom& room) : place_(place) { place_ = &room; }
+    ~Lent() { place_ = nullptr; }
+    Lent(const Lent&) = delete;
+    Lent& operator=(const Lent&) = delete;
+
+private:
+    const SolvedRoom*& place_;
+};
+
 } // namespace
 
 ResolveEngine::ResolveEngine(const Texels& texels, const EngineOptions& options)
     : texels_(texels), gpu_(gpu::Choice::of(options), [this](const gpu::Device& device) {
+          if (room_ == nullptr)
+              throw Error(ErrorCode::device,
+                          "the GPU failed at this room; take the light out of it "
+                          "again, or leave that to the CPU (--engine cpu)");
           return std::make_unique<ResolveGpu>(device, texels_, *room_);
       })
 {}
@@ -45,7 +64,7 @@ DeviceLayers ResolveEngine::resolve(SolvedRoom& room, const LampPowers& powers)
 bool ResolveEngine::settle(const SolvedRoom& room, const Asked& asked, SettledLight& light)
 {
     const std::unique_lock lock(mutex_);
-    room_ = &room;
+    const Lent lent(room_, room);
     lit_ = nullptr;
     return gpu_.compute([&](ResolveGpu& gpu) {
         gpu.gather(asked.powers, asked.shines);
@@ -72,22 +91,10 @@ std::optional<PageLayers> ResolveEngine::layersOf(const std::shared_ptr<const As
     return layers;
 }
 
-bool ResolveEngine::isCpu() const
+gpu::InForce ResolveEngine::inForce() const
 {
     const std::unique_lock lock(mutex_);
-    return gpu_.isCpu();
-}
-
-std::string ResolveEngine::name() const
-{
-    const std::unique_lock lock(mutex_);
-    return gpu_.name();
-}
-
-std::string ResolveEngine::note() const
-{
-    const std::unique_lock lock(mutex_);
-    return gpu_.note();
+    return gpu_.inForce();
 }
 
 } // namespace relamp

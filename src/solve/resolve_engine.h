@@ -31,10 +31,7 @@ public:
     /// call, is thread safe, and stays as it is whatever is resolved later. Null: the CPU.
     DeviceLayers resolve(SolvedRoom& room, const LampPowers& powers);
 
-    /// As gpu::Twin.
-    [[nodiscard]] bool isCpu() const;
-    [[nodiscard]] std::string name() const;
-    [[nodiscard]] std::string note() const;
+    [[nodiscard]] gpu::InForce inForce() const;
 
 private:
     /// What the light of a room follows from.

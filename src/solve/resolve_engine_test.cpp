@@ -81,8 +81,8 @@ TEST_F(GpuResolveEngine, DoesTheSameOnEither)
 {
     Room cpu({.engine = Engine::cpu});
     Room gpu({.engine = Engine::gpu});
-    EXPECT_EQ(cpu.engine->name(), "cpu");
-    EXPECT_EQ(gpu.engine->name(), device().description().name);
+    EXPECT_EQ(cpu.engine->inForce().engine.gpu, "cpu");
+    EXPECT_EQ(gpu.engine->inForce().engine.gpu, device().description().name);
     const LampPowers powers = times(cpu.found, 1.6f);
     expectLightAlike(gpu.layers(gpu.resolve(powers)), cpu.layers(cpu.resolve(powers)));
 
@@ -135,8 +135,9 @@ TEST_F(GpuResolveEngine, LeavesADeviceInSoftwareAloneUnlessItIsAskedFor)
 {
     const scenes::Solved room(scenes::LitRoom().scan);
     const bool isReal = device().description().isReal();
-    EXPECT_EQ(ResolveEngine(room.texels, {}).name() != "cpu", isReal);
-    EXPECT_EQ(ResolveEngine(room.texels, {.gpu = "0"}).name(), gpuDevices().at(0).name);
+    EXPECT_EQ(ResolveEngine(room.texels, {}).inForce().engine.gpu != "cpu", isReal);
+    EXPECT_EQ(ResolveEngine(room.texels, {.gpu = "0"}).inForce().engine.gpu,
+              gpuDevices().at(0).name);
 }
 
 } // namespace relamp

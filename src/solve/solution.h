@@ -1,8 +1,10 @@
 #pragma once
 
 #include "albedo/page_layers.h"
+#include "gpu/in_force.h"
 #include "relamp/delight.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,8 +17,10 @@ struct Solution
     Lights lights;
     std::vector<PointLight> merged; // the same light, for formats that know points alone
     SolvedTexels texels;
-    DeviceLayers onDevice;  // makes the layers of `texels`; null: the CPU does
-    DelightOptions options; // as given, and all that was derived
+    DeviceLayers onDevice;                // makes the layers of `texels`; null: the CPU does
+    DelightOptions options;               // as given, and all that was derived but the engine
+    std::function<gpu::InForce()> engine; // what makes layers, which may change meanwhile; null: no
+                                          // GPU can
     Closure closure;
     std::vector<std::string> warnings;
 };

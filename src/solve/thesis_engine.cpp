@@ -63,16 +63,10 @@ std::shared_ptr<const PageIrradiance> ThesisEngine::irradianceOf(const ThesisSha
     return irradiance_;
 }
 
-std::string ThesisEngine::name() const
+gpu::InForce ThesisEngine::inForce() const
 {
     const std::unique_lock lock(mutex_);
-    return gpu_.name();
-}
-
-std::string ThesisEngine::note() const
-{
-    const std::unique_lock lock(mutex_);
-    return gpu_.note();
+    return gpu_.inForce();
 }
 
 } // namespace relamp

@@ -33,8 +33,7 @@ public:
                      const TexelBlock& block, ShadingBlock& out);
 
     /// As gpu::Twin.
-    [[nodiscard]] std::string name() const;
-    [[nodiscard]] std::string note() const;
+    [[nodiscard]] gpu::InForce inForce() const;
 
 private:
     std::shared_ptr<const PageIrradiance> irradianceOf(const ThesisShading& shading,
