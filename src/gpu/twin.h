@@ -34,8 +34,8 @@ std::string handedOver(const Error& error);
 /// A device that nobody asked for and that fails hands over to the CPU, for good. Where other work
 /// fails half-way, the next gets new stages: what these take for computed need not be.
 ///
-/// To be used by one thread at a time, so mostly under a lock: where stages loop on all threads, the
-/// one that waits for them takes up nothing else, which might want the same lock.
+/// To be used by one thread at a time, so mostly under a lock: where stages loop on all threads,
+/// the one that waits for them takes up nothing else, which might want the same lock.
 template<class Stages>
 class Twin
 {
