@@ -18,6 +18,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -140,12 +141,15 @@ void write(RelightArguments& arguments, const relamp::DelitRoom& room,
     notes.insert(notes.end(), relighter.warnings().begin(), relighter.warnings().end());
 }
 
-/// Before long work begins. The folder of a film is made where it is not there.
+/// Before long work begins. Folders above a film's own are made where they are not there.
 void checkPlace(const RelightArguments& arguments)
 {
     const std::filesystem::path& output = arguments.output;
-    if (arguments.picture.isFilm() && output.extension() != ".mp4") return;
-    const std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
+    const bool isFolder = arguments.picture.isFilm() && output.extension() != ".mp4";
+    std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
+    std::error_code error;
+    while (isFolder && !std::filesystem::exists(folder, error) && folder != folder.parent_path())
+        folder = folder.has_parent_path() ? folder.parent_path() : ".";
     if (access(folder.c_str(), W_OK) == 0) return;
     throw relamp::Error(relamp::ErrorCode::cannotWrite,
                         fmt::format("{}: cannot be written: {}: {}; make that folder, or name "
