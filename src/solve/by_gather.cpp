@@ -89,7 +89,8 @@ Solution GatherSolver::solve(const DelightOptions& options, Progress& progress)
     }
     std::shared_ptr<ResolveEngine> engine;
     FoundRoom found;
-    callAll([&] { engine = std::make_shared<ResolveEngine>(texels_, options.engine); }, // drivers
+    // The search for a device loads drivers, which takes a while.
+    callAll([&] { engine = std::make_shared<ResolveEngine>(texels_, options.engine); },
             [&] {
                 const FoundRoom* before = kept_ ? &kept_->room.found : nullptr;
                 found = findRoom(texels_, scene_, options, progress, before);

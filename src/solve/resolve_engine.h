@@ -31,6 +31,7 @@ public:
     /// call, is thread safe, and stays as it is whatever is resolved later. Null: the CPU.
     DeviceLayers resolve(SolvedRoom& room, const LampPowers& powers);
 
+    /// As gpu::Twin.
     [[nodiscard]] gpu::InForce inForce() const;
 
 private:
