@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -15,6 +16,8 @@ namespace
 constexpr float kSameSize = 2.5f;  // ratio of areas of one model
 constexpr float kFlat = 0.9f;      // length of a mean normal, and cosine between two
 constexpr float kSameLevel = 0.1f; // m
+constexpr size_t kMostParts = 32;  // of all families
+constexpr float kRound = 0.5f;     // length of a mean normal; no lamp burns a thing out all around
 
 using Members = std::vector<uint32_t>; // indices of candidates, ascending
 
@@ -108,7 +111,7 @@ LampGroups groupLamps(std::vector<Candidate> candidates, std::span<const uint8_t
     std::vector<Members> sets;
     if (candidates.size() > most && candidates[most].area > kLeastModel)
         sets = familiesOf(candidates, isGiven);
-    divide(candidates, most / 2, sets);
+    divide(candidates, std::min(most / 2, kMostParts), sets);
     std::vector<uint8_t> isInSet(candidates.size(), 0);
     for (const Members& set : sets)
         for (const uint32_t c : set) isInSet[c] = 1;
@@ -120,7 +123,8 @@ LampGroups groupLamps(std::vector<Candidate> candidates, std::span<const uint8_t
                                [&](float sum, uint32_t c) { return sum + candidates[c].area; });
     };
     const auto rank = [&](const Members& set) {
-        return std::pair(isGiven[set.front()] != 0, areaOf(set));
+        const bool isRound = glm::length(candidates[set.front()].normal) < kRound;
+        return std::tuple(isGiven[set.front()] != 0, isRound, areaOf(set));
     };
     std::stable_sort(sets.begin(), sets.end(),
                      [&](const Members& a, const Members& b) { return rank(a) > rank(b); });

@@ -59,6 +59,22 @@ TEST(LampGroups, ManyPanelsAreGroupsOfNeighboursThatHoldAllOfThem)
     EXPECT_EQ(lamps.leftOut, 0u);
 }
 
+// A bulb is small, and what no lamp can burn out all around is lit from within.
+TEST(LampGroups, WhatIsBurntOutAllAroundComesBeforeLargerFlatPieces)
+{
+    std::vector<Candidate> candidates;
+    for (int i = 0; i < 70; ++i) { // each of its own size and level, so no family
+        const auto step = static_cast<float>(i);
+        candidates.push_back(candidateOf({{{step, 0.2f * step, 0}, kDown, 0.2f, 0}}));
+    }
+    candidates.push_back(
+        candidateOf({{{2, 2, 2}, kDown, 0.005f, 0}, {{2, 2.1f, 2}, -kDown, 0.005f, 0}}));
+    const LampGroups lamps = grouped(candidates);
+    ASSERT_EQ(lamps.groups.size(), 64u);
+    EXPECT_FLOAT_EQ(lamps.groups.back().whole.area, 0.01f);
+    EXPECT_EQ(lamps.leftOut, 7u);
+}
+
 TEST(LampGroups, SpecksBeyondTheMostGroupNothingAndAreNotCounted)
 {
     std::vector<Candidate> candidates = ceiling(6);

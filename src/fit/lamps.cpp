@@ -1,7 +1,6 @@
 #include "fit/lamps.h"
 
 #include "base/call_all.h"
-#include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "fit/bright_walls.h"
 #include "fit/lamp_groups.h"
@@ -9,6 +8,7 @@
 #include "fit/missed.h"
 #include "fit/pairs.h"
 #include "fit/powers.h"
+#include "fit/suspects.h"
 #include "lights/expand.shared.h"
 #include "shading/lamp_body.h"
 
@@ -17,7 +17,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -26,7 +25,7 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kMostCandidates = 64;
+constexpr size_t kMostCandidates = 96;
 constexpr size_t kSteps = 4; // of the search, as progress tells
 constexpr size_t kPlaces = 6000;
 constexpr size_t kPlacesOfDraft = 2000;
@@ -37,38 +36,21 @@ constexpr size_t kPairs = 6;
 constexpr size_t kRaysPerOrigin = 8; // at a place, to those that remain: noise would make them weak
 constexpr float kAboutWhite = 2.0f;  // luminance; a wall lights its surroundings as little as this
 constexpr float kHardlyWhite = 1.4f; // at the first look, which few rays make dim
-constexpr float kHardlyPower = 0.001f;
-constexpr float kLeastPower = 0.003f; // share of the room's; below, a lamp does not matter
-constexpr float kExplained = 0.8f;    // of white
-constexpr float kAround = 1.6f;       // surfel sizes
+constexpr float kHardlyShare = 0.0005f; // of the light at places
+constexpr float kLeastShare = 0.0015f;  // below, a lamp does not matter
+constexpr float kLeastReach = 0.02f;    // of places that see it; else it is in a pocket of the scan
+constexpr float kExplained = 0.8f;      // of white
+constexpr float kAround = 1.6f;         // surfel sizes
 constexpr int kMostRounds = 6;
 constexpr size_t kPairsOfTrial = 4;
 constexpr float kPieceMissed = 0.008f;    // rise of the fit's loss; it lights 1 % of the pairs
-constexpr float kWallPieceMissed = 0.02f; // of what would be burnt out anyway
-constexpr float kWallMissed = 0.06f;      // of that, once pieces are joined to lamps
+constexpr float kWallPieceMissed = 0.03f; // of what would be burnt out anyway
+constexpr float kWallMissed = 0.05f;      // of that, once pieces are joined to lamps
 constexpr float kGreyWall = 0.5f;         // radiance
-constexpr float kHardlyMissed = 0.3f;     // of these
-constexpr float kTold = 0.5f;             // of the prior's variance; beyond, data decide
-constexpr float kTouching = 0.12f;        // m between pieces of one lamp
-constexpr float kAboutEqual = 3.0f;       // ratio of their radiances
-
-/// One lamp to be, with what it does at all places at radiance 1.
-struct Suspect
-{
-    Candidate candidate;
-    std::vector<float> direct;
-    glm::vec3 radiance{1.0f};
-    glm::vec3 logError{0.0f};
-    std::vector<AreaSample> onSides; // at radiance 1, one a hit list
-    bool isGiven = false;            // a person says that it shines
-    size_t body = 0;                 // of the same number: two sides of one lamp
-    bool isUnseen = false;           // its far side, not scanned
-    float told = 1.0f;               // see Powers
-    std::vector<uint32_t> ends{};    // see LampGroup; empty: it is one lamp
-
-    [[nodiscard]] float power() const { return candidate.area * luminance(radiance); }
-    [[nodiscard]] size_t rays() const { return raysToGroup(std::max<size_t>(ends.size(), 1)); }
-};
+constexpr float kDarkWall = 0.2f;         // what the room hardly lights hardly lights the room
+constexpr float kGreyMissed = 0.003f;
+constexpr float kHardlyMissed = 0.3f; // of these
+constexpr float kTold = 0.5f;         // of the prior's variance; beyond, data decide
 
 class LampSearch
 {
@@ -86,17 +68,13 @@ private:
     void addSuspects(LampGroup group);
     [[nodiscard]] std::vector<SoughtLamp> sought(size_t raysPerOrigin) const;
     void look(size_t raysPerOrigin);
-    [[nodiscard]] std::vector<std::pair<uint32_t, uint32_t>> alikes() const;
     void fit(size_t pairsPerPlace, bool oneChannel);
     void updateField();
-    size_t dropHalves();
-    size_t dropWalls(float leastRadiance = kAboutWhite, float leastShare = kLeastPower);
+    size_t dropWalls(float leastRadiance, float leastShare, float leastReach);
     size_t dropExplained();
     void dropNeedless(float missedIfWall);
-    [[nodiscard]] std::vector<uint8_t> goneWith(size_t f) const;
     void drawAllPairs();
     [[nodiscard]] std::vector<float> rises();
-    void joinPieces();
     [[nodiscard]] BrightWalls walls() const;
     [[nodiscard]] float brightnessOfWall(const BrightWalls& walls, size_t suspect) const;
     [[nodiscard]] bool isExplained(const BrightWalls& walls, size_t suspect) const;
@@ -284,20 +262,6 @@ FitData LampSearch::dataFor() const
     return data;
 }
 
-std::vector<std::pair<uint32_t, uint32_t>> LampSearch::alikes() const
-{
-    std::vector<std::pair<uint32_t, uint32_t>> alike;
-    for (uint32_t a = 0; a < suspects_.size(); ++a)
-        for (uint32_t b = a + 1; b < suspects_.size(); ++b) {
-            const Candidate& one = suspects_[a].candidate;
-            const Candidate& other = suspects_[b].candidate;
-            const bool isBody = suspects_[a].body == suspects_[b].body;
-            if (isBody || (std::min(one.area, other.area) > kLeastModel && areAlike(one, other)))
-                alike.emplace_back(a, b);
-        }
-    return alike;
-}
-
 /// Once: what places show of their material does not change with the lamps.
 void LampSearch::drawAllPairs()
 {
@@ -316,7 +280,7 @@ void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
             if (patch.surfel != Surfels::kNone) field_.shines[patch.surfel] = 1;
     const FitData data = dataFor();
     const auto& pairs = pairs_.at(pairsPerPlace);
-    PowersOptions options{.oneChannel = oneChannel, .alike = alikes()};
+    PowersOptions options{.oneChannel = oneChannel, .alike = alikesOf(suspects_)};
     if (isFitted_) { // most of it is known; a narrower loss finds the rest
         options.firstScale = 2.0 * options.lastScale;
         for (const Suspect& suspect : suspects_) options.start.push_back(suspect.radiance);
@@ -332,29 +296,18 @@ void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
         suspects_[f].logError = powers_.logError[f];
         suspects_[f].told = powers_.told[f];
     }
+    findShares(data, powers_.ambient, suspects_);
     stage_.advance(0);
 }
 
-/// The far side of what is no lamp.
-size_t LampSearch::dropHalves()
+size_t LampSearch::dropWalls(float leastRadiance, float leastShare, float leastReach)
 {
-    std::set<size_t> bodies;
-    for (const Suspect& suspect : suspects_)
-        if (!suspect.isUnseen) bodies.insert(suspect.body);
-    return std::erase_if(suspects_, [&](const Suspect& suspect) {
-        return suspect.isUnseen && !bodies.contains(suspect.body);
-    });
-}
-
-size_t LampSearch::dropWalls(float leastRadiance, float leastShare)
-{
-    float total = 0.0f;
-    for (const Suspect& suspect : suspects_) total += suspect.power();
     const size_t dropped = std::erase_if(suspects_, [&](const Suspect& suspect) {
         if (suspect.isGiven) return false;
-        return luminance(suspect.radiance) < leastRadiance || suspect.power() < leastShare * total;
+        return luminance(suspect.radiance) < leastRadiance || suspect.share < leastShare ||
+               suspect.reach() < leastReach;
     });
-    return dropped + dropHalves();
+    return dropped + dropHalves(suspects_);
 }
 
 BrightWalls LampSearch::walls() const
@@ -402,37 +355,6 @@ size_t LampSearch::dropExplained()
     return dropped;
 }
 
-void LampSearch::joinPieces()
-{
-    DisjointSets sets(suspects_.size());
-    for (uint32_t a = 0; a < suspects_.size(); ++a)
-        for (uint32_t b = a + 1; b < suspects_.size(); ++b) {
-            const float ratio = luminance(suspects_[a].radiance) / luminance(suspects_[b].radiance);
-            const bool isBody = suspects_[a].body == suspects_[b].body;
-            if (!suspects_[a].ends.empty() || !suspects_[b].ends.empty()) continue;
-            if (isBody || (ratio < kAboutEqual && ratio > 1.0f / kAboutEqual &&
-                           areWithin(suspects_[a].candidate, suspects_[b].candidate, kTouching)))
-                sets.join(a, b);
-        }
-    std::map<uint32_t, Suspect> joined;
-    for (uint32_t f = 0; f < suspects_.size(); ++f) {
-        const auto [found, isNew] = joined.try_emplace(sets.find(f), suspects_[f]);
-        if (isNew) continue;
-        Suspect& whole = found->second;
-        whole.isGiven |= suspects_[f].isGiven;
-        const Candidate& piece = suspects_[f].candidate;
-        whole.candidate.patches.insert(whole.candidate.patches.end(), piece.patches.begin(),
-                                       piece.patches.end());
-        whole.candidate.centre =
-            (whole.candidate.area * whole.candidate.centre + piece.area * piece.centre) /
-            (whole.candidate.area + piece.area);
-        whole.candidate.area += piece.area;
-        for (size_t i = 0; i < whole.direct.size(); ++i) whole.direct[i] += suspects_[f].direct[i];
-    }
-    suspects_.clear();
-    for (auto& [root, suspect] : joined) suspects_.push_back(std::move(suspect));
-}
-
 /// Lets burnt-out walls and backs settle under the lamps as they are now.
 void LampSearch::updateField()
 {
@@ -447,38 +369,31 @@ void LampSearch::updateField()
             .field;
 }
 
-/// Which lamps go where lamp `f` goes: its far side with it.
-std::vector<uint8_t> LampSearch::goneWith(size_t f) const
-{
-    std::vector<uint8_t> gone(suspects_.size(), 0);
-    gone[f] = 1;
-    for (size_t other = 0; other < gone.size(); ++other)
-        if (suspects_[other].isUnseen && !suspects_[f].isUnseen &&
-            suspects_[other].body == suspects_[f].body)
-            gone[other] = 1;
-    return gone;
-}
-
 /// How much worse the pairs agree without one lamp, the others free to take its part.
 std::vector<float> LampSearch::rises()
 {
     const FitData data = dataFor();
     const auto& pairs = pairs_.at(kPairsOfTrial);
     PowersOptions options{.firstScale = PowersOptions{}.lastScale, .oneChannel = true};
-    options.alike = alikes();
+    options.alike = alikesOf(suspects_);
     options.start = powers_.radiance;
     options.start.push_back(powers_.ambient);
     std::vector<std::vector<uint8_t>> gone(suspects_.size());
-    for (size_t f = 0; f < gone.size(); ++f) gone[f] = goneWith(f);
+    for (size_t f = 0; f < gone.size(); ++f) gone[f] = goneWith(suspects_, f);
     return missed(data, pairs, options, gone);
 }
 
 /// How much a lamp must be missed to stay that ends sharply. Where a wall would be burnt out, much;
-/// where it would be grey, not at all: something else has to make it bright.
+/// where it would be grey, hardly: something has to make it bright. Where it would be dark, the
+/// room does not light it, and it does not light the room: what is bright there is mostly a flaw of
+/// the texture.
 float missedAtLeast(float brightnessOfWall, float ifWall)
 {
     if (brightnessOfWall > kExplained) return ifWall;
-    return kPieceMissed * (brightnessOfWall - kGreyWall) / (kExplained - kGreyWall);
+    if (brightnessOfWall < kDarkWall)
+        return std::lerp(kWallPieceMissed, kGreyMissed, brightnessOfWall / kDarkWall);
+    const float aboveGrey = (brightnessOfWall - kGreyWall) / (kExplained - kGreyWall);
+    return std::max(kGreyMissed, kPieceMissed * aboveGrey);
 }
 
 /// The least missed go first, and those that are hardly missed all at once.
@@ -492,15 +407,14 @@ void LampSearch::dropNeedless(float missedIfWall)
                 suspects_[f].isUnseen || fades(texels_, radiance_, suspects_[f].candidate);
             const float least =
                 likeWall ? missedIfWall : missedAtLeast(brightnessOfWall(ofAll, f), missedIfWall);
-            const bool stays = suspects_[f].isGiven || least <= 0.0f;
-            need[f] = stays ? std::numeric_limits<float>::max() : need[f] / least;
+            need[f] = suspects_[f].isGiven ? std::numeric_limits<float>::max() : need[f] / least;
         }
         const float least = *std::min_element(need.begin(), need.end());
         if (least > 1.0f) break;
         const float limit = std::max(least, kHardlyMissed);
         size_t f = 0;
         std::erase_if(suspects_, [&](const Suspect&) { return need[f++] <= limit; });
-        dropHalves();
+        dropHalves(suspects_);
         fit(kPairs, true);
     }
 }
@@ -524,21 +438,21 @@ FoundLamps LampSearch::run()
     found.warnings = std::move(warnings_);
     if (places_.size() < 2) return found;
     fit(kPairsFirst, true);
-    dropWalls(kHardlyWhite, kHardlyPower);
+    dropWalls(kHardlyWhite, kHardlyShare, 0.0f);
     look(kRaysPerOrigin);
     for (int round = 0; round < kMostRounds; ++round) {
         fit(kPairs, true);
-        if (dropWalls() + dropExplained() == 0) break;
+        if (dropWalls(kAboutWhite, kLeastShare, kLeastReach) + dropExplained() == 0) break;
     }
     dropNeedless(kWallPieceMissed);
-    joinPieces();
+    joinPieces(suspects_);
     fit(kPairs, true);
     dropNeedless(kWallMissed);
     fit(kPairs, false);
     stage_.advance();
     updateField();
     fit(kPairs, false);
-    dropWalls();
+    dropWalls(kAboutWhite, kLeastShare, kLeastReach);
     std::stable_sort(suspects_.begin(), suspects_.end(),
                      [](const Suspect& a, const Suspect& b) { return a.power() > b.power(); });
     for (Suspect& suspect : suspects_) {

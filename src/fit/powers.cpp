@@ -21,7 +21,10 @@ constexpr double kPi = 3.14159265358979;
 constexpr double kBrightestPaper = 0.9;   // albedo
 constexpr double kLeastIrradiance = 1e-3; // what no measured place falls below
 constexpr double kSmallest = -4.0;        // log radiance
-constexpr double kLargest = 8.5;
+constexpr double kLargest = 12.0;
+constexpr double kFarFromWhite = 1.0; // log radiance; beyond, the prior hardly pulls any more
+constexpr double kNever = 1e6;        // squared; the channels of a lamp are always pulled together
+constexpr double kFirstShare = 1.0; // of the gathered light; what the first guesses bring, together
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -91,6 +94,7 @@ private:
     {
         return static_cast<double>(c_ < 0 ? luminance(rgb) : rgb[c_]);
     }
+    [[nodiscard]] double firstGuess(size_t lamp) const;
     void findShares(size_t place, std::span<const float> value);
     [[nodiscard]] double lack(size_t place) const;
     double weighResiduals();
@@ -104,6 +108,7 @@ private:
     int c_; // < 0: luminance
     double pairsAPlace_;
     double prior_;
+    double farFromPrior_;         // squared
     double b_ = 0.0;              // scale^2
     std::vector<double> wanted_;  // of lamps, then of ambient: where they are without evidence
     std::vector<double> log_;     // likewise: the unknowns
@@ -123,6 +128,7 @@ Channel::Channel(const FitData& data, std::span<const MaterialPair> pairs,
       pairsAPlace_(static_cast<double>(pairs.size()) /
                    static_cast<double>(std::max<size_t>(data.places(), 1))),
       prior_(std::sqrt(options.priorWeight * pairsAPlace_)),
+      farFromPrior_(what.white.empty() ? kFarFromWhite * kFarFromWhite : kNever),
       wanted_(what.white.begin(), what.white.end()), logIrradiance_(data.radiance.size()),
       shares_(data.radiance.size() + 1, data.lamps + 1)
 {
@@ -134,6 +140,8 @@ Channel::Channel(const FitData& data, std::span<const MaterialPair> pairs,
     const auto end = logRadiance_.begin() + static_cast<ptrdiff_t>(data.places());
     wanted_.push_back(medianOf({logRadiance_.begin(), end})); // behind holes it is as in the room
     log_ = wanted_;
+    if (options.start.empty() && !pairs.empty())
+        for (size_t f = 0; f < data.lamps; ++f) log_[f] = std::max(log_[f], firstGuess(f));
     for (size_t f = 0; f < options.start.size(); ++f)
         log_[f] = std::log(std::max(pick(options.start[f]), 1e-2));
     for (const MaterialPair pair : pairs) weighed_.push_back({pair, 0.0f, 0.0f});
@@ -141,6 +149,21 @@ Channel::Channel(const FitData& data, std::span<const MaterialPair> pairs,
     if (what.isBounded && !pairs.empty())
         for (auto i = static_cast<uint32_t>(data.places()); i < zeros; ++i)
             weighed_.push_back({{i, zeros}, 0.0f, 0.0f});
+}
+
+/// Log radiance from which a lamp can be seen to be too bright or too dark: a small one at white
+/// brings so little that no step up or down would show.
+double Channel::firstGuess(size_t lamp) const
+{
+    double gathered = 0.0;
+    double direct = 0.0;
+    for (size_t i = 0; i < data_.places(); ++i) {
+        gathered += gathered_[i];
+        direct += static_cast<double>(data_.direct[i * data_.lamps + lamp]);
+    }
+    if (direct <= 0.0) return 0.0;
+    const double share = kFirstShare / static_cast<double>(data_.lamps);
+    return std::log(std::max(share * gathered / direct, 1.0));
 }
 
 void Channel::setScale(double scale)
@@ -230,16 +253,19 @@ void Channel::addAlike(Squares& squares) const
     }
 }
 
-/// Pulls every unknown a little towards where it is without evidence.
+/// Pulls every unknown a little towards where it is without evidence. Towards white less and less:
+/// a piece is either a wall, about white, or a lamp of whatever brightness, and a pull that grew
+/// with the distance would hold two dozen small spots back.
 void Channel::addPrior(Squares& squares) const
 {
     const double weight = prior_ * prior_;
     const Eigen::Index last = squares.rows() - 1;
     for (Eigen::Index f = 0; f < last; ++f) {
-        const double step = log_[static_cast<size_t>(f)] - wanted_[static_cast<size_t>(f)];
-        squares(f, f) += weight;
-        squares(last, f) += weight * step;
-        squares(last, last) += weight * step * step;
+        const auto u = static_cast<size_t>(f);
+        const Robust step(log_[u] - wanted_[u], farFromPrior_);
+        squares(f, f) += weight * step.slope * step.slope;
+        squares(last, f) += weight * step.slope * step.value;
+        squares(last, last) += weight * step.value * step.value;
     }
 }
 
@@ -323,8 +349,8 @@ void solve(Channel& channel, const PowersOptions& options)
         problem.AddResidualBlock(new ChannelCost(channel), nullptr, channel.unknowns());
         ceres::Solver::Options solver;
         solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-        solver.max_num_iterations = 25;
-        solver.function_tolerance = 1e-4;
+        solver.max_num_iterations = 50;
+        solver.function_tolerance = 1e-5;
         solver.logging_type = ceres::SILENT;
         ceres::Solver::Summary summary;
         ceres::Solve(solver, &problem, &summary);

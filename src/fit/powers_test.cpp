@@ -169,6 +169,17 @@ TEST(Powers, BurntOutPlacesBoundALampFromBelow)
     expectNear(powers.radiance[0], without.radiance[0], 0.01f);
 }
 
+// Each of two dozen spots brings little, and a pull to white that grew with their distance from it
+// would cost more than they explain.
+TEST(Powers, ManySmallLampsAreNotHeldAtWhite)
+{
+    constexpr float kSmaller = 100.0f;
+    Floor floor(std::vector<glm::vec3>(24, {4.0f, 3.5f, 3.0f}), 0.02f, 0.0f);
+    for (float& direct : floor.data.direct) direct /= kSmaller;
+    const Powers powers = fitPowers(floor.data, floor.pairs);
+    for (size_t f = 0; f < 24; ++f) expectNear(powers.radiance[f], kSmaller * floor.truth[f], 0.2f);
+}
+
 TEST(Powers, BurntOutPlacesSayNothingOfColour)
 {
     Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.02f, 0.0f);

@@ -23,6 +23,10 @@ constexpr float kSmallPlane = 0.1f;      // m^2; from here on, where the wall go
 constexpr float kWallAround = 0.4f;      // of a square's rim that is wall
 constexpr float kBrightRim = 0.55f;      // luminance around a speck that only just burnt out
 constexpr float kSpeck = 0.02f;          // m^2
+constexpr float kCrumb = 4.0f;           // squares of a surfel's size; too small to be flat or bent
+constexpr float kBentCrumb = 10.0f;      // of these
+constexpr float kBent = 0.95f;           // length of a mean normal
+constexpr float kBesideCrumb = 1.75f;    // surfel sizes
 constexpr float kPointedAt = 0.3f;       // m around a place that a person names
 constexpr float kFading = 0.75f;         // of white, in the channel that burns out first
 constexpr size_t kMostPlanes = 4;        // of one blob
@@ -207,6 +211,33 @@ bool isSpeck(const Texels& texels, const SurfelRadiance& radiance, const Candida
     return area > 0.0f && sum > kBrightRim * area;
 }
 
+bool isCrumb(const Candidate& candidate, float surfelSize)
+{
+    const float most = glm::length(candidate.normal) < kBent ? kBentCrumb : kCrumb;
+    return candidate.area < most * surfelSize * surfelSize;
+}
+
+/// What is hardly larger than surfels has facings as sharply apart as the sides of a box: crumbs
+/// side by side are one piece, so that a bulb is one lamp and not six.
+std::vector<Candidate> joinCrumbs(std::vector<Candidate> candidates, float surfelSize)
+{
+    DisjointSets sets(candidates.size());
+    for (uint32_t a = 0; a < candidates.size(); ++a)
+        for (uint32_t b = a + 1; b < candidates.size(); ++b)
+            if (isCrumb(candidates[a], surfelSize) && isCrumb(candidates[b], surfelSize) &&
+                areWithin(candidates[a], candidates[b], kBesideCrumb * surfelSize))
+                sets.join(a, b);
+    std::map<uint32_t, std::vector<ClippedPatch>> pieces;
+    for (uint32_t c = 0; c < candidates.size(); ++c) {
+        std::vector<ClippedPatch>& piece = pieces[sets.find(c)];
+        piece.insert(piece.end(), candidates[c].patches.begin(), candidates[c].patches.end());
+    }
+    std::vector<Candidate> joined;
+    joined.reserve(pieces.size());
+    for (auto& [root, patches] : pieces) joined.push_back(candidateOf(std::move(patches)));
+    return joined;
+}
+
 } // namespace
 
 Candidate candidateOf(std::vector<ClippedPatch> patches)
@@ -278,6 +309,7 @@ std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance
         Candidate candidate = candidateOf(patchesOf(radiance, members));
         if (!isSpeck(texels, radiance, candidate)) candidates.push_back(std::move(candidate));
     }
+    candidates = joinCrumbs(std::move(candidates), texels.surfels.size);
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.area > b.area; });
     return candidates;

@@ -118,6 +118,25 @@ TEST(Candidates, SpecksInBrightWallsAreNoneAndBulbsAre)
     EXPECT_NEAR(bulbs[0].area, 0.0113f, 0.001f);
 }
 
+// A bulb of a few surfels is a box to them, whose sides face apart; the top of a real box is none.
+TEST(Candidates, BulbOfAFewSurfelsIsOneAndABoxIsItsSides)
+{
+    for (const float side : {0.06f, 0.5f}) {
+        std::vector<scenes::Panel> parts{{{0, 0, 0}, {0, 0, 2}, {2, 0, 0}}};
+        for (scenes::Panel wall : scenes::wallsOf(glm::vec3(side))) {
+            std::swap(wall.alongU, wall.alongV); // its outer sides
+            wall.corner += glm::vec3(1.0f, 0.5f, 1.0f);
+            parts.push_back(wall);
+        }
+        const scenes::Paint paint = [](glm::vec3 p, glm::vec3) {
+            return glm::vec3(p.y > 0.4f ? 1.0f : 0.3f);
+        };
+        const auto candidates = candidatesOf(scenes::panels(parts, 64, paint));
+        ASSERT_EQ(candidates.size(), side < 0.1f ? 1u : 6u);
+        EXPECT_NEAR(candidates[0].area, (side < 0.1f ? 6 : 1) * side * side, 0.1f * side * side);
+    }
+}
+
 TEST(Candidates, FixtureOverASeamIsOne)
 {
     const auto candidates = candidatesOf(scenes::splitSquare(2.0f, 128, discIn(2.0f, 0.4f, 0.3f)));

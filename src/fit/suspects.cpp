@@ -1,0 +1,121 @@
+#include "fit/suspects.h"
+
+#include "base/disjoint_sets.h"
+#include "fit/lamp_groups.h"
+#include "lights/expand.shared.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kTouching = 0.12f;  // m between pieces of one lamp
+constexpr float kAboutEqual = 3.0f; // ratio of their radiances
+
+bool areOneLamp(const Suspect& a, const Suspect& b)
+{
+    if (!a.ends.empty() || !b.ends.empty()) return false;
+    if (a.body == b.body) return true;
+    const float ratio = luminance(a.radiance) / luminance(b.radiance);
+    return ratio < kAboutEqual && ratio > 1.0f / kAboutEqual &&
+           areWithin(a.candidate, b.candidate, kTouching);
+}
+
+void add(const Suspect& piece, Suspect& whole)
+{
+    whole.isGiven |= piece.isGiven;
+    std::vector<ClippedPatch> patches = std::move(whole.candidate.patches);
+    patches.insert(patches.end(), piece.candidate.patches.begin(), piece.candidate.patches.end());
+    whole.candidate = candidateOf(std::move(patches));
+    for (size_t i = 0; i < whole.direct.size(); ++i) whole.direct[i] += piece.direct[i];
+}
+
+} // namespace
+
+float Suspect::power() const
+{
+    return candidate.area * luminance(radiance);
+}
+
+size_t Suspect::rays() const
+{
+    return raysToGroup(std::max<size_t>(ends.size(), 1));
+}
+
+float Suspect::reach() const
+{
+    const auto see = std::count_if(direct.begin(), direct.end(), [](float d) { return d > 0.0f; });
+    return static_cast<float>(see) / static_cast<float>(std::max<size_t>(direct.size(), 1));
+}
+
+std::vector<std::pair<uint32_t, uint32_t>> alikesOf(const std::vector<Suspect>& suspects)
+{
+    std::vector<std::pair<uint32_t, uint32_t>> alike;
+    for (uint32_t a = 0; a < suspects.size(); ++a)
+        for (uint32_t b = a + 1; b < suspects.size(); ++b) {
+            const Candidate& one = suspects[a].candidate;
+            const Candidate& other = suspects[b].candidate;
+            const bool isBody = suspects[a].body == suspects[b].body;
+            if (isBody || (std::min(one.area, other.area) > kLeastModel && areAlike(one, other)))
+                alike.emplace_back(a, b);
+        }
+    return alike;
+}
+
+void findShares(const FitData& data, glm::vec3 ambient, std::vector<Suspect>& suspects)
+{
+    std::vector<float> radiance;
+    for (const Suspect& suspect : suspects) radiance.push_back(luminance(suspect.radiance));
+    std::vector<float> sums(suspects.size(), 0.0f);
+    for (size_t i = 0; i < data.places(); ++i) {
+        const float* direct = data.direct.data() + i * data.lamps;
+        float all = luminance(data.gathered[i]) + luminance(ambient) * data.missed[i];
+        for (size_t f = 0; f < data.lamps; ++f) all += radiance[f] * direct[f];
+        if (all <= 0.0f) continue;
+        for (size_t f = 0; f < data.lamps; ++f) sums[f] += radiance[f] * direct[f] / all;
+    }
+    for (size_t f = 0; f < suspects.size(); ++f)
+        suspects[f].share = sums[f] / static_cast<float>(std::max<size_t>(data.places(), 1));
+}
+
+size_t dropHalves(std::vector<Suspect>& suspects)
+{
+    std::set<size_t> bodies;
+    for (const Suspect& suspect : suspects)
+        if (!suspect.isUnseen) bodies.insert(suspect.body);
+    return std::erase_if(suspects, [&](const Suspect& suspect) {
+        return suspect.isUnseen && !bodies.contains(suspect.body);
+    });
+}
+
+std::vector<uint8_t> goneWith(const std::vector<Suspect>& suspects, size_t f)
+{
+    std::vector<uint8_t> gone(suspects.size(), 0);
+    gone[f] = 1;
+    for (size_t other = 0; other < gone.size(); ++other)
+        if (suspects[other].isUnseen && !suspects[f].isUnseen &&
+            suspects[other].body == suspects[f].body)
+            gone[other] = 1;
+    return gone;
+}
+
+void joinPieces(std::vector<Suspect>& suspects)
+{
+    DisjointSets sets(suspects.size());
+    for (uint32_t a = 0; a < suspects.size(); ++a)
+        for (uint32_t b = a + 1; b < suspects.size(); ++b)
+            if (areOneLamp(suspects[a], suspects[b])) sets.join(a, b);
+    std::map<uint32_t, Suspect> joined;
+    for (uint32_t f = 0; f < suspects.size(); ++f) {
+        const auto [whole, isNew] = joined.try_emplace(sets.find(f), suspects[f]);
+        if (!isNew) add(suspects[f], whole->second);
+    }
+    suspects.clear();
+    for (auto& [root, suspect] : joined) suspects.push_back(std::move(suspect));
+}
+
+} // namespace relamp

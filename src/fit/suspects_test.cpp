@@ -1,0 +1,83 @@
+#include "fit/suspects.h"
+
+#include <gmock/gmock.h>
+
+namespace relamp
+{
+namespace
+{
+
+using testing::ElementsAre;
+
+constexpr glm::vec3 kDown(0, -1, 0);
+
+/// A panel of a quarter of a square metre whose left edge is at `x`.
+Suspect panelAt(float x, float radiance, size_t body)
+{
+    std::vector<ClippedPatch> patches;
+    for (const float step : {0.05f, 0.45f})
+        patches.push_back({{x + step, 2.5f, 0.25f}, kDown, 0.125f, 0});
+    return {.candidate = candidateOf(std::move(patches)),
+            .direct = {0.2f, 0.0f, 0.1f, 0.0f},
+            .radiance = glm::vec3(radiance),
+            .body = body};
+}
+
+} // namespace
+
+TEST(Suspects, ReachIsTheShareOfPlacesThatSeeThem)
+{
+    EXPECT_FLOAT_EQ(panelAt(0, 10, 0).reach(), 0.5f);
+    EXPECT_FLOAT_EQ(Suspect{}.reach(), 0.0f);
+}
+
+// Two places: one gets a quarter of its light from the first lamp, the other gets only bounces.
+// What is burnt out is not measured.
+TEST(Suspects, SharesAreOfTheLightAtMeasuredPlaces)
+{
+    std::vector<Suspect> suspects{panelAt(0, 10, 0), panelAt(2, 20, 1)};
+    const FitData data{.lamps = 2,
+                       .burntOut = 1,
+                       .radiance = {glm::vec3(0.2f), glm::vec3(0.2f), glm::vec3(1.0f)},
+                       .gathered = {glm::vec3(0.5f), glm::vec3(1.0f), glm::vec3(1.0f)},
+                       .missed = {0.5f, 0.0f, 0.0f},
+                       .direct = {0.05f, 0.025f, 0.0f, 0.0f, 1.0f, 1.0f}};
+    findShares(data, glm::vec3(1.0f), suspects);
+    EXPECT_NEAR(suspects[0].share, 0.125f, 1e-5f);
+    EXPECT_NEAR(suspects[1].share, 0.125f, 1e-5f);
+}
+
+TEST(Suspects, FarSidesGoWithTheirLamps)
+{
+    std::vector<Suspect> suspects{panelAt(0, 10, 0), panelAt(2, 20, 1), panelAt(2, 20, 1)};
+    suspects[2].isUnseen = true;
+    EXPECT_THAT(goneWith(suspects, 0), ElementsAre(1, 0, 0));
+    EXPECT_THAT(goneWith(suspects, 1), ElementsAre(0, 1, 1));
+    EXPECT_THAT(goneWith(suspects, 2), ElementsAre(0, 0, 1)); // it may go alone
+    suspects.erase(suspects.begin() + 1);
+    EXPECT_EQ(dropHalves(suspects), 1u);
+    ASSERT_EQ(suspects.size(), 1u);
+    EXPECT_EQ(suspects[0].body, 0u);
+}
+
+TEST(Suspects, PiecesThatTouchAndAreAboutEquallyBrightAreOneLamp)
+{
+    std::vector<Suspect> suspects{panelAt(0, 10, 0), panelAt(0.5f, 20, 1), panelAt(1, 100, 2),
+                                  panelAt(3, 10, 3)};
+    suspects[1].isGiven = true;
+    joinPieces(suspects);
+    ASSERT_EQ(suspects.size(), 3u); // the third touches, and is too bright; the fourth is far away
+    EXPECT_FLOAT_EQ(suspects[0].candidate.area, 0.5f);
+    EXPECT_FLOAT_EQ(suspects[0].candidate.centre.x, 0.5f);
+    EXPECT_FLOAT_EQ(suspects[0].direct[0], 0.4f);
+    EXPECT_TRUE(suspects[0].isGiven);
+    EXPECT_FLOAT_EQ(suspects[1].radiance.g, 100.0f);
+}
+
+TEST(Suspects, OfOneModelArePairsThatLookAlike)
+{
+    const std::vector<Suspect> suspects{panelAt(0, 10, 0), panelAt(2, 20, 1), panelAt(4, 10, 2)};
+    EXPECT_EQ(alikesOf(suspects).size(), 3u);
+}
+
+} // namespace relamp
