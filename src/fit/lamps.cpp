@@ -48,7 +48,9 @@ constexpr float kWallPieceMissed = 0.03f; // of what would be burnt out anyway
 constexpr float kWallMissed = 0.05f;      // of that, once pieces are joined to lamps
 constexpr float kGreyWall = 0.5f;         // radiance
 constexpr float kDarkWall = 0.2f;         // what the room hardly lights hardly lights the room
-constexpr float kGreyMissed = 0.003f;
+constexpr float kGreyMissed = 0.003f; // of what is small
+constexpr float kSmall = 10.0f;       // surfels
+constexpr float kSpeck = 1.0f;        // surfels
 constexpr float kHardlyMissed = 0.3f; // of these
 constexpr float kTold = 0.5f;         // of the prior's variance; beyond, data decide
 
@@ -383,31 +385,36 @@ std::vector<float> LampSearch::rises()
     return missed(data, pairs, options, gone);
 }
 
-/// How much a lamp must be missed to stay that ends sharply. Where a wall would be burnt out, much;
-/// where it would be grey, hardly: something has to make it bright. Where it would be dark, the
-/// room does not light it, and it does not light the room: what is bright there is mostly a flaw of
-/// the texture.
-float missedAtLeast(float brightnessOfWall, float ifWall)
+/// How much a lamp of `surfels` must be missed to stay that ends sharply. Where a wall would be burnt
+/// out, much; where it would be grey, hardly or not at all: something has to make it bright. Where
+/// it would be dark, the room does not light it, and it does not light the room: what is bright
+/// there, and what is small, is mostly a flaw of the texture.
+float missedAtLeast(float brightnessOfWall, float surfels, float ifWall)
 {
     if (brightnessOfWall > kExplained) return ifWall;
+    if (surfels < kSpeck) return kWallMissed;
     if (brightnessOfWall < kDarkWall)
         return std::lerp(kWallPieceMissed, kGreyMissed, brightnessOfWall / kDarkWall);
     const float aboveGrey = (brightnessOfWall - kGreyWall) / (kExplained - kGreyWall);
-    return std::max(kGreyMissed, kPieceMissed * aboveGrey);
+    return std::max(surfels < kSmall ? kGreyMissed : 0.0f, kPieceMissed * aboveGrey);
 }
 
 /// The least missed go first, and those that are hardly missed all at once.
 void LampSearch::dropNeedless(float missedIfWall)
 {
+    const float areaOfSurfel = texels_.surfels.size * texels_.surfels.size;
     while (suspects_.size() > 1) {
         std::vector<float> need = rises();
         const BrightWalls ofAll = walls();
         for (size_t f = 0; f < need.size(); ++f) {
             const bool likeWall =
                 suspects_[f].isUnseen || fades(texels_, radiance_, suspects_[f].candidate);
+            const float surfels = suspects_[f].candidate.area / areaOfSurfel;
             const float least =
-                likeWall ? missedIfWall : missedAtLeast(brightnessOfWall(ofAll, f), missedIfWall);
-            need[f] = suspects_[f].isGiven ? std::numeric_limits<float>::max() : need[f] / least;
+                likeWall ? missedIfWall
+                         : missedAtLeast(brightnessOfWall(ofAll, f), surfels, missedIfWall);
+            const bool stays = suspects_[f].isGiven || least <= 0.0f;
+            need[f] = stays ? std::numeric_limits<float>::max() : need[f] / least;
         }
         const float least = *std::min_element(need.begin(), need.end());
         if (least > 1.0f) break;

@@ -23,6 +23,8 @@ constexpr double kLeastIrradiance = 1e-3; // what no measured place falls below
 constexpr double kSmallest = -4.0;        // log radiance
 constexpr double kLargest = 12.0;
 constexpr double kFarFromWhite = 1.0; // log radiance; beyond, the prior hardly pulls any more
+constexpr double kUsualAlbedo = 0.35; // of a room, mean of logarithms
+constexpr double kLevelWeight = 4e-4; // of that, in pairs' squared residuals a pair
 constexpr double kNever = 1e6;        // squared; the channels of a lamp are always pulled together
 constexpr double kFirstShare = 1.0; // of the gathered light; what the first guesses bring, together
 
@@ -100,6 +102,7 @@ private:
     double weighResiduals();
     void addAlike(Squares& squares) const;
     void addPrior(Squares& squares) const;
+    void addLevel(Squares& squares) const;
     void condense(const Squares& squares);
 
     const FitData& data_;
@@ -189,6 +192,7 @@ void Channel::PrepareForEvaluation(bool, bool)
     squares(size - 1, size - 1) = sum; // in double precision
     addAlike(squares);
     addPrior(squares);
+    addLevel(squares);
     condense(squares);
 }
 
@@ -267,6 +271,26 @@ void Channel::addPrior(Squares& squares) const
         squares(last, f) += weight * step.slope * step.value;
         squares(last, last) += weight * step.value * step.value;
     }
+}
+
+/// Pulls the albedo of all places together a little towards a room's: where lamps outshine all that
+/// is gathered, pairs do not tell how much, and it would run away.
+void Channel::addLevel(Squares& squares) const
+{
+    if (pairs_.empty()) return;
+    const double weight = kLevelWeight * static_cast<double>(pairs_.size());
+    const auto places = static_cast<double>(data_.places());
+    double level = std::log(kPi / kUsualAlbedo);
+    std::vector<double> slopes(count(), 0.0);
+    for (size_t i = 0; i < data_.places(); ++i) {
+        level += (logRadiance_[i] - logIrradiance_[i]) / places;
+        const float* share = shares_.row(i);
+        for (size_t f = 0; f < slopes.size(); ++f)
+            slopes[f] -= static_cast<double>(share[f]) / places;
+    }
+    slopes.push_back(level);
+    const Eigen::Map<const Eigen::VectorXd> row(slopes.data(), squares.rows());
+    squares += weight * row * row.transpose();
 }
 
 /// Of squares P^T L D L^T P, by their lower triangle, the rows of D^1/2 L^T P have just these.
