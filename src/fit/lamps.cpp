@@ -48,11 +48,11 @@ constexpr float kWallPieceMissed = 0.03f; // of what would be burnt out anyway
 constexpr float kWallMissed = 0.05f;      // of that, once pieces are joined to lamps
 constexpr float kGreyWall = 0.5f;         // radiance
 constexpr float kDarkWall = 0.2f;         // what the room hardly lights hardly lights the room
-constexpr float kGreyMissed = 0.003f; // of what is small
-constexpr float kSmall = 10.0f;       // surfels
-constexpr float kSpeck = 1.0f;        // surfels
-constexpr float kHardlyMissed = 0.3f; // of these
-constexpr float kTold = 0.5f;         // of the prior's variance; beyond, data decide
+constexpr float kGreyMissed = 0.003f;     // of what is small
+constexpr float kSmall = 10.0f;           // surfels
+constexpr float kSpeck = 1.0f;            // surfels
+constexpr float kHardlyMissed = 0.3f;     // of these
+constexpr float kTold = 0.5f;             // of the prior's variance; beyond, data decide
 
 class LampSearch
 {
@@ -385,10 +385,10 @@ std::vector<float> LampSearch::rises()
     return missed(data, pairs, options, gone);
 }
 
-/// How much a lamp of `surfels` must be missed to stay that ends sharply. Where a wall would be burnt
-/// out, much; where it would be grey, hardly or not at all: something has to make it bright. Where
-/// it would be dark, the room does not light it, and it does not light the room: what is bright
-/// there, and what is small, is mostly a flaw of the texture.
+/// How much a lamp of `surfels` must be missed to stay that ends sharply. Where a wall would be
+/// burnt out, much; where it would be grey, hardly or not at all: something has to make it bright.
+/// Where it would be dark, the room does not light it, and it does not light the room: what is
+/// bright there, and what is small, is mostly a flaw of the texture.
 float missedAtLeast(float brightnessOfWall, float surfels, float ifWall)
 {
     if (brightnessOfWall > kExplained) return ifWall;

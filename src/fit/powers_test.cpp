@@ -180,6 +180,26 @@ TEST(Powers, ManySmallLampsAreNotHeldAtWhite)
     for (size_t f = 0; f < 24; ++f) expectNear(powers.radiance[f], kSmaller * floor.truth[f], 0.2f);
 }
 
+// Where next to nothing is gathered, twice the lamp is twice the light everywhere, and pairs agree
+// as well; but then the room would be half as white.
+TEST(Powers, LevelOfARoomIsHeldWhereLampsOutshineWhatIsGathered)
+{
+    const glm::vec3 lamp(40, 30, 20);
+    constexpr float kAlbedo = 0.35f;
+    Numbers random;
+    FitData data{.lamps = 1};
+    std::vector<MaterialPair> pairs;
+    for (uint32_t i = 0; i < kPlaces; ++i) {
+        data.gathered.emplace_back(1e-4f);
+        data.missed.push_back(0.0f);
+        data.direct.push_back(random.between(0.05f, 0.2f));
+        data.radiance.push_back(kAlbedo / 3.14159265f * lamp * data.direct.back());
+        for (const uint32_t step : {1u, 5u, 9u})
+            pairs.push_back({i, static_cast<uint32_t>((i + step) % kPlaces)});
+    }
+    expectNear(fitPowers(data, pairs).radiance[0], lamp, 0.25f);
+}
+
 TEST(Powers, BurntOutPlacesSayNothingOfColour)
 {
     Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.02f, 0.0f);
