@@ -15,14 +15,16 @@ namespace
 
 constexpr float kTouching = 0.12f;  // m between pieces of one lamp
 constexpr float kAboutEqual = 3.0f; // ratio of their radiances
+constexpr float kSliver = 0.02f;    // ratio of areas; too small beside a lamp to be one of its own
 
 bool areOneLamp(const Suspect& a, const Suspect& b)
 {
     if (!a.ends.empty() || !b.ends.empty()) return false;
     if (a.body == b.body) return true;
     const float ratio = luminance(a.radiance) / luminance(b.radiance);
-    return ratio < kAboutEqual && ratio > 1.0f / kAboutEqual &&
-           areWithin(a.candidate, b.candidate, kTouching);
+    const bool isEqual = ratio < kAboutEqual && ratio > 1.0f / kAboutEqual;
+    const auto [less, more] = std::minmax(a.candidate.area, b.candidate.area);
+    return (isEqual || less < kSliver * more) && areWithin(a.candidate, b.candidate, kTouching);
 }
 
 void add(const Suspect& piece, Suspect& whole)

@@ -47,7 +47,8 @@ size_t dropHalves(std::vector<Suspect>& suspects);
 /// Which suspects go where suspect `f` goes: its far side with it. One flag each.
 std::vector<uint8_t> goneWith(const std::vector<Suspect>& suspects, size_t f);
 
-/// Makes one suspect of pieces that touch and are about equally bright, and of two sides.
+/// Makes one suspect of pieces that touch and are about equally bright, of a lamp and a sliver
+/// beside it, and of two sides.
 void joinPieces(std::vector<Suspect>& suspects);
 
 } // namespace relamp

@@ -74,6 +74,21 @@ TEST(Suspects, PiecesThatTouchAndAreAboutEquallyBrightAreOneLamp)
     EXPECT_FLOAT_EQ(suspects[1].radiance.g, 100.0f);
 }
 
+// At a lamp's edge a crumb of it may be fitted to any radiance.
+TEST(Suspects, SliverIsOfTheLampThatItTouches)
+{
+    std::vector<Suspect> suspects{panelAt(0, 10, 0), panelAt(2, 10, 1)};
+    for (const size_t body : {2u, 3u}) {
+        suspects.push_back(panelAt(0.5f, 600, body));
+        suspects.back().candidate =
+            candidateOf({{{body == 2 ? 0.5f : 1.2f, 2.5f, 0.25f}, kDown, 0.002f, 0}});
+    }
+    joinPieces(suspects);
+    ASSERT_EQ(suspects.size(), 3u); // the second crumb touches nothing
+    EXPECT_FLOAT_EQ(suspects[0].candidate.area, 0.252f);
+    EXPECT_FLOAT_EQ(suspects[0].radiance.g, 10.0f);
+}
+
 TEST(Suspects, OfOneModelArePairsThatLookAlike)
 {
     const std::vector<Suspect> suspects{panelAt(0, 10, 0), panelAt(2, 20, 1), panelAt(4, 10, 2)};
