@@ -33,14 +33,15 @@ constexpr size_t kPlacesBurntOut = 150;
 constexpr float kAllBurntOut = 0.9f; // of a surfel's area
 constexpr size_t kPairsFirst = 3;    // a place, for the first look at all candidates
 constexpr size_t kPairs = 6;
+constexpr double kToleranceFirst = 1e-4; // of a fit that only tells what is worth looking at
 constexpr size_t kRaysPerOrigin = 8; // at a place, to those that remain: noise would make them weak
 constexpr float kAboutWhite = 2.0f;  // luminance; a wall lights its surroundings as little as this
 constexpr float kHardlyWhite = 1.4f; // at the first look, which few rays make dim
-constexpr float kHardlyShare = 0.0005f; // of the light at places
-constexpr float kLeastShare = 0.0015f;  // below, a lamp does not matter
-constexpr float kLeastReach = 0.02f;    // of places that see it; else it is in a pocket of the scan
-constexpr float kExplained = 0.8f;      // of white
-constexpr float kAround = 1.6f;         // surfel sizes
+constexpr float kHardlyShare = 0.001f; // of the light at places
+constexpr float kLeastShare = 0.0015f; // below, a lamp does not matter
+constexpr float kLeastReach = 0.02f;   // of places that see it; else it is in a pocket of the scan
+constexpr float kExplained = 0.8f;     // of white
+constexpr float kAround = 1.6f;        // surfel sizes
 constexpr int kMostRounds = 6;
 constexpr size_t kPairsOfTrial = 4;
 constexpr float kPieceMissed = 0.008f;    // rise of the fit's loss; it lights 1 % of the pairs
@@ -287,6 +288,8 @@ void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
         options.firstScale = 2.0 * options.lastScale;
         for (const Suspect& suspect : suspects_) options.start.push_back(suspect.radiance);
         options.start.push_back(powers_.ambient);
+    } else {
+        options.tolerance = kToleranceFirst;
     }
     isFitted_ = true;
     std::vector<float> areas;

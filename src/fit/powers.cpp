@@ -278,19 +278,25 @@ void Channel::addPrior(Squares& squares) const
 void Channel::addLevel(Squares& squares) const
 {
     if (pairs_.empty()) return;
-    const double weight = kLevelWeight * static_cast<double>(pairs_.size());
+    constexpr size_t kChunk = 512;
+    const size_t stride = shares_.stride();
+    std::vector<float> sums((data_.places() + kChunk - 1) / kChunk * stride, 0.0f);
+    forEachChunk(data_.places(), kChunk, [&](size_t begin, size_t end) {
+        float* sum = sums.data() + begin / kChunk * stride;
+        for (size_t i = begin; i < end; ++i) {
+            const float* share = shares_.row(i);
+            for (size_t f = 0; f < stride; ++f) sum[f] += share[f];
+        }
+    });
     const auto places = static_cast<double>(data_.places());
-    double level = std::log(kPi / kUsualAlbedo);
-    std::vector<double> slopes(count(), 0.0);
-    for (size_t i = 0; i < data_.places(); ++i) {
-        level += (logRadiance_[i] - logIrradiance_[i]) / places;
-        const float* share = shares_.row(i);
-        for (size_t f = 0; f < slopes.size(); ++f)
-            slopes[f] -= static_cast<double>(share[f]) / places;
-    }
-    slopes.push_back(level);
-    const Eigen::Map<const Eigen::VectorXd> row(slopes.data(), squares.rows());
-    squares += weight * row * row.transpose();
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(squares.rows());
+    for (size_t at = 0; at < sums.size(); at += stride)
+        for (size_t f = 0; f < count(); ++f)
+            row[static_cast<Eigen::Index>(f)] -= static_cast<double>(sums[at + f]) / places;
+    double& level = row[squares.rows() - 1];
+    for (size_t i = 0; i < data_.places(); ++i) level += logRadiance_[i] - logIrradiance_[i];
+    level = level / places + std::log(kPi / kUsualAlbedo);
+    squares += kLevelWeight * static_cast<double>(pairs_.size()) * row * row.transpose();
 }
 
 /// Of squares P^T L D L^T P, by their lower triangle, the rows of D^1/2 L^T P have just these.
@@ -374,7 +380,7 @@ void solve(Channel& channel, const PowersOptions& options)
         ceres::Solver::Options solver;
         solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
         solver.max_num_iterations = 50;
-        solver.function_tolerance = 1e-5;
+        solver.function_tolerance = options.tolerance;
         solver.logging_type = ceres::SILENT;
         ceres::Solver::Summary summary;
         ceres::Solve(solver, &problem, &summary);

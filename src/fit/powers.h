@@ -16,6 +16,7 @@ struct PowersOptions
                                // and of its channels towards its luminance, in pairs a place, >= 0
     double firstScale = 0.5;   // of the Cauchy loss, in log radiance; halves until lastScale
     double lastScale = 0.08;
+    double tolerance = 1e-5; // share of the loss; a scale's fit ends when a step gains less
     bool oneChannel = false; // fit luminance alone: faster, for a first look
     std::vector<std::pair<uint32_t, uint32_t>> alike; // lamps that look like one model
     double alikeWeight = 1e-4; // of their being equally bright, in pairs' squared residuals a pair
