@@ -46,13 +46,13 @@ constexpr int kMostRounds = 6;
 constexpr size_t kPairsOfTrial = 4;
 constexpr float kPieceMissed = 0.008f;    // rise of the fit's loss; it lights 1 % of the pairs
 constexpr float kWallPieceMissed = 0.03f; // of what would be burnt out anyway
-constexpr float kWallMissed = 0.05f;      // of that, once pieces are joined to lamps
+constexpr float kWallMissed = 0.04f;      // of that, once pieces are joined to lamps
 constexpr float kGreyWall = 0.5f;         // radiance
 constexpr float kDarkWall = 0.2f;         // what the room hardly lights hardly lights the room
 constexpr float kGreyMissed = 0.003f;     // of what is small
 constexpr float kSmall = 10.0f;           // surfels
 constexpr float kSpeck = 1.0f;            // surfels
-constexpr float kHardlyMissed = 0.3f;     // of these
+constexpr float kHardlyMissed = 0.15f;     // of these
 constexpr float kTold = 0.5f;             // of the prior's variance; beyond, data decide
 
 class LampSearch
