@@ -52,7 +52,7 @@ constexpr float kDarkWall = 0.2f;         // what the room hardly lights hardly 
 constexpr float kGreyMissed = 0.003f;     // of what is small
 constexpr float kSmall = 10.0f;           // surfels
 constexpr float kSpeck = 1.0f;            // surfels
-constexpr float kHardlyMissed = 0.15f;     // of these
+constexpr float kHardlyMissed = 0.15f;    // of these
 constexpr float kTold = 0.5f;             // of the prior's variance; beyond, data decide
 
 class LampSearch

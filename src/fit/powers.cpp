@@ -26,7 +26,6 @@ constexpr double kFarFromWhite = 1.0; // log radiance; beyond, the prior hardly 
 constexpr double kUsualAlbedo = 0.35; // of a room, mean of logarithms
 constexpr double kLevelWeight = 4e-4; // of that, in pairs' squared residuals a pair
 constexpr double kNever = 1e6;        // squared; the channels of a lamp are always pulled together
-constexpr double kFirstShare = 1.0; // of the gathered light; what the first guesses bring, together
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -154,8 +153,9 @@ Channel::Channel(const FitData& data, std::span<const MaterialPair> pairs,
             weighed_.push_back({{i, zeros}, 0.0f, 0.0f});
 }
 
-/// Log radiance from which a lamp can be seen to be too bright or too dark: a small one at white
-/// brings so little that no step up or down would show.
+/// Log radiance from which a lamp can be seen to be too bright or too dark, where all together
+/// bring what is gathered: a small one at white brings so little that no step up or down would
+/// show.
 double Channel::firstGuess(size_t lamp) const
 {
     double gathered = 0.0;
@@ -165,8 +165,7 @@ double Channel::firstGuess(size_t lamp) const
         direct += static_cast<double>(data_.direct[i * data_.lamps + lamp]);
     }
     if (direct <= 0.0) return 0.0;
-    const double share = kFirstShare / static_cast<double>(data_.lamps);
-    return std::log(std::max(share * gathered / direct, 1.0));
+    return std::log(std::max(gathered / direct / static_cast<double>(data_.lamps), 1.0));
 }
 
 void Channel::setScale(double scale)

@@ -21,7 +21,7 @@ constexpr float kPlaneThickness = 0.03f; // m; 1.5 times that
 constexpr float kLargePlane = 0.5f;      // m^2; smaller ones may be parts of lamps
 constexpr float kSmallPlane = 0.1f;      // m^2; from here on, where the wall goes on around it
 constexpr float kWallAround = 0.4f;      // of a square's rim that is wall
-constexpr float kBrightRim = .75f;       // luminance around a speck that only just burnt out
+constexpr float kBrightRim = 0.75f;      // luminance around a speck that only just burnt out
 constexpr float kSpeck = 0.02f;          // m^2
 constexpr float kCrumb = 4.0f;           // squares of a surfel's size; too small to be flat or bent
 constexpr float kBentCrumb = 10.0f;      // of these
@@ -219,14 +219,23 @@ bool isCrumb(const Candidate& candidate, float surfelSize)
 
 /// What is hardly larger than surfels has facings as sharply apart as the sides of a box: crumbs
 /// side by side are one piece, so that a bulb is one lamp and not six.
-std::vector<Candidate> joinCrumbs(std::vector<Candidate> candidates, float surfelSize)
+std::vector<Candidate> joinCrumbs(const Surfels& surfels, const std::vector<Candidate>& candidates)
 {
+    constexpr std::pair<uint32_t, glm::vec3> kNobody{Surfels::kNone, glm::vec3(0.0f)};
+    std::vector<std::pair<uint32_t, glm::vec3>> crumbAt(surfels.count(), kNobody); // and where
+    for (uint32_t c = 0; c < candidates.size(); ++c)
+        if (isCrumb(candidates[c], surfels.size))
+            for (const ClippedPatch& patch : candidates[c].patches)
+                crumbAt[patch.surfel] = {c, patch.position};
     DisjointSets sets(candidates.size());
-    for (uint32_t a = 0; a < candidates.size(); ++a)
-        for (uint32_t b = a + 1; b < candidates.size(); ++b)
-            if (isCrumb(candidates[a], surfelSize) && isCrumb(candidates[b], surfelSize) &&
-                areWithin(candidates[a], candidates[b], kBesideCrumb * surfelSize))
-                sets.join(a, b);
+    for (const auto& [crumb, place] : crumbAt) {
+        if (crumb == Surfels::kNone) continue;
+        surfels.forEachInReach(place, [&](uint32_t near) {
+            const auto& [other, at] = crumbAt[near];
+            if (other != Surfels::kNone && glm::distance(place, at) < kBesideCrumb * surfels.size)
+                sets.join(crumb, other);
+        });
+    }
     std::map<uint32_t, std::vector<ClippedPatch>> pieces;
     for (uint32_t c = 0; c < candidates.size(); ++c) {
         std::vector<ClippedPatch>& piece = pieces[sets.find(c)];
@@ -309,7 +318,7 @@ std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance
         Candidate candidate = candidateOf(patchesOf(radiance, members));
         if (!isSpeck(texels, radiance, candidate)) candidates.push_back(std::move(candidate));
     }
-    candidates = joinCrumbs(std::move(candidates), texels.surfels.size);
+    candidates = joinCrumbs(texels.surfels, candidates);
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.area > b.area; });
     return candidates;
