@@ -221,19 +221,24 @@ bool isCrumb(const Candidate& candidate, float surfelSize)
 /// side by side are one piece, so that a bulb is one lamp and not six.
 std::vector<Candidate> joinCrumbs(const Surfels& surfels, const std::vector<Candidate>& candidates)
 {
-    constexpr std::pair<uint32_t, glm::vec3> kNobody{Surfels::kNone, glm::vec3(0.0f)};
-    std::vector<std::pair<uint32_t, glm::vec3>> crumbAt(surfels.count(), kNobody); // and where
+    struct Crumb // of a surfel
+    {
+        uint32_t candidate = Surfels::kNone;
+        glm::vec3 position{0.0f};
+    };
+    std::vector<Crumb> crumbs(surfels.count());
     for (uint32_t c = 0; c < candidates.size(); ++c)
         if (isCrumb(candidates[c], surfels.size))
             for (const ClippedPatch& patch : candidates[c].patches)
-                crumbAt[patch.surfel] = {c, patch.position};
+                crumbs[patch.surfel] = {c, patch.position};
     DisjointSets sets(candidates.size());
-    for (const auto& [crumb, place] : crumbAt) {
-        if (crumb == Surfels::kNone) continue;
-        surfels.forEachInReach(place, [&](uint32_t near) {
-            const auto& [other, at] = crumbAt[near];
-            if (other != Surfels::kNone && glm::distance(place, at) < kBesideCrumb * surfels.size)
-                sets.join(crumb, other);
+    for (const Crumb& crumb : crumbs) {
+        if (crumb.candidate == Surfels::kNone) continue;
+        surfels.forEachInReach(crumb.position, [&](size_t near) {
+            const Crumb& other = crumbs[near];
+            if (other.candidate != Surfels::kNone &&
+                glm::distance(crumb.position, other.position) < kBesideCrumb * surfels.size)
+                sets.join(crumb.candidate, other.candidate);
         });
     }
     std::map<uint32_t, std::vector<ClippedPatch>> pieces;
