@@ -10,7 +10,7 @@ namespace relamp
 {
 
 /// Flat pieces smaller than this, m^2, are not told apart by their shape.
-inline constexpr float kLeastModel = 0.01f;
+inline constexpr float kLeastModel = 0.003f;
 
 /// Candidates that are fitted as one lamp.
 struct LampGroup

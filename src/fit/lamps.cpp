@@ -47,12 +47,16 @@ constexpr size_t kPairsOfTrial = 4;
 constexpr float kPieceMissed = 0.008f;    // rise of the fit's loss; it lights 1 % of the pairs
 constexpr float kWallPieceMissed = 0.03f; // of what would be burnt out anyway
 constexpr float kWallMissed = 0.04f;      // of that, once pieces are joined to lamps
+constexpr float kSmallWallMissed = 2.5f;  // times that, of pieces of less than kLarge
 constexpr float kGreyWall = 0.5f;         // radiance
 constexpr float kDarkWall = 0.2f;         // what the room hardly lights hardly lights the room
 constexpr float kGreyMissed = 0.003f;     // of what is small
+constexpr float kLarge = 100.0f;          // surfels
 constexpr float kSmall = 10.0f;           // surfels
 constexpr float kSpeck = 1.0f;            // surfels
 constexpr float kHardlyMissed = 0.15f;    // of these
+constexpr float kBright = 500.0f;         // few lamps are brighter
+constexpr float kBrightMissed = 0.01f;    // of those, a factor of e beyond
 constexpr float kTold = 0.5f;             // of the prior's variance; beyond, data decide
 
 class LampSearch
@@ -389,17 +393,24 @@ std::vector<float> LampSearch::rises()
 }
 
 /// How much a lamp of `surfels` must be missed to stay that ends sharply. Where a wall would be
-/// burnt out, much; where it would be grey, hardly or not at all: something has to make it bright.
-/// Where it would be dark, the room does not light it, and it does not light the room: what is
-/// bright there, and what is small, is mostly a flaw of the texture.
+/// burnt out, much, and what is small there, which are many, most; where it would be grey, hardly
+/// or not at all: something has to make it bright. Where it would be dark, the room does not light
+/// it, and it does not light the room: what is bright there, and what is small, is mostly a flaw of
+/// the texture.
 float missedAtLeast(float brightnessOfWall, float surfels, float ifWall)
 {
-    if (brightnessOfWall > kExplained) return ifWall;
+    if (brightnessOfWall > kExplained) return surfels < kLarge ? kSmallWallMissed * ifWall : ifWall;
     if (surfels < kSpeck) return kWallMissed;
     if (brightnessOfWall < kDarkWall)
         return std::lerp(kWallPieceMissed, kGreyMissed, brightnessOfWall / kDarkWall);
     const float aboveGrey = (brightnessOfWall - kGreyWall) / (kExplained - kGreyWall);
     return std::max(surfels < kSmall ? kGreyMissed : 0.0f, kPieceMissed * aboveGrey);
+}
+
+/// How much more a lamp of that radiance must be missed: a speck can be anything to the fit.
+float missedIfBright(float radiance)
+{
+    return kBrightMissed * std::max(std::log(radiance / kBright), 0.0f);
 }
 
 /// The least missed go first, and those that are hardly missed all at once.
@@ -413,9 +424,9 @@ void LampSearch::dropNeedless(float missedIfWall)
             const bool likeWall =
                 suspects_[f].isUnseen || fades(texels_, radiance_, suspects_[f].candidate);
             const float surfels = suspects_[f].candidate.area / areaOfSurfel;
-            const float least =
-                likeWall ? missedIfWall
-                         : missedAtLeast(brightnessOfWall(ofAll, f), surfels, missedIfWall);
+            const float wall = likeWall ? 1.0f : brightnessOfWall(ofAll, f);
+            const float least = missedAtLeast(wall, surfels, missedIfWall) +
+                                missedIfBright(luminance(suspects_[f].radiance));
             const bool stays = suspects_[f].isGiven || least <= 0.0f;
             need[f] = stays ? std::numeric_limits<float>::max() : need[f] / least;
         }
