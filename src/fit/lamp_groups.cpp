@@ -16,6 +16,7 @@ namespace
 constexpr float kSameSize = 2.5f;  // ratio of areas of one model
 constexpr float kFlat = 0.9f;      // length of a mean normal, and cosine between two
 constexpr float kSameLevel = 0.1f; // m
+constexpr float kTilt = 0.03f;     // radians; of a small piece's normal
 constexpr size_t kMostParts = 32;  // of all families
 constexpr float kRound = 0.5f;     // length of a mean normal; no lamp burns a thing out all around
 
@@ -28,7 +29,7 @@ std::vector<Members> familiesOf(std::span<const Candidate> candidates,
 {
     std::vector<Members> families;
     for (uint32_t c = 0; c < candidates.size(); ++c) {
-        if (isGiven[c] != 0 || candidates[c].area < kLeastModel) continue;
+        if (isGiven[c] != 0 || candidates[c].area < kLeastGrouped) continue;
         const auto family = std::find_if(families.begin(), families.end(), [&](const Members& f) {
             return areAlike(candidates[f.front()], candidates[c]);
         });
@@ -101,15 +102,16 @@ bool areAlike(const Candidate& a, const Candidate& b)
     if (sizes > kSameSize || sizes < 1.0f / kSameSize) return false;
     if (glm::length(a.normal) < kFlat || glm::length(b.normal) < kFlat) return false;
     const glm::vec3 normal = glm::normalize(a.normal);
+    const glm::vec3 way = b.centre - a.centre;
     return glm::dot(normal, glm::normalize(b.normal)) > kFlat &&
-           std::abs(glm::dot(b.centre - a.centre, normal)) < kSameLevel;
+           std::abs(glm::dot(way, normal)) < kSameLevel + kTilt * glm::length(way);
 }
 
 LampGroups groupLamps(std::vector<Candidate> candidates, std::span<const uint8_t> isGiven,
                       size_t most)
 {
     std::vector<Members> sets;
-    if (candidates.size() > most && candidates[most].area > kLeastModel)
+    if (candidates.size() > most && candidates[most].area > kLeastGrouped)
         sets = familiesOf(candidates, isGiven);
     divide(candidates, std::min(most / 2, kMostParts), sets);
     std::vector<uint8_t> isInSet(candidates.size(), 0);
@@ -131,7 +133,7 @@ LampGroups groupLamps(std::vector<Candidate> candidates, std::span<const uint8_t
     LampGroups result;
     while (sets.size() > most && isGiven[sets.back().front()] == 0) {
         for (const uint32_t c : sets.back())
-            if (candidates[c].area > kLeastModel) {
+            if (candidates[c].area > kLeastGrouped) {
                 ++result.leftOut;
                 result.areaLeftOut += candidates[c].area;
             }

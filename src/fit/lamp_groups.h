@@ -9,8 +9,8 @@
 namespace relamp
 {
 
-/// Flat pieces smaller than this, m^2, are not told apart by their shape.
-inline constexpr float kLeastModel = 0.003f;
+/// Candidates smaller than this, m^2, neither make groups nor count as left out.
+inline constexpr float kLeastGrouped = 0.01f;
 
 /// Candidates that are fitted as one lamp.
 struct LampGroup
@@ -23,7 +23,7 @@ struct LampGroup
 struct LampGroups
 {
     std::vector<LampGroup> groups; // in the order of their largest lamps
-    size_t leftOut = 0;            // candidates of at least kLeastModel beyond the most
+    size_t leftOut = 0;            // candidates of at least kLeastGrouped beyond the most
     float areaLeftOut = 0.0f;      // of these, m^2
 };
 

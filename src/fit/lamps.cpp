@@ -35,7 +35,6 @@ constexpr size_t kPairsFirst = 3;    // a place, for the first look at all candi
 constexpr size_t kPairs = 6;
 constexpr double kToleranceFirst = 1e-4; // of a fit that only tells what is worth looking at
 constexpr size_t kRaysPerOrigin = 8; // at a place, to those that remain: noise would make them weak
-constexpr float kAboutWhite = 2.0f;  // luminance; a wall lights its surroundings as little as this
 constexpr float kHardlyWhite = 1.4f; // at the first look, which few rays make dim
 constexpr float kHardlyShare = 0.001f; // of the light at places
 constexpr float kLeastShare = 0.0015f; // below, a lamp does not matter
@@ -82,6 +81,7 @@ private:
     void dropNeedless(float missedIfWall);
     void drawAllPairs();
     [[nodiscard]] std::vector<float> rises();
+    [[nodiscard]] std::vector<float> needs(float missedIfWall);
     [[nodiscard]] BrightWalls walls() const;
     [[nodiscard]] float brightnessOfWall(const BrightWalls& walls, size_t suspect) const;
     [[nodiscard]] bool isExplained(const BrightWalls& walls, size_t suspect) const;
@@ -413,23 +413,36 @@ float missedIfBright(float radiance)
     return kBrightMissed * std::max(std::log(radiance / kBright), 0.0f);
 }
 
+/// By how much more than needed for it to stay each suspect is missed, as a ratio. One model is
+/// missed as a whole.
+std::vector<float> LampSearch::needs(float missedIfWall)
+{
+    const float areaOfSurfel = texels_.surfels.size * texels_.surfels.size;
+    const std::vector<float> rise = rises();
+    const BrightWalls ofAll = walls();
+    std::vector<float> need(rise.size(), std::numeric_limits<float>::max());
+    for (uint32_t f = 0; f < need.size(); ++f) {
+        const Suspect& suspect = suspects_[f];
+        const bool likeWall = suspect.isUnseen || fades(texels_, radiance_, suspect.candidate);
+        const float wall = likeWall ? 1.0f : brightnessOfWall(ofAll, f);
+        float surfels = 0.0f;
+        float risen = 0.0f;
+        for (const uint32_t member : familyOf(suspects_, f)) {
+            surfels += suspects_[member].candidate.area / areaOfSurfel;
+            risen += rise[member];
+        }
+        const float least = missedAtLeast(wall, surfels, missedIfWall) +
+                            missedIfBright(luminance(suspect.radiance));
+        if (!suspect.isGiven && least > 0.0f) need[f] = risen / least;
+    }
+    return need;
+}
+
 /// The least missed go first, and those that are hardly missed all at once.
 void LampSearch::dropNeedless(float missedIfWall)
 {
-    const float areaOfSurfel = texels_.surfels.size * texels_.surfels.size;
     while (suspects_.size() > 1) {
-        std::vector<float> need = rises();
-        const BrightWalls ofAll = walls();
-        for (size_t f = 0; f < need.size(); ++f) {
-            const bool likeWall =
-                suspects_[f].isUnseen || fades(texels_, radiance_, suspects_[f].candidate);
-            const float surfels = suspects_[f].candidate.area / areaOfSurfel;
-            const float wall = likeWall ? 1.0f : brightnessOfWall(ofAll, f);
-            const float least = missedAtLeast(wall, surfels, missedIfWall) +
-                                missedIfBright(luminance(suspects_[f].radiance));
-            const bool stays = suspects_[f].isGiven || least <= 0.0f;
-            need[f] = stays ? std::numeric_limits<float>::max() : need[f] / least;
-        }
+        const std::vector<float> need = needs(missedIfWall);
         const float least = *std::min_element(need.begin(), need.end());
         if (least > 1.0f) break;
         const float limit = std::max(least, kHardlyMissed);

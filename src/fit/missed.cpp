@@ -28,8 +28,8 @@ PowersOptions without(const PowersOptions& options, std::span<const uint8_t> gon
     std::vector<uint32_t> place(gone.size());
     for (uint32_t f = 0, kept = 0; f < gone.size(); ++f) place[f] = gone[f] != 0 ? 0 : kept++;
     less.alike.clear();
-    for (const auto& [a, b] : options.alike)
-        if (gone[a] == 0 && gone[b] == 0) less.alike.emplace_back(place[a], place[b]);
+    for (const auto& [a, b, ratio] : options.alike)
+        if (gone[a] == 0 && gone[b] == 0) less.alike.push_back({place[a], place[b], ratio});
     return less;
 }
 

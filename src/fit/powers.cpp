@@ -21,7 +21,7 @@ constexpr double kPi = 3.14159265358979;
 constexpr double kBrightestPaper = 0.9;   // albedo
 constexpr double kLeastIrradiance = 1e-3; // what no measured place falls below
 constexpr double kSmallest = -4.0;        // log radiance
-constexpr double kLargest = 8.5;   // what is brighter blooms in a photo, and is no speck there
+constexpr double kLargest = 12.0;
 constexpr double kFarFromWhite = 1.0; // log radiance; beyond, the prior hardly pulls any more
 constexpr double kUsualAlbedo = 0.35; // of a room, mean of logarithms
 constexpr double kLevelWeight = 4e-4; // of that, in pairs' squared residuals a pair
@@ -240,13 +240,13 @@ double Channel::weighResiduals()
     return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-/// Pulls lamps that look alike towards one radiance.
+/// Pulls lamps that look alike towards one brightness.
 void Channel::addAlike(Squares& squares) const
 {
     const double weight = options_.alikeWeight * static_cast<double>(pairs_.size());
     const Eigen::Index last = squares.rows() - 1;
-    for (const auto& [a, b] : options_.alike) {
-        const double step = log_[a] - log_[b];
+    for (const auto& [a, b, ratio] : options_.alike) {
+        const double step = log_[a] - log_[b] - std::log(ratio);
         squares(a, a) += weight;
         squares(b, b) += weight;
         squares(std::max(a, b), std::min(a, b)) -= weight;

@@ -4,11 +4,18 @@
 
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace relamp
 {
+
+/// Two lamps that look like one model.
+struct AlikeLamps
+{
+    uint32_t a;
+    uint32_t b;
+    float ratio = 1.0f; // by which a's radiance is expected to exceed b's, > 0
+};
 
 struct PowersOptions
 {
@@ -18,8 +25,8 @@ struct PowersOptions
     double lastScale = 0.08;
     double tolerance = 1e-5; // share of the loss; a scale's fit ends when a step gains less
     bool oneChannel = false; // fit luminance alone: faster, for a first look
-    std::vector<std::pair<uint32_t, uint32_t>> alike; // lamps that look like one model
-    double alikeWeight = 1e-4; // of their being equally bright, in pairs' squared residuals a pair
+    std::vector<AlikeLamps> alike;
+    double alikeWeight = 1e-4;    // of their being as expected, in pairs' squared residuals a pair
     std::vector<glm::vec3> start; // radiances of lamps, then of ambient; empty: without evidence
 };
 

@@ -243,6 +243,15 @@ TEST(Powers, LampsOfOneModelAreAboutEquallyBright)
     expectNear(powers.radiance[1], powers.radiance[0], 0.1f);
 }
 
+TEST(Powers, LampsOfOneModelAreAsBrightAsExpectedOfWhatTheScanShowsOfThem)
+{
+    Floor floor({{40, 30, 20}, {40, 30, 20}}, 0.02f, 0.0f);
+    for (size_t i = 0; i < kPlaces; ++i) floor.data.direct[2 * i + 1] = 0.0f;
+    const Powers powers =
+        fitPowers(floor.data, floor.pairs, {.priorWeight = 1e-6, .alike = {{1, 0, 3.0f}}});
+    expectNear(powers.radiance[1], 3.0f * powers.radiance[0], 0.1f);
+}
+
 TEST(Powers, OneChannelIsLuminance)
 {
     const Floor floor({glm::vec3(20.0f)}, 0.0f, 0.0f);

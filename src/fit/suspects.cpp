@@ -13,9 +13,13 @@ namespace relamp
 namespace
 {
 
-constexpr float kTouching = 0.12f;  // m between pieces of one lamp
-constexpr float kAboutEqual = 3.0f; // ratio of their radiances
-constexpr float kSliver = 0.02f;    // ratio of areas; too small beside a lamp to be one of its own
+constexpr float kTouching = 0.12f;    // m between pieces of one lamp
+constexpr float kAboutEqual = 3.0f;   // ratio of their radiances
+constexpr float kLeastModel = 0.003f; // m^2; the shape of less says nothing
+constexpr float kSmall = 0.02f;       // m^2; a scan may show half of it, or twice as much
+constexpr float kSamePower = 2.0f;    // ratio
+constexpr size_t kLeastFamily = 4;
+constexpr float kSliver = 0.02f; // ratio of areas; too small beside a lamp to be one of its own
 
 bool areOneLamp(const Suspect& a, const Suspect& b)
 {
@@ -36,6 +40,18 @@ void add(const Suspect& piece, Suspect& whole)
     for (size_t i = 0; i < whole.direct.size(); ++i) whole.direct[i] += piece.direct[i];
 }
 
+/// Whether two small pieces are brighter than walls, look alike and have about one power: where
+/// they were fitted by themselves and agree, they are hardly flaws. Large ones speak for
+/// themselves.
+bool agree(const Suspect& a, const Suspect& b)
+{
+    if (a.isUnseen || b.isUnseen || !areAlike(a.candidate, b.candidate)) return false;
+    if (std::max(a.candidate.area, b.candidate.area) > kSmall) return false;
+    const float ratio = a.power() / b.power();
+    return ratio < kSamePower && ratio > 1.0f / kSamePower &&
+           std::min(luminance(a.radiance), luminance(b.radiance)) > kAboutWhite;
+}
+
 } // namespace
 
 float Suspect::power() const
@@ -54,18 +70,31 @@ float Suspect::reach() const
     return static_cast<float>(see) / static_cast<float>(std::max<size_t>(direct.size(), 1));
 }
 
-std::vector<std::pair<uint32_t, uint32_t>> alikesOf(const std::vector<Suspect>& suspects)
+std::vector<AlikeLamps> alikesOf(const std::vector<Suspect>& suspects)
 {
-    std::vector<std::pair<uint32_t, uint32_t>> alike;
+    std::vector<AlikeLamps> alike;
     for (uint32_t a = 0; a < suspects.size(); ++a)
         for (uint32_t b = a + 1; b < suspects.size(); ++b) {
-            const Candidate& one = suspects[a].candidate;
-            const Candidate& other = suspects[b].candidate;
-            const bool isBody = suspects[a].body == suspects[b].body;
-            if (isBody || (std::min(one.area, other.area) > kLeastModel && areAlike(one, other)))
-                alike.emplace_back(a, b);
+            const Suspect& one = suspects[a];
+            const Suspect& other = suspects[b];
+            const float areaOfA = one.candidate.area;
+            const float areaOfB = other.candidate.area;
+            const bool areSmall = std::min(areaOfA, areaOfB) < kLeastModel;
+            if (one.body == other.body || (!areSmall && areAlike(one.candidate, other.candidate)))
+                alike.push_back({a, b});
+            else if (areSmall && agree(one, other))
+                alike.push_back({a, b, areaOfB / areaOfA});
         }
     return alike;
+}
+
+std::vector<uint32_t> familyOf(const std::vector<Suspect>& suspects, uint32_t f)
+{
+    std::vector<uint32_t> family;
+    for (uint32_t other = 0; other < suspects.size(); ++other)
+        if (other == f || agree(suspects[f], suspects[other])) family.push_back(other);
+    if (family.size() < kLeastFamily) family = {f};
+    return family;
 }
 
 void findShares(const FitData& data, glm::vec3 ambient, std::vector<Suspect>& suspects)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/fit_data.h"
+#include "fit/powers.h"
 #include "lights/candidates.h"
 #include "shading/area_direct.h"
 
@@ -13,6 +13,9 @@
 
 namespace relamp
 {
+
+/// Luminance; a wall lights its surroundings as little as this.
+inline constexpr float kAboutWhite = 2.0f;
 
 /// A piece of surface that is thought to be a lamp, with what it does at all places at radiance 1.
 struct Suspect
@@ -34,8 +37,13 @@ struct Suspect
     [[nodiscard]] float reach() const; // share of the places that see it, 0..1
 };
 
-/// Pairs that look like one model of lamp, or are two sides of one.
-std::vector<std::pair<uint32_t, uint32_t>> alikesOf(const std::vector<Suspect>& suspects);
+/// Pairs that look like one model of lamp, or are two sides of one: they have one radiance. Of
+/// small ones a scan shows more or less; where they agree they have one power.
+std::vector<AlikeLamps> alikesOf(const std::vector<Suspect>& suspects);
+
+/// Suspect `f` and, if it is small, those that look like its model and were found to be about as
+/// powerful; itself alone where they are less than four: a few agree by chance.
+std::vector<uint32_t> familyOf(const std::vector<Suspect>& suspects, uint32_t f);
 
 /// How much of the light that comes to measured places is whose: a radiance says little of what is
 /// small or hidden. `data` has the suspects' light in their order.

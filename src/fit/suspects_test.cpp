@@ -23,6 +23,13 @@ Suspect panelAt(float x, float radiance, size_t body)
             .body = body};
 }
 
+Suspect spotAt(float x, float area, float radiance, size_t body)
+{
+    return {.candidate = candidateOf({{{x, 2.5f, 0.0f}, kDown, area, 0}}),
+            .radiance = glm::vec3(radiance),
+            .body = body};
+}
+
 } // namespace
 
 TEST(Suspects, ReachIsTheShareOfPlacesThatSeeThem)
@@ -93,6 +100,41 @@ TEST(Suspects, OfOneModelArePairsThatLookAlike)
 {
     const std::vector<Suspect> suspects{panelAt(0, 10, 0), panelAt(2, 20, 1), panelAt(4, 10, 2)};
     EXPECT_EQ(alikesOf(suspects).size(), 3u);
+}
+
+// Of a spot the scan shows half, of another all: the half was found twice as bright.
+TEST(Suspects, SpecksThatAreEquallyPowerfulAreOneModel)
+{
+    const std::vector<Suspect> suspects{spotAt(0, 0.001f, 800, 0), spotAt(2, 0.002f, 400, 1),
+                                        spotAt(4, 0.002f, 4000, 2)};
+    const std::vector<AlikeLamps> alike = alikesOf(suspects);
+    ASSERT_EQ(alike.size(), 1u); // the third is ten times as powerful
+    EXPECT_EQ(alike[0].a, 0u);
+    EXPECT_EQ(alike[0].b, 1u);
+    EXPECT_FLOAT_EQ(alike[0].ratio, 2.0f);
+}
+
+TEST(Suspects, FourSpotsThatAgreeAreAFamilyAndThreeAreNot)
+{
+    std::vector<Suspect> suspects{spotAt(0, 0.001f, 800, 0), spotAt(2, 0.002f, 400, 1),
+                                  spotAt(4, 0.002f, 4000, 2), spotAt(6, 0.001f, 700, 3),
+                                  spotAt(8, 0.002f, 300, 4)};
+    EXPECT_THAT(familyOf(suspects, 0), ElementsAre(0, 1, 3, 4));
+    EXPECT_THAT(familyOf(suspects, 2), ElementsAre(2));
+    suspects.pop_back();
+    EXPECT_THAT(familyOf(suspects, 0), ElementsAre(0));
+}
+
+TEST(Suspects, WallsAndPanelsAreNoFamilies)
+{
+    std::vector<Suspect> walls;
+    std::vector<Suspect> panels;
+    for (size_t i = 0; i < 6; ++i) {
+        walls.push_back(spotAt(2.0f * static_cast<float>(i), 0.002f, 1, i));
+        panels.push_back(panelAt(2.0f * static_cast<float>(i), 10, i));
+    }
+    EXPECT_THAT(familyOf(walls, 0), ElementsAre(0));
+    EXPECT_THAT(familyOf(panels, 3), ElementsAre(3)); // each speaks for itself
 }
 
 } // namespace relamp
