@@ -27,10 +27,12 @@ constexpr float kGrazing = 0.15f;     // cosine; below, an edge is too far off
 constexpr float kLeastHeight = 0.03f; // of the direction; the sun is up
 constexpr float kUpright = 0.7f;      // upward part of a pane's normal, less
 constexpr float kFlat = 0.9f;         // length of a mean normal
+constexpr float kOneSided = 0.7f;     // of sunlight on a floor and a chair; half a shade has 0.64
 constexpr float kLeastPane = 0.1f;    // m^2
 constexpr float kLeastPatch = 0.03f;  // m^2
 constexpr float kWhitePaper = 0.75f;  // albedo
 constexpr float kExplained = 0.5f;    // radiance that lamps would give a burnt-out wall
+constexpr float kLeastFronts = 0.3f;  // of what is seen from within a room
 constexpr float kTooBright = 1.3f;    // albedo that nothing has
 constexpr float kPaper = 0.95f;       // albedo up to which light is as thought
 constexpr float kLeastSunlit = 0.25f; // radiance
@@ -43,6 +45,8 @@ constexpr float kFits = 0.6f;      // of the union of lit and predicted
 constexpr float kMostSeesOut = 0.8f;
 constexpr float kFirstStep = 0.03f; // radians
 constexpr float kLastStep = 0.001f;
+constexpr float kBlackest = 0.08f; // albedo of what the sun may shine on
+constexpr float kHardlyClipped = 0.1f;
 constexpr float kSamePlaneFacing = 0.97f; // cosine
 constexpr float kSamePlane = 0.05f;       // m
 constexpr float kLeastShade = 0.02f;      // albedo of what pairs with the patch
@@ -87,6 +91,7 @@ struct Patch
     std::vector<uint32_t> surfels;
     std::vector<uint32_t> around; // dark, near it
     std::vector<uint32_t> beyond; // dark, elsewhere
+    std::vector<uint32_t> others; // bright, elsewhere
     float area = 0.0f;
     glm::vec3 centre{0.0f};
 };
@@ -97,25 +102,27 @@ struct View
     std::vector<Site> patch;
     std::vector<Site> around;
     std::vector<Site> beyond;
+    std::vector<Site> others;
 
     View(const Surfels& surfels, const Patch& of, size_t sites)
         : patch(someOf(surfels, of.surfels, sites)), around(someOf(surfels, of.around, sites)),
-          beyond(someOf(surfels, of.beyond, 2 * sites))
+          beyond(someOf(surfels, of.beyond, 2 * sites)), others(someOf(surfels, of.others, sites))
     {}
 };
 
 /// How well a direction tells a patch from the rest.
 struct Match
 {
-    float score = 0.0f;   // area lit and predicted, of the area that is either
+    float score = 0.0f;   // area lit and predicted, of the area that is either; what is lit
+                          // elsewhere counts where it is predicted
     float seesOut = 0.0f; // share of the patch
 };
 
 class SunSearch
 {
 public:
-    SunSearch(const Texels& texels, const RayScene& outside, const SurfelRadiance& radiance,
-              const LitSides& sides, const FoundLamps& found);
+    SunSearch(const Texels& texels, const RayScene& outside, const HitLists& hits,
+              const SurfelRadiance& radiance, const LitSides& sides, const FoundLamps& found);
 
     [[nodiscard]] std::optional<Sun> run() const;
 
@@ -142,41 +149,49 @@ private:
     std::vector<Look> look_;
 };
 
-bool isFlat(const FoundLamp& lamp, glm::vec3& normal)
+glm::vec3 meanNormalOf(const FoundLamp& lamp)
 {
     float area = 0.0f;
-    normal = glm::vec3(0.0f);
+    glm::vec3 normal(0.0f);
     for (const ClippedPatch& patch : lamp.patches) {
         normal += patch.area * patch.normal;
         area += patch.area;
     }
-    normal /= std::max(area, 1e-9f);
-    return glm::length(normal) > kFlat;
+    return normal / std::max(area, 1e-9f);
 }
 
 bool isPane(const FoundLamp& lamp)
 {
-    glm::vec3 normal;
     float area = 0.0f;
     for (const ClippedPatch& patch : lamp.patches) area += patch.area;
-    return area > kLeastPane && isFlat(lamp, normal) && std::abs(normal.y) < kUpright;
+    const glm::vec3 normal = meanNormalOf(lamp);
+    return area > kLeastPane && glm::length(normal) > kFlat && std::abs(normal.y) < kUpright;
 }
 
-SunSearch::SunSearch(const Texels& texels, const RayScene& outside, const SurfelRadiance& radiance,
-                     const LitSides& sides, const FoundLamps& found)
+/// Whether it hardly sees a front: a sofa's end that stands through the wall is in nobody's room.
+bool isOutdoors(const HitLists& hits, uint32_t s)
+{
+    const std::span<const HitTarget> targets = hits.targetsOf(s);
+    const auto fronts = std::count_if(targets.begin(), targets.end(), [](HitTarget target) {
+        return !target.isNothing() && !target.side().isBack();
+    });
+    return static_cast<float>(fronts) < kLeastFronts * static_cast<float>(targets.size());
+}
+
+SunSearch::SunSearch(const Texels& texels, const RayScene& outside, const HitLists& hits,
+                     const SurfelRadiance& radiance, const LitSides& sides, const FoundLamps& found)
     : surfels_(texels.surfels), outside_(outside), radiance_(radiance), sides_(sides),
       found_(found), lamp_(texels.surfels.count(), -1), look_(texels.surfels.count())
 {
-    glm::vec3 normal;
     std::vector<uint8_t> isRound(found.lamps.size(), 0);
     for (size_t f = 0; f < found.lamps.size(); ++f) {
-        isRound[f] = isFlat(found.lamps[f], normal) ? 0 : 1;
+        isRound[f] = glm::length(meanNormalOf(found.lamps[f])) < kOneSided ? 1 : 0;
         for (const ClippedPatch& patch : found.lamps[f].patches)
             if (patch.surfel != Surfels::kNone) lamp_[patch.surfel] = static_cast<int32_t>(f);
     }
     for (uint32_t s = 0; s < look_.size(); ++s) {
         const bool isOfRound = lamp_[s] >= 0 && isRound[static_cast<size_t>(lamp_[s])] != 0;
-        look_[s] = isOfRound ? Look::other : lookOf(s);
+        look_[s] = isOfRound || isOutdoors(hits, s) ? Look::other : lookOf(s);
     }
 }
 
@@ -195,7 +210,7 @@ Look SunSearch::lookOf(uint32_t s) const
         if (lamp_[s] >= 0) return Look::bright;
         return kWhitePaper * shading < kExplained ? Look::bright : Look::other;
     }
-    if (clipped > 0.1f * plain) return Look::other;
+    if (clipped > kHardlyClipped * plain) return Look::other;
     const float seen = luminance(radiance_.plain[s]);
     if (seen > kTooBright * shading) return seen > kLeastSunlit ? Look::bright : Look::other;
     return seen < kPaper * shading ? Look::dark : Look::other;
@@ -235,11 +250,15 @@ void SunSearch::addSurroundings(Patch& patch) const
     for (const uint32_t s : patch.surfels)
         radius = std::max(radius, glm::distance(surfels_.position[s], patch.centre));
     const float near = 1.5f * radius + 0.3f;
+    std::vector<uint32_t> bright;
     for (uint32_t s = 0; s < look_.size(); ++s) {
+        if (look_[s] == Look::bright) bright.push_back(s);
         if (look_[s] != Look::dark) continue;
         const bool isNear = glm::distance(surfels_.position[s], patch.centre) < near;
         (isNear ? patch.around : patch.beyond).push_back(s);
     }
+    std::set_difference(bright.begin(), bright.end(), patch.surfels.begin(), patch.surfels.end(),
+                        std::back_inserter(patch.others)); // both ascend
 }
 
 std::optional<Ray> SunSearch::rayOut(uint32_t s, glm::vec3 direction) const
@@ -281,7 +300,9 @@ Match SunSearch::matchOf(const View& view, glm::vec3 direction) const
     const float near = areaSeeingOut(view.around, direction);
     const float stands = match.seesOut - near / std::max(areaOf(view.around), 1e-9f);
     if (stands < kStandsOut) return match;
-    match.score = lit / (areaOf(view.patch) + near + areaSeeingOut(view.beyond, direction));
+    const float others = areaSeeingOut(view.others, direction);
+    match.score = (lit + others) /
+                  (areaOf(view.patch) + others + near + areaSeeingOut(view.beyond, direction));
     return match;
 }
 
@@ -461,11 +482,40 @@ glm::vec3 sunRadiance(const Sun& sun)
     return sun.irradiance / (kPi * kHalfAngle * kHalfAngle);
 }
 
-std::optional<Sun> findSun(const Texels& texels, const RayScene& outside,
+std::optional<Sun> findSun(const Texels& texels, const RayScene& outside, const HitLists& hits,
                            const SurfelRadiance& radiance, const LitSides& sides,
                            const FoundLamps& found)
 {
-    return SunSearch(texels, outside, radiance, sides, found).run();
+    return SunSearch(texels, outside, hits, radiance, sides, found).run();
+}
+
+TexelMarks markShade(const Sun& sun, const Texels& texels, const SurfelRadiance& radiance,
+                     const LitSides& sides, glm::vec3 ambient, std::span<AreaSample> onSides)
+{
+    const float brightness = luminance(sunRadiance(sun));
+    std::vector<uint8_t> isPlainShaded(radiance.plain.size(), 0);
+    for (size_t s = 0; s < isPlainShaded.size(); ++s) {
+        const float plain = radiance.plainArea[s];
+        if (plain <= 0.0f) continue;
+        const float sent = kPi * luminance(radiance.plain[s]);
+        const float without = luminance(sides.direct[s] + sides.gathered.irradiance[s] +
+                                        ambient * sides.gathered.missed[s]);
+        const float with = without + brightness * onSides[s].open;
+        if (sent >= kBlackest * with || sent >= without) continue;
+        isPlainShaded[s] = 1;
+        onSides[s].visible *= 1.0f - plain / (plain + radiance.clippedArea[s]);
+    }
+    TexelMarks marks;
+    for (size_t p = 0; p < texels.pages.size(); ++p) {
+        const PageTexels& page = texels.pages[p];
+        std::vector<uint8_t>& ofPage = marks.emplace_back(page.count(), uint8_t{0});
+        for (size_t run = 0; run + 1 < page.runs.size(); ++run)
+            for (size_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i)
+                if (isPlainShaded[page.runs[run].surfel] != 0 &&
+                    radiance.isClipped[p][page.pixel[i]] == 0)
+                    ofPage[i] = 1;
+    }
+    return marks;
 }
 
 bool isSunlit(const RayScene& outside, const Sun& sun, const FoundLamp& lamp)

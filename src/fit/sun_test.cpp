@@ -78,6 +78,24 @@ struct FloorAlbedo
     }
 };
 
+/// Share of the floor that is black.
+float blackShare(const SunRoom& room, const Decomposition& result)
+{
+    Progress progress;
+    const PageLayers layers = result.layers(0, progress);
+    const Texels texels = rasterizeAtlas(room.scan, progress);
+    float black = 0.0f;
+    float count = 0.0f;
+    for (size_t i = 0; i < texels.pages[0].count(); ++i) {
+        if (texels.siteOf(0, i).normal.y < 0.9f) continue;
+        const size_t pixel = texels.pages[0].pixel[i];
+        black +=
+            floatFromHalf(layers.albedo[3 * pixel + 1]) < 0.25f * SunRoom::kFloor.g ? 1.0f : 0.0f;
+        count += 1.0f;
+    }
+    return black / count;
+}
+
 } // namespace
 
 TEST(Sun, BurntOutPatchTellsWhereItStandsAndHowBrightItIs)
@@ -154,6 +172,17 @@ TEST(Sun, GivenOneIsBelieved)
     lights.sun->irradiance *= 2.0f;
     const float twice = FloorAlbedo(room, solve(room.scan, {.lights = lights})).direct;
     EXPECT_NEAR(twice, 2.0f * once, 0.03f * twice);
+}
+
+// Of a sun that stands 8 degrees higher the patch lies elsewhere. What is not burnt out there would
+// be black paint in its light; a texel's width along the edge of the burnt-out patch still is.
+TEST(Sun, DoesNotShineWhereThatWouldMakePaintBlack)
+{
+    const SunRoom room(kBurning);
+    Lights lights = solve(room.scan).lights();
+    ASSERT_TRUE(lights.sun);
+    lights.sun->direction = glm::normalize(lights.sun->direction + glm::vec3(0, 0.15f, 0));
+    EXPECT_LT(blackShare(room, solve(room.scan, {.lights = lights})), 0.02f);
 }
 
 TEST(Sun, DiscIsAsStrongAsTheSun)

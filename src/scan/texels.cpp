@@ -257,9 +257,15 @@ SurfelSites::SurfelSites(const Texels& texels) : texels_(texels), ranges_(texels
 
 TexelSite SurfelSites::at(uint32_t surfel, size_t i) const
 {
+    const TexelIndex index = texelOf(surfel, i);
+    return texels_.siteOf(index.page, index.texel);
+}
+
+TexelIndex SurfelSites::texelOf(uint32_t surfel, size_t i) const
+{
     constexpr size_t kStride = 7919; // prime: visits all texels before it repeats
     const Range& range = ranges_[surfel];
-    return texels_.siteOf(range.page, range.begin + i * kStride % range.count);
+    return {range.page, range.begin + static_cast<uint32_t>(i * kStride % range.count)};
 }
 
 TexelLoader::TexelLoader(const Texels& texels, size_t page)

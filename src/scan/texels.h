@@ -56,6 +56,12 @@ struct Texels
     [[nodiscard]] TexelSite siteOf(size_t page, size_t texel) const;
 };
 
+struct TexelIndex
+{
+    uint32_t page;
+    uint32_t texel; // of the page's
+};
+
 /// Texels of surfels, one after the other: where rays of a surfel start so that they average over
 /// it.
 class SurfelSites
@@ -65,6 +71,8 @@ public:
 
     /// Some texel of a surfel; consecutive `i` are spread over it.
     [[nodiscard]] TexelSite at(uint32_t surfel, size_t i) const;
+    /// Which it is.
+    [[nodiscard]] TexelIndex texelOf(uint32_t surfel, size_t i) const;
     /// How many `at` chooses from; the first that many `i` give each of them once.
     [[nodiscard]] size_t countOf(uint32_t surfel) const { return ranges_[surfel].count; }
 

@@ -72,10 +72,12 @@ Visibility::Visibility(const Texels& texels, const RayScene& scene,
 }
 
 void Visibility::add(const RayScene& scene, const AreaLight& lamp,
-                     std::span<const AreaSample> coarse, size_t raysPerProbe)
+                     std::span<const AreaSample> coarse, size_t raysPerProbe,
+                     const TexelMarks& inShade)
 {
     states_.push_back(seenBySurfels(texels_.surfels, coarse));
     shares_.push_back(look(lamp, states_.back(), scene, raysPerProbe));
+    if (!inShade.empty()) darken(inShade, shares_.back());
     drawTogether(states_.back(), raysPerProbe, shares_.back());
 }
 
@@ -124,6 +126,16 @@ std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const See
                     static_cast<uint8_t>(std::lround(kAll * samples[i].visible / samples[i].open));
     });
     return shares;
+}
+
+void Visibility::darken(const TexelMarks& inShade, std::vector<uint8_t>& shares) const
+{
+    for (uint32_t s = 0; s + 1 < firstProbe_.size(); ++s)
+        for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {
+            if (shares[probe] == kUnknown) continue;
+            const TexelIndex at = sites_.texelOf(s, probe - firstProbe_[s]);
+            if (inShade[at.page][at.texel] != 0) shares[probe] = 0;
+        }
 }
 
 /// Draws every probe towards the mean around it, all the way where their difference may be the

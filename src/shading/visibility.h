@@ -2,6 +2,7 @@
 
 #include "base/instruction_set.h"
 #include "scan/rays.h"
+#include "scan/split_surfels.h"
 #include "scan/texels.h"
 #include "shading/area_direct.h"
 #include "shading/seen.h"
@@ -33,9 +34,10 @@ public:
     Visibility(const Texels& texels, const RayScene& scene, std::span<const AreaLight> lamps,
                std::span<const std::vector<AreaSample>> coarse, const VisibilityOptions& options);
 
-    /// One more lamp, which comes last; `scene` is what stands before it.
+    /// One more lamp, which comes last; `scene` is what stands before it. Texels that `inShade`
+    /// marks, if there are such marks, see nothing of it.
     void add(const RayScene& scene, const AreaLight& lamp, std::span<const AreaSample> coarse,
-             size_t raysPerProbe);
+             size_t raysPerProbe, const TexelMarks& inShade = {});
 
     /// Share, 0..1, of a lamp that texels [first, end) of a block see, all of one surfel. False
     /// where they see nothing of it. May write up to a group of lanes behind `end`.
@@ -65,6 +67,7 @@ private:
     void placeProbes();
     [[nodiscard]] std::vector<uint8_t> look(const AreaLight& lamp, std::span<const Seen> states,
                                             const RayScene& scene, size_t rays) const;
+    void darken(const TexelMarks& inShade, std::vector<uint8_t>& shares) const;
 
     void drawTogether(std::span<const Seen> states, size_t rays,
                       std::vector<uint8_t>& shares) const;

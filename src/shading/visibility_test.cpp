@@ -73,21 +73,30 @@ private:
     Visibility visibility_;
 };
 
-std::vector<Place> Lit::floor() const
+/// Calls `visit(place, share)` for the floor's texels and what they see of the first lamp.
+template<class Visit>
+void forEachShare(const Texels& texels, const Visibility& visibility, const Visit& visit)
 {
-    const PageTexels& page = surfaces_.texels.pages[0];
-    const TexelLoader loader(surfaces_.texels, 0);
-    std::vector<Place> places;
+    const PageTexels& page = texels.pages[0];
+    const TexelLoader loader(texels, 0);
     for (size_t run = 0; run + 1 < page.runs.size(); ++run)
         forEachBlockOfRun(page, run, [&](size_t begin, size_t count) {
             TexelBlock block;
             float share[TexelBlock::kPadded];
             loader.load(begin, count, block);
-            visibility_.at(0, page.runs[run].surfel, block, 0, count, share);
+            visibility.at(0, page.runs[run].surfel, block, 0, count, share);
             for (size_t i = 0; i < count; ++i)
                 if (block.y[i] < 1e-3f && block.ny[i] > 0.5f)
-                    places.push_back({{block.x[i], block.y[i], block.z[i]}, share[i]});
+                    visit(glm::vec3(block.x[i], block.y[i], block.z[i]), share[i]);
         });
+}
+
+std::vector<Place> Lit::floor() const
+{
+    std::vector<Place> places;
+    forEachShare(surfaces_.texels, visibility_, [&](glm::vec3 place, float share) {
+        places.push_back({place, share});
+    });
     return places;
 }
 
@@ -113,6 +122,33 @@ float meanBetween(const std::vector<Place>& places, float low, float high)
 }
 
 } // namespace
+
+// The middle of the floor is known to lie in shade, though nothing stands there.
+TEST(Visibility, MarkedTexelsSeeNothing)
+{
+    const scenes::Surfaces floor(scenes::panels({&kFloor, 1}, 64, scenes::plain(glm::vec3(0.5f))));
+    const Surfels& surfels = floor.texels.surfels;
+    HitLists fronts;
+    for (uint32_t s = 0; s < surfels.count(); ++s) fronts.sideOfList.push_back(Side::front(s));
+    const AreaLight lamp = lampOver(2, 2);
+    std::vector<AreaSample> coarse = directOfLists(floor.texels, floor.rays, fronts, {lamp});
+    TexelMarks inShade{std::vector<uint8_t>(floor.texels.pages[0].count(), 0)};
+    for (size_t i = 0; i < inShade[0].size(); ++i)
+        inShade[0][i] = floor.texels.siteOf(0, i).position.x < 2.0f ? 1 : 0;
+    for (uint32_t s = 0; s < surfels.count(); ++s)
+        if (surfels.position[s].x < 2.0f) coarse[s].visible = 0.0f;
+    Visibility visibility(floor.texels, floor.rays, {}, {}, {});
+    visibility.add(floor.rays, lamp, coarse, 16, inShade);
+    float before = 0.0f; // mean shares beside the edge
+    float behind = 0.0f;
+    float counts[2] = {};
+    forEachShare(floor.texels, visibility, [&](glm::vec3 place, float share) {
+        if (place.x > 1.8f && place.x < 1.92f) before += share, counts[0] += 1.0f;
+        if (place.x > 2.08f && place.x < 2.2f) behind += share, counts[1] += 1.0f;
+    });
+    EXPECT_LT(before, 0.02f * counts[0]);
+    EXPECT_GT(behind, 0.98f * counts[1]);
+}
 
 TEST(Visibility, NothingInTheWayIsAll)
 {

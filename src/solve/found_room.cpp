@@ -92,12 +92,14 @@ LitSides sidesOf(const Texels& texels, const RayScene& scene, FoundRoom& room)
                       room.found.ambient);
 }
 
-SunOnRoom letIn(const Sun& sun, const Texels& texels, const HitLists& hits, RayScene outside)
+SunOnRoom letIn(const Sun& sun, const Texels& texels, const FoundRoom& room, RayScene outside)
 {
     AreaLight disc(sunDisc(sun, *texels.scan));
-    std::vector<AreaSample> onSides = directOfLists(texels, outside, hits, {disc});
+    std::vector<AreaSample> onSides = directOfLists(texels, outside, room.hits, {disc});
+    TexelMarks inShade =
+        markShade(sun, texels, room.radiance, room.sides, room.found.ambient, onSides);
     return {sun, std::move(disc), std::make_shared<const RayScene>(std::move(outside)),
-            std::move(onSides)};
+            std::move(onSides), std::move(inShade)};
 }
 
 /// Burnt-out patches of sun that were taken for lamps light the room like these, and are none.
@@ -120,16 +122,14 @@ void settle(const FoundLamps& all, const Texels& texels, const RayScene& scene,
             const std::optional<Lights>& given, FoundRoom& room)
 {
     room.shines = shinesOf(room);
-    if (!given) room.sides = sidesOf(texels, scene, room);
-    if (given && !given->sun) {
-        room.sides = sidesOf(texels, scene, room);
-        return;
-    }
+    room.sides = sidesOf(texels, scene, room);
+    if (given && !given->sun) return;
     RayScene outside = sceneWithoutPanes(texels, room.radiance, all);
     const std::optional<Sun> sun =
-        given ? given->sun : findSun(texels, outside, room.radiance, room.sides, room.found);
+        given ? given->sun
+              : findSun(texels, outside, room.hits, room.radiance, room.sides, room.found);
     if (!sun) return;
-    room.sun = letIn(*sun, texels, room.hits, std::move(outside));
+    room.sun = letIn(*sun, texels, room, std::move(outside));
     keepSunlit(all, room);
     room.shines = shinesOf(room);
     room.sides = sidesOf(texels, scene, room);

@@ -29,6 +29,7 @@ struct SunOnRoom
     AreaLight disc;
     std::shared_ptr<const RayScene> outside; // what stands before it
     std::vector<AreaSample> onSides;         // at radiance 1, one a hit list
+    TexelMarks inShade;                      // see markShade
 };
 
 /// A scan whose lamps are known: where the solvers start that shade by area and shadow.

@@ -34,7 +34,7 @@ std::shared_ptr<const GatheredLight> lightOf(const Texels& texels, const RayScen
     }
     if (const auto& sun = room.sun) {
         lamps.push_back({LampPatches(sun->disc), sunRadiance(sun->sun)});
-        visibility->add(*sun->outside, sun->disc, sun->onSides, rays);
+        visibility->add(*sun->outside, sun->disc, sun->onSides, rays, sun->inShade);
     }
     return std::make_shared<const GatheredLight>(
         GatheredLight{std::move(lamps), visibility, std::move(indirect)});
