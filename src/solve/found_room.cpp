@@ -92,21 +92,21 @@ LitSides sidesOf(const Texels& texels, const RayScene& scene, FoundRoom& room)
                       room.found.ambient);
 }
 
-SunOnRoom letIn(const Sun& sun, const Texels& texels, const FoundRoom& room, RayScene outside)
+SunOnRoom sunOn(const Sun& sun, const Texels& texels, const HitLists& hits, RayScene outside)
 {
     AreaLight disc(sunDisc(sun, *texels.scan));
-    std::vector<AreaSample> onSides = directOfLists(texels, outside, room.hits, {disc});
-    TexelMarks inShade =
-        markShade(sun, texels, room.radiance, room.sides, room.found.ambient, onSides);
-    return {sun, std::move(disc), std::make_shared<const RayScene>(std::move(outside)),
-            std::move(onSides), std::move(inShade)};
+    std::vector<AreaSample> onSides = directOfLists(texels, outside, hits, {disc});
+    return {.sun = sun,
+            .disc = std::move(disc),
+            .outside = std::make_shared<const RayScene>(std::move(outside)),
+            .onSides = std::move(onSides)};
 }
 
 /// Burnt-out patches of sun that were taken for lamps light the room like these, and are none.
-void keepSunlit(const FoundLamps& all, FoundRoom& room)
+void keepSunlit(const FoundLamps& all, const SunOnRoom& sun, FoundRoom& room)
 {
     for (const FoundLamp& lamp : all.lamps) {
-        if (!isSunlit(*room.sun->outside, room.sun->sun, lamp)) continue;
+        if (!isSunlit(*sun.outside, sun.sun, lamp)) continue;
         const auto isIt = [&](const FoundLamp& other) {
             return other.patches[0].position == lamp.patches[0].position;
         };
@@ -115,6 +115,19 @@ void keepSunlit(const FoundLamps& all, FoundRoom& room)
             same == room.found.lamps.end() ? room.found.lamps.emplace_back(lamp) : *same;
         kept.isSunlit = true;
     }
+}
+
+/// The sun lights what it is seen from; what the texture shows to lie in shade, it does not.
+void letIn(SunOnRoom sun, const FoundLamps& all, const Texels& texels, const RayScene& scene,
+           FoundRoom& room)
+{
+    keepSunlit(all, sun, room);
+    room.shines = shinesOf(room);
+    room.sides = sidesOf(texels, scene, room);
+    sun.inShade =
+        markShade(sun.sun, texels, room.radiance, room.sides, room.found.ambient, sun.onSides);
+    room.sun = std::move(sun);
+    room.sides = sidesOf(texels, scene, room);
 }
 
 /// Settles the light, with a sun if there is one.
@@ -128,11 +141,7 @@ void settle(const FoundLamps& all, const Texels& texels, const RayScene& scene,
     const std::optional<Sun> sun =
         given ? given->sun
               : findSun(texels, outside, room.hits, room.radiance, room.sides, room.found);
-    if (!sun) return;
-    room.sun = letIn(*sun, texels, room, std::move(outside));
-    keepSunlit(all, room);
-    room.shines = shinesOf(room);
-    room.sides = sidesOf(texels, scene, room);
+    if (sun) letIn(sunOn(*sun, texels, room.hits, std::move(outside)), all, texels, scene, room);
 }
 
 /// Where the lamps are that shine, and no more of them.
