@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -501,7 +502,8 @@ TexelMarks markShade(const Sun& sun, const Texels& texels, const SurfelRadiance&
         const float without = luminance(sides.direct[s] + sides.gathered.irradiance[s] +
                                         ambient * sides.gathered.missed[s]);
         const float with = without + brightness * onSides[s].open;
-        if (sent >= kBlackest * with || sent >= without) continue;
+        const bool isPaintWithout = sent >= kBlackest * without && sent < without;
+        if (sent >= kBlackest * with || !isPaintWithout) continue; // black paint is black anyway
         isPlainShaded[s] = 1;
         onSides[s].visible *= 1.0f - plain / (plain + radiance.clippedArea[s]);
     }

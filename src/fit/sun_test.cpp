@@ -1,6 +1,7 @@
 #include "fit/sun.h"
 
 #include "base/half.h"
+#include "lights/expand.shared.h"
 #include "relamp/delight.h"
 #include "scenes/lit_room.h"
 #include "scenes/sun_room.h"
@@ -183,6 +184,28 @@ TEST(Sun, DoesNotShineWhereThatWouldMakePaintBlack)
     ASSERT_TRUE(lights.sun);
     lights.sun->direction = glm::normalize(lights.sun->direction + glm::vec3(0, 0.15f, 0));
     EXPECT_LT(blackShare(room, solve(room.scan, {.lights = lights})), 0.02f);
+}
+
+// Four surfels that see all of the sun by rays, under light of 1 without it: grey paint in shade,
+// sunlit grey paint, black paint, and one of which a quarter is burnt out and the rest in shade.
+TEST(Sun, TextureTellsWhatLiesInShade)
+{
+    const Sun sun{.direction = {0, 1, 0}, .irradiance = glm::vec3(20.0f)};
+    const float open = 1.0f / luminance(sunRadiance(sun)); // of which it sends an irradiance of 1
+    std::vector<AreaSample> onSides(4, {.open = 20.0f * open, .visible = 20.0f * open});
+    SurfelRadiance radiance;
+    for (const float irradiance : {0.5f, 0.5f * 21.0f, 0.05f, 0.5f})
+        radiance.plain.emplace_back(irradiance / kPi);
+    radiance.plainArea = {1.0f, 1.0f, 1.0f, 0.75f};
+    radiance.clippedArea = {0.0f, 0.0f, 0.0f, 0.25f};
+    LitSides sides;
+    sides.direct.assign(4, glm::vec3(1.0f));
+    sides.gathered.irradiance.assign(4, glm::vec3(0.0f));
+    sides.gathered.missed.assign(4, 0.0f);
+    markShade(sun, Texels{}, radiance, sides, glm::vec3(0.0f), onSides);
+    std::vector<float> shares;
+    for (const AreaSample& sample : onSides) shares.push_back(sample.visible / sample.open);
+    EXPECT_THAT(shares, testing::ElementsAre(0.0f, 1.0f, 1.0f, 0.25f));
 }
 
 TEST(Sun, DiscIsAsStrongAsTheSun)
