@@ -47,6 +47,7 @@ constexpr float kPieceMissed = 0.008f;    // rise of the fit's loss; it lights 1
 constexpr float kWallPieceMissed = 0.03f; // of what would be burnt out anyway
 constexpr float kWallMissed = 0.04f;      // of that, once pieces are joined to lamps
 constexpr float kSmallWallMissed = 2.5f;  // times that, of pieces of less than kLarge
+constexpr float kFadingMissed = 1.5f;     // times that, of what fades as walls do
 constexpr float kGreyWall = 0.5f;         // radiance
 constexpr float kDarkWall = 0.2f;         // what the room hardly lights hardly lights the room
 constexpr float kGreyMissed = 0.003f;     // of what is small
@@ -423,16 +424,17 @@ std::vector<float> LampSearch::needs(float missedIfWall)
     std::vector<float> need(rise.size(), std::numeric_limits<float>::max());
     for (uint32_t f = 0; f < need.size(); ++f) {
         const Suspect& suspect = suspects_[f];
-        const bool likeWall = suspect.isUnseen || fades(texels_, radiance_, suspect.candidate);
-        const float wall = likeWall ? 1.0f : brightnessOfWall(ofAll, f);
+        const bool likeWall = !suspect.isUnseen && fades(texels_, radiance_, suspect.candidate);
+        const float wall = likeWall || suspect.isUnseen ? 1.0f : brightnessOfWall(ofAll, f);
         float surfels = 0.0f;
         float risen = 0.0f;
         for (const uint32_t member : familyOf(suspects_, f)) {
             surfels += suspects_[member].candidate.area / areaOfSurfel;
             risen += rise[member];
         }
-        const float least = missedAtLeast(wall, surfels, missedIfWall) +
-                            missedIfBright(luminance(suspect.radiance));
+        const float ifWall = likeWall ? kFadingMissed * missedIfWall : missedIfWall;
+        const float least =
+            missedAtLeast(wall, surfels, ifWall) + missedIfBright(luminance(suspect.radiance));
         if (!suspect.isGiven && least > 0.0f) need[f] = risen / least;
     }
     return need;

@@ -63,6 +63,20 @@ TEST(AreaDirect, FollowsTheCosineAtBothEndsAndIsDarkBehind)
     EXPECT_EQ(openAt(light, {0, 2, 0}, kDown), 0.0f);
 }
 
+// A scan is some degrees and a centimetre off: a ceiling that bends to a panel in it gets no light.
+TEST(AreaDirect, WhatFacesAlikeIsNotLitByTheScansTilt)
+{
+    const AreaLight panel = scenes::lightOf(above(2.5f, 0.05f), 1);
+    const float tilt = 0.035f;                                 // 2 degrees
+    const glm::vec3 bent(-std::sin(tilt), -std::cos(tilt), 0); // towards the panel
+    for (const float distance : {0.1f, 0.3f, 1.0f, 4.0f}) {
+        EXPECT_EQ(openAt(panel, {distance, 2.495f, 0}, bent), 0.0f); // and half a centimetre below
+        EXPECT_GT(openAt(panel, {distance, 2.495f, 0}, {-1, 0, 0}), 0.0f);
+    }
+    // what lies deeper under it faces it
+    EXPECT_GT(openAt(panel, {0.3f, 2.3f, 0}, {-0.6f, -0.8f, 0}), 0.0f);
+}
+
 // Irradiance of radiance 1 from a square: Lambert's formula is exact.
 TEST(AreaDirect, LargePanelLightsByItsFormFactor)
 {

@@ -19,9 +19,11 @@ SHARED_FN float shareOfParts(float squared, float farSquared, float perRamp)
 // and the second order of what it is off by. For places some of its sizes away.
 SHARED_FN float wideFormFactor(vec3 way, vec3 normal, vec3 facing, float spread)
 {
-    const float received = dot(way, normal);
-    const float sent = -dot(way, facing);
-    const float perSquared = 1.0f / max(dot(way, way), 1e-12f);
+    const float squared = max(dot(way, way), 1e-12f);
+    const float lost = lostToTilt(normal, facing, sqrt(squared));
+    const float received = dot(way, normal) - lost;
+    const float sent = -dot(way, facing) - lost;
+    const float perSquared = 1.0f / squared;
     const float turned = dot(normal, facing);
     const float second = 4.0f * sent * (received - turned * sent) -
                          12.0f * received * sent * sent * sent * perSquared;

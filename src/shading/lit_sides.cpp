@@ -108,8 +108,8 @@ std::vector<glm::vec3> withoutNoise(const Surfels& surfels, std::span<const glm:
 {
     std::vector<glm::vec3> result = meanOfNeighbors(surfels, values);
     forEach(result.size(), [&](size_t s) {
-        const float step = luminance(result[s]) - luminance(values[s]);
-        result[s] = values[s] + shareOfNoise(step, noise[s]) * (result[s] - values[s]);
+        const glm::vec3 way = result[s] - values[s];
+        result[s] = values[s] + shareOfNoise(luminance(glm::abs(way)), noise[s]) * way;
     });
     return result;
 }

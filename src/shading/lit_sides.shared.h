@@ -27,8 +27,9 @@ SHARED_FN vec3 burntOutRadiance(vec3 albedo, vec3 irradiance, vec3 shown)
     return clamp(albedo * irradiance / 3.14159265f, shown, most);
 }
 
-// How far a value is drawn towards the mean around it, `step` away in luminance: all the way where
-// that may be its noise.
+// How far a value is drawn towards the mean around it: all the way where that may be its noise.
+// `step`: the luminance of how far the mean is away in each channel; another colour that is as
+// bright is no noise.
 SHARED_FN float shareOfNoise(float step, float noise)
 {
     const float variance = noise * noise;

@@ -23,7 +23,7 @@ void main()
     const vec3 own = evenAt(surfel);
     const vec3 way = sum / float(end - begin) - own;
     const vec4 gathered = arguments.even.at[surfel]; // whole: see docs/dev/gpu.md
-    const float share = shareOfNoise(luminance(way), gathered.w);
+    const float share = shareOfNoise(luminance(abs(way)), gathered.w);
     arguments.irradiance.at[surfel] =
         vec4(own + share * way + arguments.excess.at[surfel].rgb, arguments.lit.at[surfel]);
 }

@@ -138,6 +138,22 @@ TEST(LitSides, DirectOfListsIsThePanelsFormFactor)
     EXPECT_NEAR(sum, expected, 0.002f * expected);
 }
 
+// Light of another colour that is as bright as that around it stays; what rays err by goes.
+TEST(LitSides, AnotherColorIsNoNoise)
+{
+    const scenes::Surfaces box(scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f))));
+    const Surfels& surfels = box.texels.surfels;
+    std::vector<glm::vec3> light(surfels.count(), glm::vec3(0.3f));
+    const size_t blue = surfels.count() / 3;
+    const size_t dark = surfels.count() / 2;
+    light[blue] = glm::vec3(0.25f, 0.3f, 0.3f + 0.05f * 0.2126f / 0.0722f);
+    light[dark] = glm::vec3(0.298f);
+    const std::vector<glm::vec3> even =
+        withoutNoise(surfels, light, std::vector<float>(surfels.count(), 2e-3f));
+    EXPECT_NEAR(even[blue].b, light[blue].b, 0.05f * (light[blue].b - 0.3f));
+    EXPECT_GT(even[dark].b, 0.2995f);
+}
+
 TEST(LitSides, IndirectOfAFurnaceIsWhatItsWallsSend)
 {
     const scenes::Surfaces box(scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f))));
