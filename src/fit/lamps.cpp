@@ -1,12 +1,12 @@
 #include "fit/lamps.h"
 
 #include "base/call_all.h"
-#include "base/parallel.h"
 #include "fit/bright_walls.h"
+#include "fit/gained.h"
+#include "fit/lamp_evidence.h"
 #include "fit/lamp_groups.h"
 #include "fit/lit_powers.h"
 #include "fit/missed.h"
-#include "fit/pairs.h"
 #include "fit/powers.h"
 #include "fit/suspects.h"
 #include "lights/expand.shared.h"
@@ -14,9 +14,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
-#include <numeric>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -26,13 +27,7 @@ namespace
 {
 
 constexpr size_t kMostCandidates = 96;
-constexpr size_t kSteps = 4; // of the search, as progress tells
-constexpr size_t kPlaces = 6000;
-constexpr size_t kPlacesOfDraft = 2000;
-constexpr size_t kPlacesBurntOut = 150;
-constexpr float kAllBurntOut = 0.9f; // of a surfel's area
-constexpr size_t kPairsFirst = 3;    // a place, for the first look at all candidates
-constexpr size_t kPairs = 6;
+constexpr size_t kSteps = 4;             // of the search, as progress tells
 constexpr double kToleranceFirst = 1e-4; // of a fit that only tells what is worth looking at
 constexpr size_t kRaysPerOrigin = 8; // at a place, to those that remain: noise would make them weak
 constexpr float kHardlyWhite = 1.4f; // at the first look, which few rays make dim
@@ -40,10 +35,7 @@ constexpr float kHardlyShare = 0.001f; // of the light at places
 constexpr float kLeastShare = 0.0015f; // below, a lamp does not matter
 constexpr float kLeastReach = 0.02f;   // of places that see it; else it is in a pocket of the scan
 constexpr float kExplained = 0.8f;     // of white
-constexpr float kAround = 1.6f;        // surfel sizes
-constexpr int kMostRounds = 6;
-constexpr size_t kPairsOfTrial = 4;
-constexpr float kPieceMissed = 0.008f;    // rise of the fit's loss; it lights 1 % of the pairs
+constexpr float kPieceMissed = 0.008f; // rise of the fit's loss; it lights 1 % of the pairs
 constexpr float kWallPieceMissed = 0.03f; // of what would be burnt out anyway
 constexpr float kWallMissed = 0.04f;      // of that, once pieces are joined to lamps
 constexpr float kSmallWallMissed = 2.5f;  // times that, of pieces of less than kLarge
@@ -57,7 +49,10 @@ constexpr float kSpeck = 1.0f;            // surfels
 constexpr float kHardlyMissed = 0.15f;    // of these
 constexpr float kBright = 500.0f;         // few lamps are brighter
 constexpr float kBrightMissed = 0.01f;    // of those, a factor of e beyond
-constexpr float kTold = 0.5f;             // of the prior's variance; beyond, data decide
+constexpr float kGained = 0.004f;         // fall of the fit's loss; a wall's piece gains less
+constexpr size_t kMostRegained = 8;       // at a time
+constexpr int kMostRegains = 4;
+constexpr float kTold = 0.5f; // of the prior's variance; beyond, data decide
 
 class LampSearch
 {
@@ -68,40 +63,32 @@ public:
     FoundLamps run();
 
 private:
-    void choosePlaces(size_t most);
-    void findAround();
-    void chooseBurntOut();
     void takeCandidates(const GatherOptions& options);
     void addSuspects(LampGroup group);
-    [[nodiscard]] std::vector<SoughtLamp> sought(size_t raysPerOrigin) const;
-    void look(size_t raysPerOrigin);
     void fit(size_t pairsPerPlace, bool oneChannel);
-    void updateField();
+    size_t passOver(std::span<const uint8_t> gone);
     size_t dropWalls(float leastRadiance, float leastShare, float leastReach);
     size_t dropExplained();
+    void dropUnlikely();
     void dropNeedless(float missedIfWall);
-    void drawAllPairs();
+    [[nodiscard]] std::vector<Suspect> worthAnotherLook() const;
+    void regain();
     [[nodiscard]] std::vector<float> rises();
     [[nodiscard]] std::vector<float> needs(float missedIfWall);
     [[nodiscard]] BrightWalls walls() const;
     [[nodiscard]] float brightnessOfWall(const BrightWalls& walls, size_t suspect) const;
     [[nodiscard]] bool isExplained(const BrightWalls& walls, size_t suspect) const;
-    [[nodiscard]] FitData dataFor() const;
-    void addGathered(const Gathered& gathered, uint32_t place, size_t at, FitData& data) const;
 
     const Texels& texels_;
     const RayScene& scene_;
     const HitLists& hits_;
     const SurfelRadiance& radiance_;
     Progress::Stage stage_;
-    std::vector<uint32_t> places_;        // surfels, which are also the lists of their fronts
-    std::vector<ClippedPatch> burntOut_;  // of the last of these, which are
-    std::vector<uint32_t> placeInAround_; // [surfel]: its number among those around places
-    SettlingGather settling_;             // by these
-    std::map<size_t, std::vector<MaterialPair>> pairs_; // by how many a place
+    LampEvidence evidence_;
     std::vector<Suspect> suspects_;
+    std::vector<Suspect> passedOver_; // as they were looked at last
+    std::set<size_t> triedAgain_;     // bodies
     std::vector<std::string> warnings_;
-    RadianceField field_;
     Powers powers_;
     bool isFitted_ = false;
 };
@@ -110,31 +97,9 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
                        const SurfelRadiance& radiance, const GatherOptions& options,
                        Progress& progress)
     : texels_(texels), scene_(scene), hits_(hits), radiance_(radiance),
-      stage_(progress, "lamps", kSteps), field_(fieldOf(radiance))
+      stage_(progress, "lamps", kSteps), evidence_(texels, scene, hits, radiance, options.quality)
 {
-    choosePlaces(options.quality == Quality::draft ? kPlacesOfDraft : kPlaces);
-    if (places_.size() > 1) chooseBurntOut();
-    findAround();
-    callAll([&] { takeCandidates(options); }, [&] { drawAllPairs(); });
-}
-
-std::vector<SoughtLamp> LampSearch::sought(size_t raysPerOrigin) const
-{
-    std::vector<SoughtLamp> lamps;
-    for (const Suspect& suspect : suspects_)
-        lamps.push_back({AreaLight(suspect.candidate.patches), raysPerOrigin * suspect.rays()});
-    return lamps;
-}
-
-/// Looks for all suspects from all places.
-void LampSearch::look(size_t raysPerOrigin)
-{
-    const auto samples = directOfLists(texels_, scene_, hits_, sought(raysPerOrigin), places_);
-    for (size_t f = 0; f < suspects_.size(); ++f) {
-        suspects_[f].direct.clear();
-        for (const AreaSample& sample : samples[f]) suspects_[f].direct.push_back(sample.visible);
-    }
-    stage_.advance();
+    callAll([&] { takeCandidates(options); }, [&] { evidence_.drawAllPairs(); });
 }
 
 void LampSearch::takeCandidates(const GatherOptions& options)
@@ -164,7 +129,8 @@ void LampSearch::takeCandidates(const GatherOptions& options)
                                         "those that are with --light",
                                         lamps.leftOut, lamps.areaLeftOut, kMostCandidates));
     for (LampGroup& group : lamps.groups) addSuspects(std::move(group));
-    look(1);
+    evidence_.look(suspects_, 1);
+    stage_.advance();
 }
 
 /// A group is flat and so has no far side.
@@ -182,112 +148,11 @@ void LampSearch::addSuspects(LampGroup group)
     suspects_.push_back({.candidate = std::move(unseen), .body = body, .isUnseen = true});
 }
 
-/// Evenly along the curve through space that surfels are sorted by.
-void LampSearch::choosePlaces(size_t most)
-{
-    std::vector<uint32_t> good;
-    for (uint32_t s = 0; s < texels_.surfels.count(); ++s)
-        if (radiance_.plainArea[s] > 0.0f &&
-            radiance_.clippedArea[s] < 0.02f * radiance_.plainArea[s])
-            good.push_back(s);
-    const size_t count = std::min(most, good.size());
-    for (size_t i = 0; i < count; ++i) places_.push_back(good[i * good.size() / count]);
-}
-
-/// Burnt-out walls that bound the lamps from below; lamps are left out as long as they are some.
-void LampSearch::chooseBurntOut()
-{
-    std::vector<ClippedPatch> whole;
-    for (const ClippedPatch& patch : radiance_.clipped)
-        if (patch.area > kAllBurntOut * texels_.surfels.area[patch.surfel]) whole.push_back(patch);
-    const size_t count = std::min(kPlacesBurntOut, whole.size());
-    for (size_t i = 0; i < count; ++i) {
-        burntOut_.push_back(whole[i * whole.size() / count]);
-        places_.push_back(burntOut_.back().surfel);
-    }
-}
-
-/// Calls `visit(surfel)` for those around a place that bounce light is averaged over.
-template<class Visit>
-void forEachAround(const Surfels& surfels, uint32_t place, const Visit& visit)
-{
-    for (const uint32_t n : surfels.neighborsOf(place)) {
-        const glm::vec3 way = surfels.position[n] - surfels.position[place];
-        if (glm::dot(way, way) <= kAround * kAround * surfels.size * surfels.size) visit(n);
-    }
-}
-
-void LampSearch::findAround()
-{
-    std::vector<uint32_t> around; // surfels, ascending
-    placeInAround_.assign(texels_.surfels.count(), 0);
-    for (const uint32_t place : places_)
-        forEachAround(texels_.surfels, place, [&](uint32_t n) { placeInAround_[n] = 1; });
-    for (uint32_t s = 0; s < placeInAround_.size(); ++s) {
-        if (placeInAround_[s] == 0) continue;
-        placeInAround_[s] = static_cast<uint32_t>(around.size());
-        around.push_back(s);
-    }
-    settling_ = SettlingGather(hits_, field_, around); // a front's list is its surfel's
-}
-
-/// Mean over the surfels around a place: bounce light changes slowly, its few rays are noisy.
-void LampSearch::addGathered(const Gathered& gathered, uint32_t place, size_t at,
-                             FitData& data) const
-{
-    float count = 0.0f;
-    forEachAround(texels_.surfels, place, [&](uint32_t n) {
-        data.gathered[at] += gathered.irradiance[placeInAround_[n]];
-        data.missed[at] += gathered.missed[placeInAround_[n]];
-        count += 1.0f;
-    });
-    data.gathered[at] /= count;
-    data.missed[at] /= count;
-}
-
-FitData LampSearch::dataFor() const
-{
-    FitData data{.lamps = suspects_.size()};
-    const size_t measured = places_.size() - burntOut_.size();
-    std::vector<size_t> taken(measured);
-    std::iota(taken.begin(), taken.end(), size_t{0});
-    for (const size_t i : taken) data.radiance.push_back(radiance_.plain[places_[i]]);
-    for (size_t i = 0; i < burntOut_.size(); ++i) {
-        if (field_.shines[burntOut_[i].surfel] != 0) continue;
-        taken.push_back(measured + i);
-        data.radiance.push_back(burntOut_[i].radiance);
-        ++data.burntOut;
-    }
-    data.gathered.resize(taken.size(), glm::vec3(0.0f));
-    data.missed.resize(taken.size(), 0.0f);
-    data.direct.resize(taken.size() * data.lamps);
-    const Gathered gathered = settling_.gather(field_);
-    forEach(taken.size(), [&](size_t at) {
-        addGathered(gathered, places_[taken[at]], at, data);
-        for (size_t f = 0; f < data.lamps; ++f)
-            data.direct[at * data.lamps + f] = suspects_[f].direct[taken[at]];
-    });
-    return data;
-}
-
-/// Once: what places show of their material does not change with the lamps.
-void LampSearch::drawAllPairs()
-{
-    FitData seen;
-    for (size_t i = 0; i + burntOut_.size() < places_.size(); ++i)
-        seen.radiance.push_back(radiance_.plain[places_[i]]);
-    for (const size_t perPlace : {kPairsFirst, kPairsOfTrial, kPairs})
-        pairs_[perPlace] = drawPairs(seen, places_, texels_.surfels, perPlace);
-}
-
 void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
 {
-    std::fill(field_.shines.begin(), field_.shines.end(), uint8_t{0});
-    for (const Suspect& suspect : suspects_)
-        for (const ClippedPatch& patch : suspect.candidate.patches)
-            if (patch.surfel != Surfels::kNone) field_.shines[patch.surfel] = 1;
-    const FitData data = dataFor();
-    const auto& pairs = pairs_.at(pairsPerPlace);
+    evidence_.letShine(suspects_);
+    const FitData data = evidence_.dataOf(suspects_);
+    const std::span pairs = evidence_.pairs(pairsPerPlace);
     PowersOptions options{.oneChannel = oneChannel, .alike = alikesOf(suspects_)};
     if (isFitted_) { // most of it is known; a narrower loss finds the rest
         options.firstScale = 2.0 * options.lastScale;
@@ -310,14 +175,27 @@ void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
     stage_.advance(0);
 }
 
+/// One flag a suspect; returns how many went.
+size_t LampSearch::passOver(std::span<const uint8_t> gone)
+{
+    size_t kept = 0;
+    for (size_t f = 0; f < suspects_.size(); ++f) {
+        if (gone[f] != 0) passedOver_.push_back(suspects_[f]);
+        if (gone[f] == 0) std::swap(suspects_[kept++], suspects_[f]);
+    }
+    const size_t dropped = suspects_.size() - kept;
+    suspects_.resize(kept);
+    return dropped;
+}
+
 size_t LampSearch::dropWalls(float leastRadiance, float leastShare, float leastReach)
 {
-    const size_t dropped = std::erase_if(suspects_, [&](const Suspect& suspect) {
-        if (suspect.isGiven) return false;
-        return luminance(suspect.radiance) < leastRadiance || suspect.share < leastShare ||
-               suspect.reach() < leastReach;
-    });
-    return dropped + dropHalves(suspects_);
+    std::vector<uint8_t> gone;
+    for (const Suspect& suspect : suspects_)
+        gone.push_back(!suspect.isGiven &&
+                       (luminance(suspect.radiance) < leastRadiance || suspect.share < leastShare ||
+                        suspect.reach() < leastReach));
+    return passOver(gone) + dropHalves(suspects_);
 }
 
 BrightWalls LampSearch::walls() const
@@ -331,7 +209,7 @@ float LampSearch::brightnessOfWall(const BrightWalls& walls, size_t f) const
 {
     std::vector<glm::vec3> radiances;
     for (const Suspect& suspect : suspects_) radiances.push_back(suspect.radiance);
-    return walls.insteadOf(f, field_, powers_.ambient, radiances);
+    return walls.insteadOf(f, evidence_.field(), powers_.ambient, radiances);
 }
 
 /// Whether a wall in its place would be burnt out, and it is hardly brighter than that wall.
@@ -357,40 +235,20 @@ size_t LampSearch::dropExplained()
         gone[f] = 1;
         suspects_[f].radiance = glm::vec3(0.0f); // it explains nobody any more
     }
-    size_t kept = 0;
-    for (size_t f = 0; f < suspects_.size(); ++f)
-        if (gone[f] == 0) std::swap(suspects_[kept++], suspects_[f]);
-    const size_t dropped = suspects_.size() - kept;
-    suspects_.resize(kept);
-    return dropped;
-}
-
-/// Lets burnt-out walls and backs settle under the lamps as they are now.
-void LampSearch::updateField()
-{
-    std::vector<glm::vec3> direct(hits_.sideOfList.size(), glm::vec3(0.0f));
-    auto onSides = directOfLists(texels_, scene_, hits_, sought(1));
-    for (size_t f = 0; f < suspects_.size(); ++f) {
-        suspects_[f].onSides = std::move(onSides[f]);
-        addDirect(suspects_[f].onSides, suspects_[f].radiance, direct);
-    }
-    field_ =
-        lightSides(texels_, hits_, radiance_, std::move(direct), field_.shines, powers_.ambient)
-            .field;
+    return passOver(gone);
 }
 
 /// How much worse the pairs agree without one lamp, the others free to take its part.
 std::vector<float> LampSearch::rises()
 {
-    const FitData data = dataFor();
-    const auto& pairs = pairs_.at(kPairsOfTrial);
+    const FitData data = evidence_.dataOf(suspects_);
     PowersOptions options{.firstScale = PowersOptions{}.lastScale, .oneChannel = true};
     options.alike = alikesOf(suspects_);
     options.start = powers_.radiance;
     options.start.push_back(powers_.ambient);
     std::vector<std::vector<uint8_t>> gone(suspects_.size());
     for (size_t f = 0; f < gone.size(); ++f) gone[f] = goneWith(suspects_, f);
-    return missed(data, pairs, options, gone);
+    return missed(data, evidence_.pairs(LampEvidence::kPairsOfTrial), options, gone);
 }
 
 /// How much a lamp of `surfels` must be missed to stay that ends sharply. Where a wall would be
@@ -448,10 +306,58 @@ void LampSearch::dropNeedless(float missedIfWall)
         const float least = *std::min_element(need.begin(), need.end());
         if (least > 1.0f) break;
         const float limit = std::max(least, kHardlyMissed);
-        size_t f = 0;
-        std::erase_if(suspects_, [&](const Suspect&) { return need[f++] <= limit; });
+        std::vector<uint8_t> gone;
+        for (const float n : need) gone.push_back(n <= limit);
+        passOver(gone);
         dropHalves(suspects_);
-        fit(kPairs, true);
+        fit(LampEvidence::kPairs, true);
+    }
+}
+
+/// Candidates that were passed over and would do much for the fit as it is: the light of a window
+/// can fall to the crumbs along its frame before these are known for what they are. What is small
+/// counts less, for it can be anything to the fit.
+std::vector<Suspect> LampSearch::worthAnotherLook() const
+{
+    std::vector<std::span<const float>> direct;
+    for (const Suspect& suspect : passedOver_) direct.emplace_back(suspect.direct);
+    const std::vector<Gain> gains = gained(
+        evidence_.dataOf(suspects_), evidence_.pairs(LampEvidence::kPairsFirst), powers_, direct);
+    const float small = kSmall * texels_.surfels.size * texels_.surfels.size;
+    std::multimap<float, size_t, std::greater<>> byWorth;
+    for (size_t i = 0; i < gains.size(); ++i) {
+        const Suspect& suspect = passedOver_[i];
+        if (suspect.isUnseen || triedAgain_.contains(suspect.body)) continue;
+        const float worth =
+            gains[i].loss * std::min(std::sqrt(suspect.candidate.area / small), 1.0f);
+        if (worth > kGained) byWorth.emplace(worth, i);
+    }
+    std::vector<Suspect> found;
+    for (const auto& [worth, i] : byWorth) {
+        if (found.size() == kMostRegained) break;
+        found.push_back(passedOver_[i]);
+        found.back().radiance = glm::vec3(gains[i].radiance);
+    }
+    return found;
+}
+
+/// Looks again at what was passed over, until that makes the pairs agree no better.
+void LampSearch::regain()
+{
+    for (int round = 0; round < kMostRegains; ++round) {
+        std::vector<Suspect> again = worthAnotherLook();
+        if (again.empty()) return;
+        const std::vector<Suspect> before = suspects_;
+        const Powers powersBefore = powers_;
+        for (const Suspect& suspect : again) triedAgain_.insert(suspect.body);
+        evidence_.look(again, kRaysPerOrigin);
+        suspects_.insert(suspects_.end(), again.begin(), again.end());
+        dropUnlikely();
+        dropNeedless(kWallPieceMissed);
+        if (powers_.loss < powersBefore.loss - kGained) continue;
+        suspects_ = before;
+        powers_ = powersBefore;
+        return;
     }
 }
 
@@ -468,26 +374,32 @@ std::string unknownAt(glm::vec3 place, size_t lamps)
                        place.x, place.y, place.z);
 }
 
+/// Fits until no suspect is a wall, or could be one.
+void LampSearch::dropUnlikely()
+{
+    do fit(LampEvidence::kPairs, true);
+    while (dropWalls(kAboutWhite, kLeastShare, kLeastReach) + dropExplained() > 0);
+}
+
 FoundLamps LampSearch::run()
 {
     FoundLamps found;
     found.warnings = std::move(warnings_);
-    if (places_.size() < 2) return found;
-    fit(kPairsFirst, true);
+    if (!evidence_.tells()) return found;
+    fit(LampEvidence::kPairsFirst, true);
     dropWalls(kHardlyWhite, kHardlyShare, 0.0f);
-    look(kRaysPerOrigin);
-    for (int round = 0; round < kMostRounds; ++round) {
-        fit(kPairs, true);
-        if (dropWalls(kAboutWhite, kLeastShare, kLeastReach) + dropExplained() == 0) break;
-    }
-    dropNeedless(kWallPieceMissed);
-    joinPieces(suspects_);
-    fit(kPairs, true);
-    dropNeedless(kWallMissed);
-    fit(kPairs, false);
+    evidence_.look(suspects_, kRaysPerOrigin);
     stage_.advance();
-    updateField();
-    fit(kPairs, false);
+    dropUnlikely();
+    dropNeedless(kWallPieceMissed);
+    regain();
+    joinPieces(suspects_);
+    fit(LampEvidence::kPairs, true);
+    dropNeedless(kWallMissed);
+    fit(LampEvidence::kPairs, false);
+    stage_.advance();
+    evidence_.settle(suspects_, powers_.ambient);
+    fit(LampEvidence::kPairs, false);
     dropWalls(kAboutWhite, kLeastShare, kLeastReach);
     std::stable_sort(suspects_.begin(), suspects_.end(),
                      [](const Suspect& a, const Suspect& b) { return a.power() > b.power(); });
