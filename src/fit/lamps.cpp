@@ -315,27 +315,28 @@ void LampSearch::dropNeedless(float missedIfWall)
 }
 
 /// Candidates that were passed over and would do much for the fit as it is: the light of a window
-/// can fall to the crumbs along its frame before these are known for what they are. What is small
-/// counts less, for it can be anything to the fit.
+/// can fall to the crumbs along its frame before these are known for what they are. Not what is
+/// small: it can be anything to the fit.
 std::vector<Suspect> LampSearch::worthAnotherLook() const
 {
+    const float small = kSmall * texels_.surfels.size * texels_.surfels.size;
+    std::vector<const Suspect*> passed;
     std::vector<std::span<const float>> direct;
-    for (const Suspect& suspect : passedOver_) direct.emplace_back(suspect.direct);
+    for (const Suspect& suspect : passedOver_) {
+        if (suspect.isUnseen || suspect.candidate.area < small) continue;
+        if (triedAgain_.contains(suspect.body)) continue;
+        passed.push_back(&suspect);
+        direct.emplace_back(suspect.direct);
+    }
     const std::vector<Gain> gains = gained(
         evidence_.dataOf(suspects_), evidence_.pairs(LampEvidence::kPairsFirst), powers_, direct);
-    const float small = kSmall * texels_.surfels.size * texels_.surfels.size;
-    std::multimap<float, size_t, std::greater<>> byWorth;
-    for (size_t i = 0; i < gains.size(); ++i) {
-        const Suspect& suspect = passedOver_[i];
-        if (suspect.isUnseen || triedAgain_.contains(suspect.body)) continue;
-        const float worth =
-            gains[i].loss * std::min(std::sqrt(suspect.candidate.area / small), 1.0f);
-        if (worth > kGained) byWorth.emplace(worth, i);
-    }
+    std::multimap<float, size_t, std::greater<>> byGain;
+    for (size_t i = 0; i < gains.size(); ++i)
+        if (gains[i].loss > kGained) byGain.emplace(gains[i].loss, i);
     std::vector<Suspect> found;
-    for (const auto& [worth, i] : byWorth) {
+    for (const auto& [gain, i] : byGain) {
         if (found.size() == kMostRegained) break;
-        found.push_back(passedOver_[i]);
+        found.push_back(*passed[i]);
         found.back().radiance = glm::vec3(gains[i].radiance);
     }
     return found;
