@@ -319,11 +319,11 @@ std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance
             ++parts;
         }
     std::vector<Candidate> candidates;
-    for (const Members& members : connected(texels, radiance, part)) {
-        Candidate candidate = candidateOf(patchesOf(radiance, members));
-        if (!isSpeck(texels, radiance, candidate)) candidates.push_back(std::move(candidate));
-    }
+    for (const Members& members : connected(texels, radiance, part))
+        candidates.push_back(candidateOf(patchesOf(radiance, members)));
     candidates = joinCrumbs(texels.surfels, candidates);
+    std::erase_if(candidates,
+                  [&](const Candidate& candidate) { return isSpeck(texels, radiance, candidate); });
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.area > b.area; });
     return candidates;

@@ -3,6 +3,8 @@
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace relamp
@@ -23,6 +25,21 @@ scenes::Paint discIn(float side, float radius, float around)
         const bool isIn = glm::distance(p, glm::vec3(0.5f * side, 0.0f, 0.5f * side)) < radius;
         return glm::vec3(isIn ? 1.0f : around);
     };
+}
+
+/// A box as bright as `brightness(place)` over a grey floor.
+template<class Brightness>
+Scan boxOver(float side, const Brightness& brightness)
+{
+    std::vector<scenes::Panel> parts{{{0, 0, 0}, {0, 0, 2}, {2, 0, 0}}};
+    for (scenes::Panel wall : scenes::wallsOf(glm::vec3(side))) {
+        std::swap(wall.alongU, wall.alongV); // its outer sides
+        wall.corner += glm::vec3(1.0f, 0.5f, 1.0f);
+        parts.push_back(wall);
+    }
+    return scenes::panels(parts, 64, [&](glm::vec3 p, glm::vec3) {
+        return glm::vec3(p.y > 0.4f ? brightness(p) : 0.3f);
+    });
 }
 
 } // namespace
@@ -122,19 +139,22 @@ TEST(Candidates, SpecksInBrightWallsAreNoneAndBulbsAre)
 TEST(Candidates, BulbOfAFewSurfelsIsOneAndABoxIsItsSides)
 {
     for (const float side : {0.06f, 0.5f}) {
-        std::vector<scenes::Panel> parts{{{0, 0, 0}, {0, 0, 2}, {2, 0, 0}}};
-        for (scenes::Panel wall : scenes::wallsOf(glm::vec3(side))) {
-            std::swap(wall.alongU, wall.alongV); // its outer sides
-            wall.corner += glm::vec3(1.0f, 0.5f, 1.0f);
-            parts.push_back(wall);
-        }
-        const scenes::Paint paint = [](glm::vec3 p, glm::vec3) {
-            return glm::vec3(p.y > 0.4f ? 1.0f : 0.3f);
-        };
-        const auto candidates = candidatesOf(scenes::panels(parts, 64, paint));
+        const auto candidates = candidatesOf(boxOver(side, [](glm::vec3) { return 1.0f; }));
         ASSERT_EQ(candidates.size(), side < 0.1f ? 1u : 6u);
         EXPECT_NEAR(candidates[0].area, (side < 0.1f ? 6 : 1) * side * side, 0.1f * side * side);
     }
+}
+
+// A photograph's noise leaves texels of a bulb just below white: every crumb between them lies in
+// what is nearly as bright, as a speck in a wall does, and all together are a bulb.
+TEST(Candidates, BulbThatIsBurntOutInCrumbsIsOne)
+{
+    const auto candidates = candidatesOf(boxOver(0.06f, [](glm::vec3 p) {
+        const glm::vec3 cell = glm::floor(p / 0.012f);
+        return std::fmod(cell.x + cell.y + cell.z, 2.0f) < 0.5f ? 1.0f : 0.93f;
+    }));
+    ASSERT_EQ(candidates.size(), 1u);
+    EXPECT_NEAR(candidates[0].area, 3 * 0.06f * 0.06f, 0.5f * 0.06f * 0.06f);
 }
 
 TEST(Candidates, FixtureOverASeamIsOne)
