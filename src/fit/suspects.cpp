@@ -19,7 +19,10 @@ constexpr float kLeastModel = 0.003f; // m^2; the shape of less says nothing
 constexpr float kSmall = 0.02f;       // m^2; a scan may show half of it, or twice as much
 constexpr float kSamePower = 2.0f;    // ratio
 constexpr size_t kLeastFamily = 4;
-constexpr float kSliver = 0.02f; // ratio of areas; too small beside a lamp to be one of its own
+constexpr size_t kFewBodies = 2;  // that are enough of a family
+constexpr float kWhole = 0.3f;    // length of a mean normal; what is shorter faces all around
+constexpr float kSameBody = 1.3f; // ratio of areas
+constexpr float kSliver = 0.02f;  // ratio of areas; too small beside a lamp to be one of its own
 
 bool areOneLamp(const Suspect& a, const Suspect& b)
 {
@@ -40,13 +43,28 @@ void add(const Suspect& piece, Suspect& whole)
     for (size_t i = 0; i < whole.direct.size(); ++i) whole.direct[i] += piece.direct[i];
 }
 
-/// Whether two small pieces are brighter than walls, look alike and have about one power: where
-/// they were fitted by themselves and agree, they are hardly flaws. Large ones speak for
-/// themselves.
+/// Whether two are burnt out all around, and of one size: globes of one model. A wall is burnt out
+/// on one side.
+bool areAlikeBodies(const Candidate& a, const Candidate& b)
+{
+    const float sizes = a.area / b.area;
+    return std::max(glm::length(a.normal), glm::length(b.normal)) < kWhole && sizes < kSameBody &&
+           sizes > 1.0f / kSameBody;
+}
+
+bool areOneModel(const Candidate& a, const Candidate& b)
+{
+    return areAlike(a, b) || areAlikeBodies(a, b);
+}
+
+/// Whether two small pieces, or whole bodies, are brighter than walls, look alike and have about
+/// one power: where they were fitted by themselves and agree, they are hardly flaws. Large ones
+/// speak for themselves.
 bool agree(const Suspect& a, const Suspect& b)
 {
-    if (a.isUnseen || b.isUnseen || !areAlike(a.candidate, b.candidate)) return false;
-    if (std::max(a.candidate.area, b.candidate.area) > kSmall) return false;
+    if (a.isUnseen || b.isUnseen || !areOneModel(a.candidate, b.candidate)) return false;
+    const bool areSmall = std::max(a.candidate.area, b.candidate.area) < kSmall;
+    if (!areSmall && !areAlikeBodies(a.candidate, b.candidate)) return false;
     const float ratio = a.power() / b.power();
     return ratio < kSamePower && ratio > 1.0f / kSamePower &&
            std::min(luminance(a.radiance), luminance(b.radiance)) > kAboutWhite;
@@ -80,7 +98,8 @@ std::vector<AlikeLamps> alikesOf(const std::vector<Suspect>& suspects)
             const float areaOfA = one.candidate.area;
             const float areaOfB = other.candidate.area;
             const bool areSmall = std::min(areaOfA, areaOfB) < kLeastModel;
-            if (one.body == other.body || (!areSmall && areAlike(one.candidate, other.candidate)))
+            if (one.body == other.body ||
+                (!areSmall && areOneModel(one.candidate, other.candidate)))
                 alike.push_back({a, b});
             else if (areSmall && agree(one, other))
                 alike.push_back({a, b, areaOfB / areaOfA});
@@ -93,7 +112,8 @@ std::vector<uint32_t> familyOf(const std::vector<Suspect>& suspects, uint32_t f)
     std::vector<uint32_t> family;
     for (uint32_t other = 0; other < suspects.size(); ++other)
         if (other == f || agree(suspects[f], suspects[other])) family.push_back(other);
-    if (family.size() < kLeastFamily) family = {f};
+    const bool isWhole = glm::length(suspects[f].candidate.normal) < kWhole;
+    if (family.size() < (isWhole ? kFewBodies : kLeastFamily)) family = {f};
     return family;
 }
 

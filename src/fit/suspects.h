@@ -41,8 +41,9 @@ struct Suspect
 /// small ones a scan shows more or less; where they agree they have one power.
 std::vector<AlikeLamps> alikesOf(const std::vector<Suspect>& suspects);
 
-/// Suspect `f` and, if it is small, those that look like its model and were found to be about as
-/// powerful; itself alone where they are less than four: a few agree by chance.
+/// Suspect `f` and, if it is small or a whole body, those that look like its model and were found
+/// to be about as powerful; itself alone where they are less than four, or two bodies: a few agree
+/// by chance.
 std::vector<uint32_t> familyOf(const std::vector<Suspect>& suspects, uint32_t f);
 
 /// How much of the light that comes to measured places is whose: a radiance says little of what is

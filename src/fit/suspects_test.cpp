@@ -30,6 +30,17 @@ Suspect spotAt(float x, float area, float radiance, size_t body)
             .body = body};
 }
 
+/// Of four patches that face apart.
+Suspect globeAt(float x, float area, float radiance, size_t body)
+{
+    std::vector<ClippedPatch> patches;
+    for (const glm::vec3 facing : {kDown, -kDown, glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0)})
+        patches.push_back({glm::vec3(x, 2.0f, 0.0f) + 0.05f * facing, facing, 0.25f * area, 0});
+    return {.candidate = candidateOf(std::move(patches)),
+            .radiance = glm::vec3(radiance),
+            .body = body};
+}
+
 } // namespace
 
 TEST(Suspects, ReachIsTheShareOfPlacesThatSeeThem)
@@ -135,6 +146,18 @@ TEST(Suspects, WallsAndPanelsAreNoFamilies)
     }
     EXPECT_THAT(familyOf(walls, 0), ElementsAre(0));
     EXPECT_THAT(familyOf(panels, 3), ElementsAre(3)); // each speaks for itself
+}
+
+// A globe between two others is missed little, for they do what it does; a wall is no globe.
+TEST(Suspects, TwoGlobesOfOneSizeAreAFamilyAndOneModel)
+{
+    const std::vector<Suspect> suspects{globeAt(0, 0.04f, 80, 0), globeAt(1, 0.045f, 75, 1),
+                                        globeAt(2, 0.08f, 40, 2), globeAt(3, 0.04f, 5, 3)};
+    EXPECT_THAT(familyOf(suspects, 1), ElementsAre(0, 1)); // the last is much weaker
+    EXPECT_THAT(familyOf(suspects, 2), ElementsAre(2));    // twice as large
+    const std::vector<AlikeLamps> alike = alikesOf(suspects);
+    ASSERT_EQ(alike.size(), 3u); // all but the large one, whatever they were fitted to
+    for (const AlikeLamps& pair : alike) EXPECT_FLOAT_EQ(pair.ratio, 1.0f);
 }
 
 } // namespace relamp
