@@ -273,13 +273,14 @@ float missedIfBright(float radiance)
 }
 
 /// By how much more than needed for it to stay each suspect is missed, as a ratio. One model is
-/// missed as a whole.
+/// missed as a whole, and a pane where a wall would be grey as much as the one beside it.
 std::vector<float> LampSearch::needs(float missedIfWall)
 {
     const float areaOfSurfel = texels_.surfels.size * texels_.surfels.size;
     const std::vector<float> rise = rises();
     const BrightWalls ofAll = walls();
     std::vector<float> need(rise.size(), std::numeric_limits<float>::max());
+    std::vector<uint8_t> mayBePane(rise.size(), 0);
     for (uint32_t f = 0; f < need.size(); ++f) {
         const Suspect& suspect = suspects_[f];
         const bool likeWall = !suspect.isUnseen && fades(texels_, radiance_, suspect.candidate);
@@ -294,7 +295,13 @@ std::vector<float> LampSearch::needs(float missedIfWall)
         const float least =
             missedAtLeast(wall, surfels, ifWall) + missedIfBright(luminance(suspect.radiance));
         if (!suspect.isGiven && least > 0.0f) need[f] = risen / least;
+        mayBePane[f] = wall < kExplained && surfels >= kSmall;
     }
+    for (size_t f = 0; f < need.size(); ++f)
+        for (size_t other = 0; other < need.size() && mayBePane[f] != 0; ++other)
+            if (need[other] > 1.0f && need[f] <= 1.0f &&
+                arePanesOfOne(suspects_[f], suspects_[other]))
+                need[f] = need[other];
     return need;
 }
 

@@ -15,6 +15,9 @@ namespace
 
 constexpr float kTouching = 0.12f;    // m between pieces of one lamp
 constexpr float kAboutEqual = 3.0f;   // ratio of their radiances
+constexpr float kEqual = 1.5f;        // likewise, of panes of one window
+constexpr float kOneFacing = 0.95f;   // cosine
+constexpr float kOneLevel = 0.05f;    // m
 constexpr float kLeastModel = 0.003f; // m^2; the shape of less says nothing
 constexpr float kSmall = 0.02f;       // m^2; a scan may show half of it, or twice as much
 constexpr float kSamePower = 2.0f;    // ratio
@@ -86,6 +89,16 @@ float Suspect::reach() const
 {
     const auto see = std::count_if(direct.begin(), direct.end(), [](float d) { return d > 0.0f; });
     return static_cast<float>(see) / static_cast<float>(std::max<size_t>(direct.size(), 1));
+}
+
+bool arePanesOfOne(const Suspect& a, const Suspect& b)
+{
+    const glm::vec3 along = a.candidate.normal;
+    const float ratio = luminance(a.radiance) / luminance(b.radiance);
+    return ratio < kEqual && ratio > 1.0f / kEqual &&
+           glm::dot(along, b.candidate.normal) > kOneFacing * kOneFacing &&
+           std::abs(glm::dot(b.candidate.centre - a.candidate.centre, along)) < kOneLevel &&
+           areWithin(a.candidate, b.candidate, kTouching);
 }
 
 std::vector<AlikeLamps> alikesOf(const std::vector<Suspect>& suspects)

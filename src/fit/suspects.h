@@ -46,6 +46,10 @@ std::vector<AlikeLamps> alikesOf(const std::vector<Suspect>& suspects);
 /// by chance.
 std::vector<uint32_t> familyOf(const std::vector<Suspect>& suspects, uint32_t f);
 
+/// Whether two pieces touch in one plane and were found to be equally bright: panes of one window,
+/// each of which does what the other does.
+bool arePanesOfOne(const Suspect& a, const Suspect& b);
+
 /// How much of the light that comes to measured places is whose: a radiance says little of what is
 /// small or hidden. `data` has the suspects' light in their order.
 void findShares(const FitData& data, glm::vec3 ambient, std::vector<Suspect>& suspects);

@@ -148,6 +148,20 @@ TEST(Suspects, WallsAndPanelsAreNoFamilies)
     EXPECT_THAT(familyOf(panels, 3), ElementsAre(3)); // each speaks for itself
 }
 
+// A window comes in pieces, of which each does what the others do.
+TEST(Suspects, PanesTouchInOnePlaneAndAreEquallyBright)
+{
+    const Suspect pane = panelAt(0, 10, 0);
+    EXPECT_TRUE(arePanesOfOne(pane, panelAt(0.5f, 12, 1)));
+    EXPECT_FALSE(arePanesOfOne(pane, panelAt(0.5f, 20, 1))); // too bright
+    EXPECT_FALSE(arePanesOfOne(pane, panelAt(3, 12, 1)));    // far away
+    Suspect below = panelAt(0.5f, 12, 1);
+    below.candidate = candidateOf({{{0.5f, 2.4f, 0.25f}, kDown, 0.25f, 0}});
+    EXPECT_FALSE(arePanesOfOne(pane, below));
+    below.candidate = candidateOf({{{0.5f, 2.5f, 0.25f}, {0.7f, -0.7f, 0}, 0.25f, 0}});
+    EXPECT_FALSE(arePanesOfOne(pane, below));
+}
+
 // A globe between two others is missed little, for they do what it does; a wall is no globe.
 TEST(Suspects, TwoGlobesOfOneSizeAreAFamilyAndOneModel)
 {

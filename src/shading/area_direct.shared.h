@@ -12,8 +12,10 @@ SHARED_BEGIN
 SHARED_FN float lostToTilt(vec3 normal, vec3 patchNormal, float distance)
 {
     const float alike = max(dot(normal, patchNormal), 0.0f);
-    const float squared = alike * alike;
-    return squared * squared * (0.04f * distance + 0.01f);
+    const float second = alike * alike;
+    const float fourth = second * second;
+    const float eighth = fourth * fourth;
+    return eighth * eighth * (0.04f * distance + 0.01f);
 }
 
 // Irradiance a radiance on a surface element from a patch of area 1 that faces `patchNormal`:
