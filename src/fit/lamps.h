@@ -41,7 +41,7 @@ struct FoundLamps
 /// nothing: it is a wall. One whose brightness the others explain, within the error of its own, is
 /// a wall too. What remains is fitted again, until nothing changes; pieces that touch and are about
 /// equally bright become one lamp. What a person says of a place in `options` is not doubted;
-/// where such a lamp lights too little to tell how bright it is, a warning says so. Beyond 64
+/// where such a lamp lights too little to tell how bright it is, a warning says so. Beyond 96
 /// candidates, alike neighbours are one unknown and come out as one FoundLamp.
 FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists& hits,
                      const SurfelRadiance& radiance, const GatherOptions& options,

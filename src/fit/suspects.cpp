@@ -21,6 +21,7 @@ constexpr float kOneLevel = 0.05f;    // m
 constexpr float kLeastModel = 0.003f; // m^2; the shape of less says nothing
 constexpr float kSmall = 0.02f;       // m^2; a scan may show half of it, or twice as much
 constexpr float kSamePower = 2.0f;    // ratio
+constexpr float kNoWall = 2.0f;       // luminance; walls' pieces agree in being about white
 constexpr size_t kLeastFamily = 4;
 constexpr size_t kFewBodies = 2;  // that are enough of a family
 constexpr float kWhole = 0.3f;    // length of a mean normal; what is shorter faces all around
@@ -70,7 +71,7 @@ bool agree(const Suspect& a, const Suspect& b)
     if (!areSmall && !areAlikeBodies(a.candidate, b.candidate)) return false;
     const float ratio = a.power() / b.power();
     return ratio < kSamePower && ratio > 1.0f / kSamePower &&
-           std::min(luminance(a.radiance), luminance(b.radiance)) > kAboutWhite;
+           std::min(luminance(a.radiance), luminance(b.radiance)) > kNoWall;
 }
 
 } // namespace

@@ -14,9 +14,6 @@
 namespace relamp
 {
 
-/// Luminance; a wall lights its surroundings as little as this.
-inline constexpr float kAboutWhite = 2.0f;
-
 /// A piece of surface that is thought to be a lamp, with what it does at all places at radiance 1.
 struct Suspect
 {
