@@ -18,6 +18,9 @@ namespace
 
 constexpr float kPi = 3.14159265f;
 constexpr float kMoved = 0.02f;       // m; a fixture that was moved farther is another
+constexpr float kOff = 0.25f;         // of its size; it is pointed at by hand
+constexpr float kAboutAsLarge = 2.0f; // ratio of areas
+constexpr float kFacesAlike = 0.7f;   // of a mean normal, along the fixture's
 constexpr float kLeastRadius = 0.02f; // m, of something without a size
 constexpr int kPatches = 32;
 
@@ -69,8 +72,32 @@ std::vector<ClippedPatch> disc(const Fixture& fixture)
     return patches;
 }
 
-FoundLamp lampOf(const Fixture& fixture)
+bool mayBe(const Candidate& candidate, const Fixture& fixture)
 {
+    const float ratio = candidate.area / fixture.area;
+    const bool facesAlike = fixture.normal == glm::vec3(0.0f) ||
+                            glm::dot(candidate.normal, fixture.normal) > kFacesAlike;
+    return ratio < kAboutAsLarge && ratio > 1.0f / kAboutAsLarge && facesAlike;
+}
+
+/// The nearest that the fixture may mean; null without any.
+const Candidate* standingAt(const Fixture& fixture, std::span<const Candidate> candidates)
+{
+    const Candidate* nearest = nullptr;
+    float least = kOff * std::sqrt(fixture.area);
+    for (const Candidate& candidate : candidates) {
+        const float off = glm::distance(candidate.centre, fixture.centre);
+        if (off >= least || !mayBe(candidate, fixture)) continue;
+        least = off;
+        nearest = &candidate;
+    }
+    return nearest;
+}
+
+FoundLamp lampOf(const Fixture& fixture, std::span<const Candidate> candidates)
+{
+    if (const Candidate* there = standingAt(fixture, candidates))
+        return {there->patches, fixture.radiance, fixture.error};
     const bool isFlat = fixture.normal != glm::vec3(0.0f);
     return {isFlat ? disc(fixture) : ball(fixture.centre, fixture.area),
             fixture.radiance,
@@ -140,14 +167,15 @@ bool Standing::add(const Fixture& fixture, std::vector<FoundLamp>& lamps)
 
 } // namespace
 
-FoundLamps asGiven(const Lights& given, const FoundLamps& found)
+FoundLamps asGiven(const Lights& given, const FoundLamps& found,
+                   std::span<const Candidate> candidates)
 {
     FoundLamps lamps;
     lamps.ambient = given.ambient;
     Standing standing(found);
     for (const Fixture& fixture : given.fixtures)
         if (!isDark(fixture.radiance) && !standing.add(fixture, lamps.lamps))
-            lamps.lamps.push_back(lampOf(fixture));
+            lamps.lamps.push_back(lampOf(fixture, candidates));
     for (const PointLight& light : given.points)
         if (light.fixture < 0 && !isDark(light.intensity)) lamps.lamps.push_back(lampOf(light));
     return lamps;

@@ -40,7 +40,7 @@ float areaOf(const FoundLamp& lamp)
 TEST(GivenLamps, FixtureThatStandsWhereOneWasFoundIsThatOne)
 {
     const FoundLamps lamps =
-        asGiven({.fixtures = {panelAt({1, 2, 3})}, .ambient = glm::vec3(0.1f)}, onePanel());
+        asGiven({.fixtures = {panelAt({1, 2, 3})}, .ambient = glm::vec3(0.1f)}, onePanel(), {});
     ASSERT_EQ(lamps.lamps.size(), 1u);
     EXPECT_EQ(lamps.lamps[0].patches[0].surfel, 17u);
     EXPECT_EQ(lamps.lamps[0].radiance, glm::vec3(60, 40, 20));
@@ -56,13 +56,13 @@ TEST(GivenLamps, LampsOfAGroupStayTogetherAsFarAsTheyAreAlike)
     found.lamps[0].ends = {1, 2, 3};
     std::vector<Fixture> fixtures{panelAt({1, 2, 3}), panelAt({2, 2, 3}), panelAt({3, 2, 3})};
 
-    const FoundLamps whole = asGiven({.fixtures = fixtures}, found);
+    const FoundLamps whole = asGiven({.fixtures = fixtures}, found, {});
     ASSERT_EQ(whole.lamps.size(), 1u);
     EXPECT_THAT(whole.lamps[0].ends, testing::ElementsAre(1, 2, 3));
     EXPECT_EQ(whole.lamps[0].onSides.size(), 1u);
 
     fixtures[1].radiance *= 2.0f;
-    const FoundLamps parts = asGiven({.fixtures = fixtures}, found);
+    const FoundLamps parts = asGiven({.fixtures = fixtures}, found, {});
     ASSERT_EQ(parts.lamps.size(), 2u);
     EXPECT_THAT(parts.lamps[0].ends, testing::ElementsAre(1, 2));
     EXPECT_EQ(parts.lamps[1].patches[0].surfel, 18u);
@@ -73,13 +73,13 @@ TEST(GivenLamps, WhatIsOffOrNotNamedIsDark)
 {
     Fixture off = panelAt({1, 2, 3});
     off.radiance = glm::vec3(0.0f);
-    EXPECT_THAT(asGiven({.fixtures = {off}}, onePanel()).lamps, testing::IsEmpty());
-    EXPECT_THAT(asGiven({}, onePanel()).lamps, testing::IsEmpty());
+    EXPECT_THAT(asGiven({.fixtures = {off}}, onePanel(), {}).lamps, testing::IsEmpty());
+    EXPECT_THAT(asGiven({}, onePanel(), {}).lamps, testing::IsEmpty());
 }
 
 TEST(GivenLamps, AnyOtherFixtureIsADiscOfItsArea)
 {
-    const FoundLamps lamps = asGiven({.fixtures = {panelAt({2, 2, 3})}}, onePanel());
+    const FoundLamps lamps = asGiven({.fixtures = {panelAt({2, 2, 3})}}, onePanel(), {});
     ASSERT_EQ(lamps.lamps.size(), 1u);
     const FoundLamp& disc = lamps.lamps[0];
     EXPECT_NEAR(areaOf(disc), 0.5f, 1e-5f);
@@ -97,11 +97,24 @@ TEST(GivenLamps, AnyOtherFixtureIsADiscOfItsArea)
     EXPECT_NEAR(squares, 0.5f * radius * radius, 0.06f * radius * radius); // evenly filled
 }
 
+// Half a pane hangs off the frame, so that its middle is a hand off; a speck beside it is not
+// meant.
+TEST(GivenLamps, FixtureOnABurntOutPieceOfAboutItsAreaIsThatPiece)
+{
+    const std::vector<Candidate> candidates{candidateOf({{{2.1f, 2, 3}, kDown, 0.4f, 21}}),
+                                            candidateOf({{{2, 2, 3}, kDown, 0.01f, 22}})};
+    const FoundLamps lamps = asGiven({.fixtures = {panelAt({2, 2, 3})}}, onePanel(), candidates);
+    ASSERT_EQ(lamps.lamps.size(), 1u);
+    ASSERT_EQ(lamps.lamps[0].patches.size(), 1u);
+    EXPECT_EQ(lamps.lamps[0].patches[0].surfel, 21u);
+    EXPECT_EQ(lamps.lamps[0].radiance, glm::vec3(60, 40, 20));
+}
+
 TEST(GivenLamps, FixtureWithoutANormalIsABallOfItsArea)
 {
     Fixture bulb = panelAt({2, 2, 3});
     bulb.normal = glm::vec3(0.0f);
-    const FoundLamps lamps = asGiven({.fixtures = {bulb}}, onePanel());
+    const FoundLamps lamps = asGiven({.fixtures = {bulb}}, onePanel(), {});
     ASSERT_EQ(lamps.lamps.size(), 1u);
     EXPECT_NEAR(areaOf(lamps.lamps[0]), 0.5f, 1e-5f);
     for (const ClippedPatch& patch : lamps.lamps[0].patches)
@@ -112,8 +125,9 @@ TEST(GivenLamps, FixtureWithoutANormalIsABallOfItsArea)
 // Far away a ball of radiance L and radius r is a point of intensity pi r^2 L.
 TEST(GivenLamps, PointLightIsABallOfItsIntensity)
 {
-    const FoundLamps lamps = asGiven(
-        {.points = {{.position = {0, 0, 0}, .intensity = {4, 2, 1}, .radius = 0.1f}}}, onePanel());
+    const FoundLamps lamps =
+        asGiven({.points = {{.position = {0, 0, 0}, .intensity = {4, 2, 1}, .radius = 0.1f}}},
+                onePanel(), {});
     ASSERT_EQ(lamps.lamps.size(), 1u);
     float seen = 0.0f; // projected area towards +x
     for (const ClippedPatch& patch : lamps.lamps[0].patches)
@@ -126,7 +140,7 @@ TEST(GivenLamps, PointLightsOfFixturesAreNotCountedTwice)
     const FoundLamps lamps =
         asGiven({.fixtures = {panelAt({1, 2, 3})},
                  .points = {{.position = {1, 2, 3}, .intensity = {4, 2, 1}, .fixture = 0}}},
-                onePanel());
+                onePanel(), {});
     EXPECT_EQ(lamps.lamps.size(), 1u);
 }
 

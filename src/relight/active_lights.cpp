@@ -30,7 +30,7 @@ std::vector<ClippedPatch> surfaceOf(const Fixture& fixture, const Transport& tra
     Lights one;
     one.fixtures.push_back(fixture);
     one.fixtures.back().radiance = glm::vec3(1.0f);
-    return asGiven(one, {}).lamps.at(0).patches;
+    return asGiven(one, {}, {}).lamps.at(0).patches;
 }
 
 void mark(std::span<const ClippedPatch> patches, std::vector<uint8_t>& surfels)

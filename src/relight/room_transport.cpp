@@ -28,16 +28,19 @@ std::vector<std::vector<ClippedPatch>> surfacesOfFixtures(const DelitRoom& room,
 {
     if (room.captured.fixtures.empty()) return {};
     FoundLamps found;
+    std::vector<Candidate> candidates;
     if (room.isLit) {
         const DelightOptions asThen{.gather = room.gather};
-        found = findRoom(texels, scene, asThen, progress).found;
+        FoundRoom then = findRoom(texels, scene, asThen, progress);
+        candidates = findCandidates(texels, then.radiance);
+        found = std::move(then.found);
     }
     std::vector<std::vector<ClippedPatch>> surfaces;
     for (Fixture fixture : room.captured.fixtures) {
         fixture.radiance = glm::vec3(1.0f); // also of one that was off
         Lights one;
         one.fixtures.push_back(fixture);
-        surfaces.push_back(asGiven(one, found).lamps.at(0).patches);
+        surfaces.push_back(asGiven(one, found, candidates).lamps.at(0).patches);
     }
     return surfaces;
 }

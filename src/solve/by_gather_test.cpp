@@ -159,4 +159,25 @@ TEST(ByGather, EditedLightsAreBelieved)
     EXPECT_NEAR(below, 50.0f * 0.2f / (2.4f * 2.4f) / 3.14159265f, 0.03f); // A L / (pi d^2)
 }
 
+// The sheet is burnt out and no lamp; a person who says that it shines gets it, and no disc before
+// it.
+TEST(ByGather, FixtureOfAFileThatStandsOnWhatIsBurntOutIsThat)
+{
+    Lights lights = Solved().result.lights();
+    lights.fixtures.push_back({.centre = LitRoom::kSheetCentre,
+                               .normal = {1, 0, 0},
+                               .area = 0.8f,
+                               .radiance = glm::vec3(5.0f)});
+    const Solved solved(lights);
+    ASSERT_FALSE(solved.layers.emission.empty());
+    size_t shining = 0;
+    for (size_t i = 0; i < solved.texels.pages[0].count(); ++i) {
+        const TexelSite site = solved.texels.siteOf(0, i);
+        const bool shines =
+            solved.layers.emission[3 * size_t{solved.texels.pages[0].pixel[i]}] != 0;
+        if (shines && site.normal.x > 0.5f) ++shining;
+    }
+    EXPECT_GT(shining, 100u);
+}
+
 } // namespace relamp

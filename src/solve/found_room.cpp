@@ -4,6 +4,7 @@
 #include "albedo/fill.h"
 #include "fit/given_lamps.h"
 #include "fit/lamp_groups.h"
+#include "lights/candidates.h"
 #include "lights/fixtures.h"
 #include "lights/surfel_radiance.h"
 #include "shading/lit_sides.shared.h"
@@ -137,7 +138,9 @@ void settle(const FoundLamps& all, const Texels& texels, const RayScene& scene,
     room.shines = shinesOf(room);
     room.sides = sidesOf(texels, scene, room);
     if (given && !given->sun) return;
-    RayScene outside = sceneWithoutPanes(texels, room.radiance, all);
+    FoundLamps panes = all;
+    panes.lamps.insert(panes.lamps.end(), room.found.lamps.begin(), room.found.lamps.end());
+    RayScene outside = sceneWithoutPanes(texels, room.radiance, panes);
     const std::optional<Sun> sun =
         given ? given->sun
               : findSun(texels, outside, room.hits, room.radiance, room.sides, room.found);
@@ -177,7 +180,8 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
     }
     FoundLamps all = findLamps(texels, scene, room.hits, room.radiance, room.options, progress);
     room.warnings = all.warnings;
-    room.found = options.lights ? asGiven(*options.lights, all) : all;
+    room.found =
+        options.lights ? asGiven(*options.lights, all, findCandidates(texels, room.radiance)) : all;
     const Progress::Stage stage(progress, "sun");
     settle(all, texels, scene, options.lights, room);
     if (room.found.lamps.empty() && !room.sun)
