@@ -29,9 +29,9 @@ namespace
 constexpr size_t kMostCandidates = 96;
 constexpr size_t kSteps = 4;             // of the search, as progress tells
 constexpr double kToleranceFirst = 1e-4; // of a fit that only tells what is worth looking at
-constexpr size_t kRaysPerOrigin = 8; // at a place, to those that remain: noise would make them weak
-constexpr float kHardlyWhite = 1.05f; // luminance at the first look, which few rays make dim
-constexpr float kAboutWhite = 1.2f;   // below, it lights its surroundings as a wall would
+constexpr size_t kRaysPerOrigin = 6; // at a place, to those that remain: noise would make them weak
+constexpr float kHardlyWhite = 1.05f;  // luminance at the first look, which few rays make dim
+constexpr float kAboutWhite = 1.2f;    // below, it lights its surroundings as a wall would
 constexpr float kHardlyShare = 0.001f; // of the light at places
 constexpr float kLeastShare = 0.0015f; // below, a lamp does not matter
 constexpr float kLeastReach = 0.02f;   // of places that see it; else it is in a pocket of the scan

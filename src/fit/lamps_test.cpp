@@ -135,10 +135,10 @@ TEST(Lamps, WindowThatIsHardlyBrighterThanWhiteIsFound)
     const scenes::ShiningPanel window{{{0.5f, 0.6f, 0.0f}, {3, 0, 0}, {0, 1.5f, 0}},
                                       glm::vec3(1.4f, 1.6f, 2.2f)};
     const scenes::LitBox box(LitRoom::kSize, {window}, LitRoom::albedo);
-    const FoundLamps lamps = lampsOf(
-        scenes::Surfaces(scenes::room(LitRoom::kSize, 96,
-                                      [&](glm::vec3 p, glm::vec3 n) { return box.photo(p, n); })),
-        {});
+    const FoundLamps lamps =
+        lampsOf(scenes::Surfaces(scenes::room(
+                    LitRoom::kSize, 96, [&](glm::vec3 p, glm::vec3 n) { return box.photo(p, n); })),
+                {});
     ASSERT_EQ(lamps.lamps.size(), 1u);
     const glm::vec3 ratio = powerOf(lamps.lamps[0]) / (4.5f * window.radiance);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0f, 0.1f) << "channel " << c;

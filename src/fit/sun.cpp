@@ -2,6 +2,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
+#include "lights/candidates.h"
 #include "lights/expand.shared.h"
 #include "shading/sampling.shared.h"
 
@@ -26,10 +27,7 @@ constexpr int kPatchesOfDisc = 32;
 constexpr float kOffSurface = 0.02f;  // m; a scan's error
 constexpr float kGrazing = 0.15f;     // cosine; below, an edge is too far off
 constexpr float kLeastHeight = 0.03f; // of the direction; the sun is up
-constexpr float kUpright = 0.7f;      // upward part of a pane's normal, less
-constexpr float kFlat = 0.9f;         // length of a mean normal
 constexpr float kOneSided = 0.7f;     // of sunlight on a floor and a chair; half a shade has 0.64
-constexpr float kLeastPane = 0.1f;    // m^2
 constexpr float kLeastPatch = 0.03f;  // m^2
 constexpr float kWhitePaper = 0.75f;  // albedo
 constexpr float kExplained = 0.5f;    // radiance that lamps would give a burnt-out wall
@@ -51,9 +49,17 @@ constexpr float kHardlyClipped = 0.1f;
 constexpr float kSamePlaneFacing = 0.97f; // cosine
 constexpr float kSamePlane = 0.05f;       // m
 constexpr float kLeastShade = 0.02f;      // albedo of what pairs with the patch
+constexpr float kBeside = 0.1f;           // m; nearer does not count more
+constexpr float kDisagree = 0.5f;         // of the irradiance; what is so far apart tells little
+constexpr size_t kFewSites = 20;          // that tell little
 
 /// What the light that is known makes of a surfel.
 enum class Look : uint8_t { other, dark, bright };
+
+/// What tells how bright the sun is on a bright surfel, the better first: what the texture shows;
+/// what it was fitted with as a lamp, for its bounce lights the room like one; no less than white.
+enum class Evidence : uint8_t { plain, lamp, white };
+constexpr size_t kEvidences = 3;
 
 /// A surfel that stands for an area.
 struct Site
@@ -138,7 +144,12 @@ private:
     [[nodiscard]] Match matchOf(const View& view, glm::vec3 direction) const;
     [[nodiscard]] std::vector<glm::vec3> finalists(const Patch& patch) const;
     [[nodiscard]] std::pair<glm::vec3, Match> refined(const Patch& patch, glm::vec3 start) const;
-    [[nodiscard]] Sun measured(const Patch& patch, glm::vec3 direction) const;
+    [[nodiscard]] Evidence evidenceOf(uint32_t s) const;
+    [[nodiscard]] Evidence evidenceOf(const Patch& patch) const;
+    [[nodiscard]] glm::vec3 sentBy(uint32_t s) const;
+    [[nodiscard]] std::optional<glm::vec3> albedoBeside(uint32_t s,
+                                                        std::span<const Site> shade) const;
+    [[nodiscard]] Sun measured(std::span<const Patch> patches, glm::vec3 direction) const;
     [[nodiscard]] glm::vec3 irradianceOn(uint32_t s) const;
 
     const Surfels& surfels_;
@@ -149,25 +160,6 @@ private:
     std::vector<int32_t> lamp_; // of surfels; -1 for none
     std::vector<Look> look_;
 };
-
-glm::vec3 meanNormalOf(const FoundLamp& lamp)
-{
-    float area = 0.0f;
-    glm::vec3 normal(0.0f);
-    for (const ClippedPatch& patch : lamp.patches) {
-        normal += patch.area * patch.normal;
-        area += patch.area;
-    }
-    return normal / std::max(area, 1e-9f);
-}
-
-bool isPane(const FoundLamp& lamp)
-{
-    float area = 0.0f;
-    for (const ClippedPatch& patch : lamp.patches) area += patch.area;
-    const glm::vec3 normal = meanNormalOf(lamp);
-    return area > kLeastPane && glm::length(normal) > kFlat && std::abs(normal.y) < kUpright;
-}
 
 /// Whether it hardly sees a front: a sofa's end that stands through the wall is in nobody's room.
 bool isOutdoors(const HitLists& hits, uint32_t s)
@@ -186,7 +178,7 @@ SunSearch::SunSearch(const Texels& texels, const RayScene& outside, const HitLis
 {
     std::vector<uint8_t> isRound(found.lamps.size(), 0);
     for (size_t f = 0; f < found.lamps.size(); ++f) {
-        isRound[f] = glm::length(meanNormalOf(found.lamps[f])) < kOneSided ? 1 : 0;
+        isRound[f] = glm::length(candidateOf(found.lamps[f].patches).normal) < kOneSided ? 1 : 0;
         for (const ClippedPatch& patch : found.lamps[f].patches)
             if (patch.surfel != Surfels::kNone) lamp_[patch.surfel] = static_cast<int32_t>(f);
     }
@@ -358,44 +350,60 @@ std::pair<glm::vec3, Match> SunSearch::refined(const Patch& patch, glm::vec3 sta
     return best;
 }
 
-/// Irradiance by pairs of one plane: what the sun must add where it shines, for the patch to have
-/// the albedo of what lies around it.
-Sun SunSearch::measured(const Patch& patch, glm::vec3 direction) const
+Evidence SunSearch::evidenceOf(uint32_t s) const
 {
-    constexpr size_t kSites = 300;
-    const std::vector<Site> shade = someOf(surfels_, patch.around, kSites);
-    std::array<std::vector<float>, 3> wanted;
-    Sun sun{.direction = direction};
-    for (const Site& site : someOf(surfels_, patch.surfels, kSites)) {
-        const uint32_t s = site.surfel;
-        if (!seesOut(s, direction)) continue;
-        const bool isPlain = radiance_.plainArea[s] > radiance_.clippedArea[s];
-        const bool isLamp = !isPlain && lamp_[s] >= 0; // its light on the room tells
-        if (!isPlain && !isLamp) sun.determined = false;
-        const glm::vec3 sent = isPlain  ? radiance_.plain[s]
-                               : isLamp ? found_.lamps[static_cast<size_t>(lamp_[s])].radiance
-                                        : glm::vec3(1.0f);
-        glm::vec3 albedo(0.0f);
-        float count = 0.0f;
-        for (const Site& other : shade) {
-            const uint32_t n = other.surfel;
-            const glm::vec3 way = surfels_.position[n] - surfels_.position[s];
-            if (glm::dot(surfels_.normal[n], surfels_.normal[s]) < kSamePlaneFacing ||
-                std::abs(glm::dot(way, surfels_.normal[s])) > kSamePlane)
-                continue;
-            albedo += sides_.albedo[n];
-            count += 1.0f;
-        }
-        if (count == 0.0f) continue;
-        const glm::vec3 whole =
-            kPi * sent / glm::max(albedo / count, glm::vec3(kLeastShade)) - irradianceOn(s);
-        for (int c = 0; c < 3; ++c)
-            wanted[static_cast<size_t>(c)].push_back(whole[c] /
-                                                     glm::dot(surfels_.normal[s], direction));
+    if (radiance_.plainArea[s] > radiance_.clippedArea[s]) return Evidence::plain;
+    return lamp_[s] >= 0 ? Evidence::lamp : Evidence::white;
+}
+
+/// What most of its surfels are.
+Evidence SunSearch::evidenceOf(const Patch& patch) const
+{
+    std::array<float, kEvidences> area{};
+    for (const uint32_t s : patch.surfels)
+        area[static_cast<size_t>(evidenceOf(s))] += surfels_.area[s];
+    return static_cast<Evidence>(std::max_element(area.begin(), area.end()) - area.begin());
+}
+
+glm::vec3 SunSearch::sentBy(uint32_t s) const
+{
+    switch (evidenceOf(s)) {
+    case Evidence::plain:
+        return radiance_.plain[s];
+    case Evidence::lamp:
+        return found_.lamps[static_cast<size_t>(lamp_[s])].radiance;
+    case Evidence::white:
+        break;
     }
+    return glm::vec3(1.0f);
+}
+
+/// Albedo of what lies in the shade on the same plane, what is near above all.
+std::optional<glm::vec3> SunSearch::albedoBeside(uint32_t s, std::span<const Site> shade) const
+{
+    glm::vec3 sum(0.0f);
+    float weights = 0.0f;
+    for (const Site& other : shade) {
+        const uint32_t n = other.surfel;
+        const glm::vec3 way = surfels_.position[n] - surfels_.position[s];
+        if (glm::dot(surfels_.normal[n], surfels_.normal[s]) < kSamePlaneFacing ||
+            std::abs(glm::dot(way, surfels_.normal[s])) > kSamePlane)
+            continue;
+        const float weight = 1.0f / (glm::dot(way, way) + kBeside * kBeside);
+        sum += weight * sides_.albedo[n];
+        weights += weight;
+    }
+    if (weights == 0.0f) return std::nullopt;
+    return sum / weights;
+}
+
+/// What most values of each channel are about, with half the distance of their quartiles.
+Sun middleOf(std::array<std::vector<float>, 3>& wanted)
+{
+    Sun sun;
     for (int c = 0; c < 3; ++c) {
         std::vector<float>& values = wanted[static_cast<size_t>(c)];
-        if (values.empty()) return {.direction = direction, .determined = false};
+        if (values.empty()) continue;
         std::sort(values.begin(), values.end());
         sun.irradiance[c] = std::max(values[values.size() / 2], 0.0f);
         const float spread = values[3 * values.size() / 4] - values[values.size() / 4];
@@ -404,15 +412,50 @@ Sun SunSearch::measured(const Patch& patch, glm::vec3 direction) const
     return sun;
 }
 
+/// Irradiance by pairs of one plane: what the sun must add where it shines, for patches to have the
+/// albedo of what lies around them. Of all patches, for one alone may lie between unlike paints.
+Sun SunSearch::measured(std::span<const Patch> patches, glm::vec3 direction) const
+{
+    constexpr size_t kSites = 300;
+    std::array<std::array<std::vector<float>, 3>, kEvidences> wanted;
+    for (const Patch& patch : patches) {
+        const Evidence evidence = evidenceOf(patch);
+        const std::vector<Site> shade = someOf(surfels_, patch.around, kSites);
+        for (const Site& site : someOf(surfels_, patch.surfels, kSites)) {
+            const uint32_t s = site.surfel;
+            if (evidenceOf(s) != evidence || !seesOut(s, direction)) continue;
+            const std::optional<glm::vec3> albedo = albedoBeside(s, shade);
+            if (!albedo) continue;
+            const glm::vec3 whole =
+                kPi * sentBy(s) / glm::max(*albedo, glm::vec3(kLeastShade)) - irradianceOn(s);
+            for (int c = 0; c < 3; ++c)
+                wanted[static_cast<size_t>(evidence)][static_cast<size_t>(c)].push_back(
+                    whole[c] / glm::dot(surfels_.normal[s], direction));
+        }
+    }
+    std::optional<Sun> doubtful;
+    for (const Evidence evidence : {Evidence::plain, Evidence::lamp, Evidence::white}) {
+        auto& values = wanted[static_cast<size_t>(evidence)];
+        if (values[0].size() < kFewSites) continue;
+        Sun sun = middleOf(values);
+        sun.direction = direction;
+        sun.determined = evidence != Evidence::white;
+        if (!sun.determined || luminance(sun.error) < kDisagree) return sun;
+        if (!doubtful) doubtful = sun;
+    }
+    return doubtful.value_or(Sun{.direction = direction});
+}
+
 std::optional<Sun> SunSearch::run() const
 {
+    const std::vector<Patch> all = patches();
     std::optional<Sun> best;
     float most = kFits;
-    for (const Patch& patch : patches())
+    for (const Patch& patch : all)
         for (const glm::vec3 start : finalists(patch)) {
             const auto [direction, match] = refined(patch, start);
             if (match.score <= most || match.seesOut < kMostSeesOut) continue;
-            const Sun sun = measured(patch, direction);
+            const Sun sun = measured(all, direction);
             if (luminance(sun.irradiance) <= 0.0f) continue;
             best = sun;
             most = match.score;
@@ -420,48 +463,7 @@ std::optional<Sun> SunSearch::run() const
     return best;
 }
 
-/// Which triangles mostly show a pane.
-std::vector<uint8_t> trianglesOfPanes(const Texels& texels, const SurfelRadiance& radiance,
-                                      const FoundLamps& found)
-{
-    std::vector<uint8_t> isPaneSurfel(texels.surfels.count(), 0);
-    for (const FoundLamp& lamp : found.lamps)
-        if (isPane(lamp))
-            for (const ClippedPatch& patch : lamp.patches)
-                if (patch.surfel != Surfels::kNone) isPaneSurfel[patch.surfel] = 1;
-    std::vector<int32_t> excess(texels.facets.facets.size(), 0); // texels that do, less the others
-    for (size_t p = 0; p < texels.pages.size(); ++p) {
-        const PageTexels& page = texels.pages[p];
-        for (size_t run = 0; run + 1 < page.runs.size(); ++run)
-            for (size_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i) {
-                const bool isOfPane = isPaneSurfel[page.runs[run].surfel] != 0 &&
-                                      radiance.isClipped[p][page.pixel[i]] != 0;
-                excess[page.facet[i]] += isOfPane ? 1 : -1;
-            }
-    }
-    std::vector<uint8_t> isOfPane(texels.facets.triangles, 0);
-    for (size_t t = 0; t < isOfPane.size(); ++t) isOfPane[t] = excess[t] > 0 ? 1 : 0;
-    return isOfPane;
-}
-
 } // namespace
-
-RayScene sceneWithoutPanes(const Texels& texels, const SurfelRadiance& radiance,
-                           const FoundLamps& found)
-{
-    const std::vector<uint8_t> isOfPane = trianglesOfPanes(texels, radiance, found);
-    Scan rest; // its geometry alone
-    for (size_t m = 0; m < texels.scan->meshes.size(); ++m) {
-        const Mesh& whole = texels.scan->meshes[m];
-        Mesh mesh;
-        mesh.positions = whole.positions;
-        for (size_t t = 0; t < whole.triangles.size(); ++t)
-            if (isOfPane[texels.facets.firstOfMesh[m] + t] == 0)
-                mesh.triangles.push_back(whole.triangles[t]);
-        rest.meshes.push_back(std::move(mesh));
-    }
-    return RayScene(rest);
-}
 
 std::vector<ClippedPatch> sunDisc(const Sun& sun, const Scan& scan)
 {

@@ -13,11 +13,6 @@
 namespace relamp
 {
 
-/// The scan's surface as the sun sees it: lamps that stand upright, as window panes do, let it
-/// through.
-RayScene sceneWithoutPanes(const Texels& texels, const SurfelRadiance& radiance,
-                           const FoundLamps& found);
-
 /// The sun as a piece of lamp far beyond the scan, a disc of its angular size. Its radiance is
 /// sunRadiance(sun).
 std::vector<ClippedPatch> sunDisc(const Sun& sun, const Scan& scan);

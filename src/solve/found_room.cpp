@@ -4,6 +4,7 @@
 #include "albedo/fill.h"
 #include "fit/given_lamps.h"
 #include "fit/lamp_groups.h"
+#include "fit/outside.h"
 #include "lights/candidates.h"
 #include "lights/fixtures.h"
 #include "lights/surfel_radiance.h"
