@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -139,8 +140,9 @@ void settle(const FoundLamps& all, const Texels& texels, const RayScene& scene,
     room.shines = shinesOf(room);
     room.sides = sidesOf(texels, scene, room);
     if (given && !given->sun) return;
-    FoundLamps panes = all;
-    panes.lamps.insert(panes.lamps.end(), room.found.lamps.begin(), room.found.lamps.end());
+    FoundLamps panes; // may be
+    for (const FoundLamps* lamps : {&all, &std::as_const(room.found)})
+        for (const FoundLamp& lamp : lamps->lamps) panes.lamps.push_back({.patches = lamp.patches});
     RayScene outside = sceneWithoutPanes(texels, room.radiance, panes);
     const std::optional<Sun> sun =
         given ? given->sun
