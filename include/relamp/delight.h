@@ -22,7 +22,7 @@ namespace relamp
 
 struct AlbedoOptions
 {
-    float darkest = 0.02f; // radiance; a weaker shading is raised to this before dividing, > 0
+    float darkest = 0.02f; // radiance, > 0; a weaker shading is raised to this first, in its hue
     bool fill = false;     // what is unlit gets the albedo of the surface around it, and by the
                            // thesis solver what is burnt out: others see to that by themselves
 

@@ -1,5 +1,6 @@
 #include "albedo/divide.h"
 
+#include "albedo/divide.shared.h"
 #include "base/half.h"
 
 #include <gtest/gtest.h>
@@ -49,6 +50,18 @@ TEST(Divide, NothingIsWhiterThanPaperAndItsHueIsKept)
 TEST(Divide, NeverDividesByLessThanTheDarkestShading)
 {
     EXPECT_NEAR(divideOne(0.01f, 0.0f, 0.0f, 0.1f), 0.1f, 1e-3f);
+}
+
+// What a warm lamp hardly reaches is no bluer for that; only a channel without any light is noise.
+TEST(Divide, DarkShadingIsRaisedInItsOwnHue)
+{
+    const glm::vec3 shading(0.005f, 0.003f, 0.0f);
+    const glm::vec3 albedo = dividedByShading(0.4f * shading, shading, 0.02f);
+    EXPECT_NEAR(albedo.r, 0.1f, 1e-3f);
+    EXPECT_NEAR(albedo.g, 0.1f, 1e-3f);
+    EXPECT_EQ(albedo.b, 0.0f);
+    const glm::vec3 noise = dividedByShading(glm::vec3(0.0f, 0.0f, 0.002f), shading, 0.02f);
+    EXPECT_NEAR(noise.b, 0.5f, 1e-3f); // by a fifth of the brightest
 }
 
 } // namespace relamp
