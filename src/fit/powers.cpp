@@ -23,6 +23,8 @@ constexpr double kLeastIrradiance = 1e-3; // what no measured place falls below
 constexpr double kSmallest = -4.0;        // log radiance
 constexpr double kLargest = 12.0;
 constexpr double kFarFromWhite = 1.0; // log radiance; beyond, the prior hardly pulls any more
+constexpr double kBehindHoles = .3;   // of the median radiance: what scanners miss lies in shade
+constexpr double kHolesWeight = 2.0;  // of that prior, times that of a lamp
 constexpr double kUsualAlbedo = 0.35; // of a room, mean of logarithms
 constexpr double kLevelWeight = 4e-4; // of that, in pairs' squared residuals a pair
 constexpr double kNever = 1e6;        // squared; the channels of a lamp are always pulled together
@@ -140,7 +142,7 @@ Channel::Channel(const FitData& data, std::span<const MaterialPair> pairs,
     }
     wanted_.resize(data.lamps, 0.0);
     const auto end = logRadiance_.begin() + static_cast<ptrdiff_t>(data.places());
-    wanted_.push_back(medianOf({logRadiance_.begin(), end})); // behind holes it is as in the room
+    wanted_.push_back(medianOf({logRadiance_.begin(), end}) + std::log(kBehindHoles));
     log_ = wanted_;
     if (options.start.empty() && !pairs.empty())
         for (size_t f = 0; f < data.lamps; ++f) log_[f] = std::max(log_[f], firstGuess(f));
@@ -261,10 +263,10 @@ void Channel::addAlike(Squares& squares) const
 /// with the distance would hold two dozen small spots back.
 void Channel::addPrior(Squares& squares) const
 {
-    const double weight = prior_ * prior_;
     const Eigen::Index last = squares.rows() - 1;
     for (Eigen::Index f = 0; f < last; ++f) {
         const auto u = static_cast<size_t>(f);
+        const double weight = prior_ * prior_ * (u < data_.lamps ? 1.0 : kHolesWeight);
         const Robust step(log_[u] - wanted_[u], farFromPrior_);
         squares(f, f) += weight * step.slope * step.slope;
         squares(last, f) += weight * step.slope * step.value;

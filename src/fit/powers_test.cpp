@@ -1,5 +1,6 @@
 #include "fit/powers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -123,6 +124,18 @@ TEST(Powers, WhatTheDataLeaveOpenIsWhiteAndSaysSo)
     EXPECT_GT(powers.logError[1].g, 10.0f * powers.logError[0].g);
     EXPECT_LT(powers.told[1], 0.05f);
     EXPECT_GT(powers.told[0], 0.95f);
+}
+
+// What scanners miss lies behind things and under them.
+TEST(Powers, WhatLiesBehindHolesIsDarkerThanTheRoomWhereTheDataLeaveItOpen)
+{
+    Floor floor({{40, 30, 20}}, 0.0f, 0.0f);
+    for (float& missed : floor.data.missed) missed = 0.0f;
+    const glm::vec3 ambient = fitPowers(floor.data, floor.pairs).ambient;
+    std::vector<float> greens;
+    for (const glm::vec3 radiance : floor.data.radiance) greens.push_back(radiance.g);
+    std::sort(greens.begin(), greens.end());
+    EXPECT_NEAR(ambient.g, 0.3f * greens[greens.size() / 2], 0.02f * ambient.g);
 }
 
 TEST(Powers, AChannelThatTheDataLeaveOpenIsAsBrightAsTheLamp)
