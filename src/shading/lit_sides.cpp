@@ -108,8 +108,12 @@ std::vector<glm::vec3> withoutNoise(const Surfels& surfels, std::span<const glm:
 {
     std::vector<glm::vec3> result = meanOfNeighbors(surfels, values);
     forEach(result.size(), [&](size_t s) {
+        const std::span around = surfels.neighborsOf(s); // with itself
+        float squaredNoise = 0.0f;
+        for (const uint32_t n : around) squaredNoise += noise[n] * noise[n];
+        squaredNoise /= static_cast<float>(around.size());
         const glm::vec3 way = result[s] - values[s];
-        result[s] = values[s] + shareOfNoise(luminance(glm::abs(way)), noise[s]) * way;
+        result[s] = values[s] + shareOfNoise(luminance(glm::abs(way)), squaredNoise) * way;
     });
     return result;
 }

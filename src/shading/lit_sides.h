@@ -43,7 +43,7 @@ void addDirect(std::span<const AreaSample> ofLamp, glm::vec3 radiance,
                std::span<glm::vec3> irradiance);
 
 /// Draws every surfel's value towards the mean around it, all the way where their difference may be
-/// `noise`, the standard error of its luminance.
+/// `noise`, the standard errors of luminance.
 std::vector<glm::vec3> withoutNoise(const Surfels& surfels, std::span<const glm::vec3> values,
                                     std::span<const float> noise);
 

@@ -8,6 +8,7 @@ SHARED_BEGIN
 
 const int kLitSidesRounds = 4;           // until what is burnt out and backs are settled
 const int kExcessSmoothings = 3;         // of light from what sends more than white
+SHARED_CONST kLikelyNoise = 1.5f;        // standard errors
 SHARED_CONST kMostRadiance = 10.0f;      // of a wall beside a lamp
 SHARED_CONST kHardlyOut = 0.8f;          // a mean: below, hardly a texel of it is burnt out
 SHARED_CONST kAlbedoOfTheUnknown = 0.7f; // of a surfel that is burnt out all over
@@ -29,10 +30,11 @@ SHARED_FN vec3 burntOutRadiance(vec3 albedo, vec3 irradiance, vec3 shown)
 
 // How far a value is drawn towards the mean around it: all the way where that may be its noise.
 // `step`: the luminance of how far the mean is away in each channel; another colour that is as
-// bright is no noise.
-SHARED_FN float shareOfNoise(float step, float noise)
+// bright is no noise. `squaredNoise`: the mean of the squared standard errors around. That of the
+// value alone, of a few rays, is a guess, and the lower the darker what they met by chance.
+SHARED_FN float shareOfNoise(float step, float squaredNoise)
 {
-    const float variance = noise * noise;
+    const float variance = kLikelyNoise * kLikelyNoise * squaredNoise;
     return variance / max(step * step, variance + 1e-12f);
 }
 

@@ -7,9 +7,11 @@
 
 ARGUMENTS(IndirectArguments)
 
-vec3 evenAt(uint surfel)
+// w: noise
+vec4 evenAt(uint surfel)
 {
-    return arguments.even.at[surfel].rgb + arguments.ambient * arguments.missed.at[surfel];
+    const vec4 even = arguments.even.at[surfel]; // whole: see docs/dev/gpu.md
+    return even + vec4(arguments.ambient * arguments.missed.at[surfel], 0.0);
 }
 
 void main()
@@ -19,11 +21,16 @@ void main()
     const uint begin = arguments.firstNeighbor.at[surfel];
     const uint end = arguments.firstNeighbor.at[surfel + 1];
     vec3 sum = vec3(0.0);
-    for (uint i = begin; i < end; ++i) sum += evenAt(arguments.neighbor.at[i]);
-    const vec3 own = evenAt(surfel);
-    const vec3 way = sum / float(end - begin) - own;
-    const vec4 gathered = arguments.even.at[surfel]; // whole: see docs/dev/gpu.md
-    const float share = shareOfNoise(luminance(abs(way)), gathered.w);
+    float squaredNoise = 0.0;
+    for (uint i = begin; i < end; ++i) {
+        const vec4 even = evenAt(arguments.neighbor.at[i]);
+        sum += even.rgb;
+        squaredNoise += even.w * even.w;
+    }
+    const float around = float(end - begin);
+    const vec3 own = evenAt(surfel).rgb;
+    const vec3 way = sum / around - own;
+    const float share = shareOfNoise(luminance(abs(way)), squaredNoise / around);
     arguments.irradiance.at[surfel] =
         vec4(own + share * way + arguments.excess.at[surfel].rgb, arguments.lit.at[surfel]);
 }

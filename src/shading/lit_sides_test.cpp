@@ -154,6 +154,19 @@ TEST(LitSides, AnotherColorIsNoNoise)
     EXPECT_GT(even[dark].b, 0.2995f);
 }
 
+// A few rays that all met the dark by chance agree, and would be sure of it by themselves.
+TEST(LitSides, RaysThatAgreeByChanceAreAsNoisyAsThoseAround)
+{
+    const scenes::Surfaces box(scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f))));
+    const Surfels& surfels = box.texels.surfels;
+    std::vector<glm::vec3> light(surfels.count(), glm::vec3(0.3f));
+    std::vector<float> noise(surfels.count(), 0.1f);
+    const size_t dark = surfels.count() / 2;
+    light[dark] = glm::vec3(0.2f);
+    noise[dark] = 0.0f;
+    EXPECT_GT(withoutNoise(surfels, light, noise)[dark].g, 0.28f);
+}
+
 TEST(LitSides, IndirectOfAFurnaceIsWhatItsWallsSend)
 {
     const scenes::Surfaces box(scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f))));
