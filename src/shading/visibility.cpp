@@ -12,8 +12,11 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kProbes = 16;      // of a surfel, at most
-constexpr float kProbeReach = 1.6f; // steps between probes
+constexpr size_t kProbes = 16;       // of a surfel, at most
+constexpr float kProbeReach = 1.4f;  // steps between probes
+constexpr float kUsualShare = 0.33f; // of all light at a place: such a lamp gets the usual rays
+constexpr float kFewestRays = 0.5f;  // of these
+constexpr float kMostRays = 2.0f;
 constexpr auto kAll = static_cast<uint8_t>(kShareOfAll);
 constexpr auto kUnknown = static_cast<uint8_t>(kShareUnknown);
 
@@ -58,6 +61,19 @@ void shareKernel(const ShareArgs& args)
     }
 }
 
+/// Rays to a lamp from each probe of every surfel: where it would bring little beside the other
+/// light, what they err by hardly shows.
+std::vector<uint32_t> raysOfSurfels(size_t surfels, size_t raysPerProbe,
+                                    std::span<const float> openShare)
+{
+    std::vector<uint32_t> rays(surfels, static_cast<uint32_t>(raysPerProbe));
+    for (size_t s = 0; s < openShare.size(); ++s) {
+        const float factor = std::clamp(openShare[s] / kUsualShare, kFewestRays, kMostRays);
+        rays[s] = static_cast<uint32_t>(std::ceil(factor * static_cast<float>(raysPerProbe)));
+    }
+    return rays;
+}
+
 } // namespace
 
 Visibility::Visibility(const Texels& texels, const RayScene& scene,
@@ -73,12 +89,14 @@ Visibility::Visibility(const Texels& texels, const RayScene& scene,
 
 void Visibility::add(const RayScene& scene, const AreaLight& lamp,
                      std::span<const AreaSample> coarse, size_t raysPerProbe,
-                     const TexelMarks& inShade)
+                     std::span<const float> openShare, const TexelMarks& inShade)
 {
+    const std::vector<uint32_t> rays =
+        raysOfSurfels(texels_.surfels.count(), raysPerProbe, openShare);
     states_.push_back(seenBySurfels(texels_.surfels, coarse));
-    shares_.push_back(look(lamp, states_.back(), scene, raysPerProbe));
+    shares_.push_back(look(lamp, states_.back(), scene, rays));
     if (!inShade.empty()) darken(inShade, shares_.back());
-    drawTogether(states_.back(), raysPerProbe, shares_.back());
+    drawTogether(states_.back(), rays, shares_.back());
 }
 
 void Visibility::placeProbes()
@@ -105,7 +123,7 @@ void Visibility::placeProbes()
 }
 
 std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const Seen> states,
-                                      const RayScene& scene, size_t rays) const
+                                      const RayScene& scene, std::span<const uint32_t> rays) const
 {
     std::vector<uint8_t> shares(x_.size(), kUnknown);
     forEachChunk(states.size(), 64, [&](size_t begin, size_t end) {
@@ -116,7 +134,8 @@ std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const See
             if (states[s] != Seen::some) continue;
             for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {
                 const TexelSite site = sites_.at(s, probe - firstProbe_[s]);
-                sampler.add({&site, 1}, rays, hashedShift(probe, 0), samples[probe - firstProbe]);
+                sampler.add({&site, 1}, rays[s], hashedShift(probe, 0),
+                            samples[probe - firstProbe]);
             }
         }
         sampler.finish();
@@ -140,7 +159,7 @@ void Visibility::darken(const TexelMarks& inShade, std::vector<uint8_t>& shares)
 
 /// Draws every probe towards the mean around it, all the way where their difference may be the
 /// noise of few rays: a wide penumbra becomes smooth, an edge stays.
-void Visibility::drawTogether(std::span<const Seen> states, size_t rays,
+void Visibility::drawTogether(std::span<const Seen> states, std::span<const uint32_t> rays,
                               std::vector<uint8_t>& shares) const
 {
     const Surfels& surfels = texels_.surfels;
@@ -156,10 +175,10 @@ void Visibility::drawTogether(std::span<const Seen> states, size_t rays,
         }
         if (count > 0.0f) mean[s] = sum / count;
     }
-    const auto n = static_cast<float>(rays);
     forEachChunk(states.size(), 256, [&](size_t begin, size_t end) {
         for (size_t s = begin; s < end; ++s) {
             if (states[s] != Seen::some) continue;
+            const auto n = static_cast<float>(rays[s]);
             float around = 0.0f;
             float count = 0.0f;
             for (const uint32_t other : surfels.neighborsOf(s)) {

@@ -34,10 +34,13 @@ public:
     Visibility(const Texels& texels, const RayScene& scene, std::span<const AreaLight> lamps,
                std::span<const std::vector<AreaSample>> coarse, const VisibilityOptions& options);
 
-    /// One more lamp, which comes last; `scene` is what stands before it. Texels that `inShade`
-    /// marks, if there are such marks, see nothing of it.
+    /// One more lamp, which comes last; `scene` is what stands before it. `openShare[surfel]`,
+    /// where it is known: what the lamp would bring with nothing in the way, of all the light
+    /// there; the more, the more rays. Texels that `inShade` marks, if there are such marks, see
+    /// nothing of it.
     void add(const RayScene& scene, const AreaLight& lamp, std::span<const AreaSample> coarse,
-             size_t raysPerProbe, const TexelMarks& inShade = {});
+             size_t raysPerProbe, std::span<const float> openShare = {},
+             const TexelMarks& inShade = {});
 
     /// Share, 0..1, of a lamp that texels [first, end) of a block see, all of one surfel. False
     /// where they see nothing of it. May write up to a group of lanes behind `end`.
@@ -66,10 +69,11 @@ public:
 private:
     void placeProbes();
     [[nodiscard]] std::vector<uint8_t> look(const AreaLight& lamp, std::span<const Seen> states,
-                                            const RayScene& scene, size_t rays) const;
+                                            const RayScene& scene,
+                                            std::span<const uint32_t> rays) const;
     void darken(const TexelMarks& inShade, std::vector<uint8_t>& shares) const;
 
-    void drawTogether(std::span<const Seen> states, size_t rays,
+    void drawTogether(std::span<const Seen> states, std::span<const uint32_t> rays,
                       std::vector<uint8_t>& shares) const;
 
     const Texels& texels_;

@@ -18,14 +18,23 @@ constexpr glm::vec3 kUp(0, 1, 0);
 constexpr float kLamp = 0.5f;   // m, side of the lamp
 constexpr float kHeight = 2.0f; // of the lamp over the floor
 
-/// A lamp that is no part of the scan, facing down, its centre above (x, z).
+/// Every second bit of a number, the lowest first.
+int everySecondBit(int bits)
+{
+    int result = 0;
+    for (int bit = 0; bit < 8; ++bit) result |= (bits >> 2 * bit & 1) << bit;
+    return result;
+}
+
+/// A lamp that is no part of the scan, facing down, its centre above (x, z). Its patches lie along
+/// a space-filling curve, as those of a scan do.
 AreaLight lampOver(float x, float z)
 {
     constexpr int kCells = 16;
     std::vector<ClippedPatch> patches;
     for (int i = 0; i < kCells * kCells; ++i) {
-        const float u = (static_cast<float>(i % kCells) + 0.5f) / kCells - 0.5f;
-        const float v = (static_cast<float>(i / kCells) + 0.5f) / kCells - 0.5f;
+        const float u = (static_cast<float>(everySecondBit(i)) + 0.5f) / kCells - 0.5f;
+        const float v = (static_cast<float>(everySecondBit(i >> 1)) + 0.5f) / kCells - 0.5f;
         patches.push_back(
             {{x + kLamp * u, kHeight, z + kLamp * v}, -kUp, kLamp * kLamp / (kCells * kCells), 0});
     }
@@ -138,7 +147,7 @@ TEST(Visibility, MarkedTexelsSeeNothing)
     for (uint32_t s = 0; s < surfels.count(); ++s)
         if (surfels.position[s].x < 2.0f) coarse[s].visible = 0.0f;
     Visibility visibility(floor.texels, floor.rays, {}, {}, {});
-    visibility.add(floor.rays, lamp, coarse, 16, inShade);
+    visibility.add(floor.rays, lamp, coarse, 16, {}, inShade);
     float before = 0.0f; // mean shares beside the edge
     float behind = 0.0f;
     float counts[2] = {};
@@ -148,6 +157,30 @@ TEST(Visibility, MarkedTexelsSeeNothing)
     });
     EXPECT_LT(before, 0.02f * counts[0]);
     EXPECT_GT(behind, 0.98f * counts[1]);
+}
+
+// Half as high as the lamp, the shelf throws a penumbra from x = 1.75 to 2.25.
+TEST(Visibility, RaysGoWhereALampBringsMuchOfTheLight)
+{
+    const std::vector<scenes::Panel> parts{kFloor, kShelf};
+    const scenes::Surfaces room(scenes::panels(parts, 64, scenes::plain(glm::vec3(0.5f))));
+    HitLists fronts;
+    for (uint32_t s = 0; s < room.texels.surfels.count(); ++s)
+        fronts.sideOfList.push_back(Side::front(s));
+    const AreaLight lamp = lampOver(2, 2);
+    const std::vector<AreaSample> coarse = directOfLists(room.texels, room.rays, fronts, {lamp});
+    const auto errorAt = [&](float openShare) {
+        const std::vector<float> shares(room.texels.surfels.count(), openShare);
+        Visibility visibility(room.texels, room.rays, {}, {}, {});
+        visibility.add(room.rays, lamp, coarse, 8, shares);
+        float sum = 0.0f;
+        forEachShare(room.texels, visibility, [&](glm::vec3 place, float share) {
+            const float exact = std::clamp((place.x - 1.75f) / kLamp, 0.0f, 1.0f);
+            if (std::abs(place.z - 2.0f) < 1.0f) sum += (share - exact) * (share - exact);
+        });
+        return sum;
+    };
+    EXPECT_LT(errorAt(1.0f), 0.8f * errorAt(0.0f));
 }
 
 TEST(Visibility, NothingInTheWayIsAll)

@@ -1,8 +1,10 @@
 #include "solve/resolve.h"
 
 #include "base/call_all.h"
+#include "base/parallel.h"
 #include "fit/lamp_groups.h"
 #include "fit/shade.h"
+#include "lights/expand.shared.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,10 +14,26 @@ namespace relamp
 namespace
 {
 
+constexpr float kHardlyLit = 1e-3f; // irradiance
+
 std::vector<glm::vec3> indirectOf(const Texels& texels, const SolvedRoom& room)
 {
     const FoundRoom& found = room.found;
     return indirectOfFronts(texels.surfels, found.hits, found.sides, found.found.ambient);
+}
+
+/// What a lamp would bring to every surfel's front with nothing in the way, of all the light there.
+std::vector<float> openShares(const FoundRoom& room, std::span<const glm::vec3> indirect,
+                              std::span<const AreaSample> onSides, glm::vec3 radiance)
+{
+    std::vector<float> shares(indirect.size());
+    forEach(shares.size(), [&](size_t s) {
+        const Side side = Side::front(static_cast<uint32_t>(s));
+        const auto front = static_cast<size_t>(room.hits.listOfSide[side.index]);
+        const float all = luminance(room.sides.direct[front] + indirect[s]);
+        shares[s] = onSides[front].open * luminance(radiance) / std::max(all, kHardlyLit);
+    });
+    return shares;
 }
 
 std::shared_ptr<const GatheredLight> lightOf(const Texels& texels, const RayScene& scene,
@@ -30,11 +48,14 @@ std::shared_ptr<const GatheredLight> lightOf(const Texels& texels, const RayScen
         const AreaLight area(lamp.patches);
         const size_t singles = singlesOf(lamp).size();
         lamps.push_back({LampPatches(area), lamp.radiance});
-        visibility->add(scene, area, lamp.onSides, rays * raysToGroup(singles));
+        visibility->add(scene, area, lamp.onSides, rays * raysToGroup(singles),
+                        openShares(room, indirect, lamp.onSides, lamp.radiance));
     }
     if (const auto& sun = room.sun) {
-        lamps.push_back({LampPatches(sun->disc), sunRadiance(sun->sun)});
-        visibility->add(*sun->outside, sun->disc, sun->onSides, rays, sun->inShade);
+        const glm::vec3 radiance = sunRadiance(sun->sun);
+        lamps.push_back({LampPatches(sun->disc), radiance});
+        visibility->add(*sun->outside, sun->disc, sun->onSides, rays,
+                        openShares(room, indirect, sun->onSides, radiance), sun->inShade);
     }
     return std::make_shared<const GatheredLight>(
         GatheredLight{std::move(lamps), visibility, std::move(indirect)});
