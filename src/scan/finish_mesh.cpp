@@ -2,10 +2,11 @@
 
 #include "base/fail.h"
 #include "base/parallel.h"
+#include "scan/even_normals.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <span>
 
 #include <glm/geometric.hpp>
 
@@ -15,8 +16,8 @@ namespace
 {
 
 constexpr float kCosOfCrease = 0.7071f;
-constexpr uint32_t kMostFacesToSmooth = 64; // a fan with more is no surface; keeps the cost linear
-constexpr float kLargestCoordinate = 1e6f;  // metres; beyond, floats cannot hold a room's detail
+constexpr float kNoise = 0.01f;            // rad; no model leans by as much, and any scan by more
+constexpr float kLargestCoordinate = 1e6f; // metres; beyond, floats cannot hold a room's detail
 
 bool isUsable(const glm::vec3& p)
 {
@@ -107,72 +108,82 @@ void dropUnusedVertices(Mesh& mesh, std::vector<glm::vec3>& normals)
     for (glm::uvec3& t : mesh.triangles) t = {newIndex[t.x], newIndex[t.y], newIndex[t.z]};
 }
 
-/// For every vertex, the lowest index of those at the same place.
-std::vector<uint32_t> weld(const std::vector<glm::vec3>& positions)
+struct Faces
 {
-    std::vector<uint32_t> order(positions.size());
-    std::iota(order.begin(), order.end(), 0u);
-    const auto key = [&](uint32_t i) {
-        const glm::vec3& p = positions[i];
-        return std::tuple(p.x, p.y, p.z);
-    };
-    std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-        return std::tuple(key(a), a) < std::tuple(key(b), b);
-    });
-    std::vector<uint32_t> first(positions.size());
-    for (size_t i = 0; i < order.size(); ++i) {
-        const bool same = i > 0 && key(order[i]) == key(order[i - 1]);
-        first[order[i]] = same ? first[order[i - 1]] : order[i];
+    std::vector<glm::vec3> normals; // unit
+    std::vector<float> area;        // m^2
+};
+
+Faces facesOf(const Mesh& mesh)
+{
+    Faces faces;
+    for (const glm::uvec3& triangle : mesh.triangles) {
+        const glm::vec3 area = areaVector(mesh, triangle);
+        faces.area.push_back(glm::length(area));
+        faces.normals.push_back(area / faces.area.back());
     }
-    return first;
+    return faces;
 }
 
-void smoothNormals(Mesh& mesh)
+/// Normals of corners: of the faces around, except over edges sharper than a crease.
+std::vector<glm::vec3> smoothed(std::span<const glm::vec3> normals, std::span<const float> area,
+                                const VertexFans& fans)
 {
-    const std::vector<uint32_t> vertexOf = weld(mesh.positions);
-    std::vector<uint32_t> begin(mesh.positions.size() + 1, 0); // of the faces around each vertex
-    for (const glm::uvec3& t : mesh.triangles)
-        for (int c = 0; c < 3; ++c) ++begin[vertexOf[t[c]] + 1];
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<uint32_t> faces(3 * mesh.triangles.size());
-    std::vector<uint32_t> next(begin.begin(), begin.end() - 1);
-    for (uint32_t i = 0; i < mesh.triangles.size(); ++i)
-        for (int c = 0; c < 3; ++c) faces[next[vertexOf[mesh.triangles[i][c]]]++] = i;
-
-    std::vector<glm::vec3> areas(mesh.triangles.size());
-    std::vector<glm::vec3> flat(mesh.triangles.size());
-    for (size_t i = 0; i < areas.size(); ++i) {
-        areas[i] = areaVector(mesh, mesh.triangles[i]);
-        flat[i] = glm::normalize(areas[i]);
-    }
-    mesh.normals.resize(3 * mesh.triangles.size());
-    forEachChunk(mesh.triangles.size(), 4096, [&](size_t first, size_t last) {
-        for (size_t i = first; i < last; ++i)
+    std::vector<glm::vec3> corners(3 * normals.size());
+    forEachChunk(normals.size(), 4096, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i)
             for (int c = 0; c < 3; ++c) {
-                const uint32_t vertex = vertexOf[mesh.triangles[i][c]];
-                const bool isFan = begin[vertex + 1] - begin[vertex] > kMostFacesToSmooth;
-                glm::vec3 sum = areas[i];
-                for (uint32_t f = begin[vertex]; f < begin[vertex + 1] && !isFan; ++f)
-                    if (faces[f] != i && glm::dot(flat[faces[f]], flat[i]) > kCosOfCrease)
-                        sum += areas[faces[f]];
-                mesh.normals[3 * i + static_cast<size_t>(c)] = glm::normalize(sum);
+                glm::vec3 sum = area[i] * normals[i];
+                for (const uint32_t other : fans.around(i, c))
+                    if (other != i && glm::dot(normals[other], normals[i]) > kCosOfCrease)
+                        sum += area[other] * normals[other];
+                corners[3 * i + static_cast<size_t>(c)] = glm::normalize(sum);
             }
     });
+    return corners;
 }
 
-void takeNormals(Mesh& mesh, const std::vector<glm::vec3>& vertexNormals)
+/// Of the file, where they are on the near side of the surface; zero and NaN are not, and there the
+/// face knows better.
+void takeNormals(Mesh& mesh, std::span<const glm::vec3> vertexNormals,
+                 std::span<const glm::vec3> faces)
 {
     mesh.normals.resize(3 * mesh.triangles.size());
-    for (size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const glm::vec3 flat = glm::normalize(areaVector(mesh, mesh.triangles[i]));
+    for (size_t i = 0; i < mesh.triangles.size(); ++i)
         for (int c = 0; c < 3; ++c) {
             const glm::vec3 n = vertexNormals[mesh.triangles[i][c]];
             const float length = glm::length(n);
-            // Zero, NaN, or on the far side of the surface it belongs to: the face knows better.
-            const bool good = length > 1e-6f && glm::dot(n, flat) > 0.05f * length;
-            mesh.normals[3 * i + static_cast<size_t>(c)] = good ? n / length : flat;
+            const bool good = length > 1e-6f && glm::dot(n, faces[i]) > 0.05f * length;
+            mesh.normals[3 * i + static_cast<size_t>(c)] = good ? n / length : faces[i];
         }
+}
+
+/// Whether half of a surface leans by more than that from what lies around it.
+bool isNoisy(const Faces& faces, std::span<const glm::vec3> even)
+{
+    double noisy = 0.0;
+    double all = 0.0;
+    for (size_t i = 0; i < even.size(); ++i) {
+        const auto area = static_cast<double>(faces.area[i]);
+        if (glm::distance(even[i], faces.normals[i]) > kNoise) noisy += area;
+        all += area;
     }
+    return noisy > 0.5 * all;
+}
+
+/// Normals of corners. A reconstruction's are of its faces evened out, for the file's have the same
+/// noise.
+void findNormals(Mesh& mesh, std::span<const glm::vec3> vertexNormals)
+{
+    const VertexFans fans(mesh);
+    const Faces faces = facesOf(mesh);
+    const std::vector<glm::vec3> even = evenNormals(faces.normals, faces.area, fans);
+    if (isNoisy(faces, even))
+        mesh.normals = smoothed(even, faces.area, fans);
+    else if (vertexNormals.empty())
+        mesh.normals = smoothed(faces.normals, faces.area, fans);
+    else
+        takeNormals(mesh, vertexNormals, faces.normals);
 }
 
 } // namespace
@@ -184,7 +195,7 @@ void finishMesh(Mesh& mesh, std::vector<glm::vec3> vertexNormals, const std::str
     dropUnusable(mesh, warnings);
     if (vertexNormals.size() != mesh.positions.size()) vertexNormals.clear();
     if (mesh.page >= 0) dropUnusedVertices(mesh, vertexNormals);
-    vertexNormals.empty() ? smoothNormals(mesh) : takeNormals(mesh, vertexNormals);
+    findNormals(mesh, vertexNormals);
 }
 
 } // namespace relamp

@@ -57,6 +57,30 @@ TEST(FinishMesh, SmoothsOverABlunterEdgeAndCreasesAtASharperOneThan45Degrees)
     EXPECT_EQ(sharp.normals[0], glm::vec3(0, 1, 0));
 }
 
+// Reconstructions come with normals of the same noise as their faces.
+TEST(FinishMesh, NormalsOfANoisyFileGiveWayToItsFaces)
+{
+    constexpr uint32_t kAcross = 17; // vertices
+    Mesh wall;
+    wall.name = "wall";
+    std::vector<glm::vec3> normals;
+    for (uint32_t i = 0; i < kAcross * kAcross; ++i) {
+        const float error = i * 7919 % 13 < 6 ? 0.004f : -0.004f;
+        wall.positions.emplace_back(0.05f * static_cast<float>(i % kAcross), error,
+                                    0.05f * static_cast<float>(i / kAcross));
+        normals.push_back(glm::normalize(glm::vec3(100.0f * error, 1.0f, 0.0f)));
+    }
+    for (uint32_t i = 0; i + kAcross < kAcross * kAcross; ++i) {
+        if (i % kAcross + 1 == kAcross) continue;
+        wall.triangles.emplace_back(i, i + kAcross, i + 1);
+        wall.triangles.emplace_back(i + 1, i + kAcross, i + kAcross + 1);
+    }
+    finish(wall, normals);
+    float sum = 0.0f;
+    for (const glm::vec3 normal : wall.normals) sum += glm::distance(normal, glm::vec3(0, 1, 0));
+    EXPECT_LT(sum / static_cast<float>(wall.normals.size()), 0.1f); // the file's: 0.38
+}
+
 // The far corners belong to one face each, however smooth the edge is.
 TEST(FinishMesh, ANormalIsOfTheFacesAroundItsVertexAlone)
 {
