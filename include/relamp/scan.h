@@ -48,6 +48,8 @@ struct Mesh
     std::vector<glm::vec3> colors;     // of `positions`, linear, multiplies the page; may be empty
     std::vector<glm::uvec3> triangles; // counter-clockwise seen from the lit side
     std::vector<glm::vec3> normals;    // unit, one a triangle's corner: 3 * triangles
+    std::vector<glm::vec3> facings;    // unit, one a triangle, with the noise that was taken off
+                                       // `normals`; empty where none was
     size_t firstPixel = 0;             // on a page of vertices: pixel of vertex 0
 };
 

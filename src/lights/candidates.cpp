@@ -69,36 +69,48 @@ struct Plane
     }
 };
 
-/// The plane that holds most of the members' area, of a few tried. What lies on it counts more than
-/// what is near, or a plane between a panel and its ceiling would hold both.
+/// What lies on a plane. It counts more than what is near, or a plane between a panel and its
+/// ceiling would hold both.
+struct Held
+{
+    glm::vec3 normal{0.0f};   // times area
+    glm::vec3 position{0.0f}; // times area
+    float area = 0.0f;        // m^2
+};
+
+Held heldBy(const Plane& plane, const SurfelRadiance& radiance, const Members& members)
+{
+    Held held;
+    for (const uint32_t i : members) {
+        const ClippedPatch& patch = radiance.clipped[i];
+        if (!plane.holds(patch.position, patch.normal)) continue;
+        const float area = patch.area * plane.nearness(patch.position);
+        held.normal += area * patch.normal;
+        held.position += area * patch.position;
+        held.area += area;
+    }
+    return held;
+}
+
+/// The plane that holds most of the members' area, of a few tried.
 Plane largestPlane(const SurfelRadiance& radiance, const Members& members)
 {
     constexpr size_t kTried = 24;
+    constexpr int kRounds = 8;
+    const size_t tried = std::min(kTried, members.size());
     Plane best{};
     float most = -1.0f;
-    for (size_t t = 0; t < std::min(kTried, members.size()); ++t) {
-        const ClippedPatch& seed =
-            radiance.clipped[members[t * members.size() / std::min(kTried, members.size())]];
+    for (size_t t = 0; t < tried; ++t) {
+        const ClippedPatch& seed = radiance.clipped[members[t * members.size() / tried]];
         Plane plane{seed.normal, glm::dot(seed.position, seed.normal)};
-        float area = 0.0f;
-        for (int round = 0; round < 3; ++round) {
-            glm::vec3 normal(0.0f);
-            glm::vec3 position(0.0f);
-            area = 0.0f;
-            for (const uint32_t i : members) {
-                const ClippedPatch& patch = radiance.clipped[i];
-                if (!plane.holds(patch.position, patch.normal)) continue;
-                const float held = patch.area * plane.nearness(patch.position);
-                normal += held * patch.normal;
-                position += held * patch.position;
-                area += held;
-            }
-            if (area <= 0.0f) break;
-            plane.normal = glm::normalize(normal);
-            plane.offset = glm::dot(position / area, plane.normal);
+        Held held = heldBy(plane, radiance, members);
+        for (int round = 0; round < kRounds && held.area > 0.0f; ++round) {
+            plane.normal = glm::normalize(held.normal);
+            plane.offset = glm::dot(held.position / held.area, plane.normal);
+            held = heldBy(plane, radiance, members);
         }
-        if (area > most) {
-            most = area;
+        if (held.area > most) {
+            most = held.area;
             best = plane;
         }
     }

@@ -19,18 +19,30 @@ struct RunSum
     float clippedArea = 0.0f;
 };
 
-void add(const TexelBlock& block, size_t i, bool isClipped, RunSum& sum)
+/// The way that the surface of a texel faces. Where noise was taken off the normals, they lean
+/// across the edge between a lamp and its wall.
+glm::vec3 facingOf(const Texels& texels, uint32_t facet, glm::vec3 normal)
+{
+    const Facets& facets = texels.facets;
+    const uint32_t m = facets.facets[facet].mesh;
+    const std::vector<glm::vec3>& facings = texels.scan->meshes[m].facings;
+    if (facings.empty() || facet >= facets.triangles) return normal;
+    return facings[facet - facets.firstOfMesh[m]];
+}
+
+void addPlain(const TexelBlock& block, size_t i, RunSum& sum)
+{
+    sum.plain += block.area[i] * glm::vec3(block.r[i], block.g[i], block.b[i]);
+    sum.plainArea += block.area[i];
+}
+
+void addClipped(const TexelBlock& block, size_t i, glm::vec3 facing, RunSum& sum)
 {
     const float area = block.area[i];
-    if (isClipped) {
-        sum.position += area * glm::vec3(block.x[i], block.y[i], block.z[i]);
-        sum.normal += area * glm::vec3(block.nx[i], block.ny[i], block.nz[i]);
-        sum.clipped += area * glm::vec3(block.r[i], block.g[i], block.b[i]);
-        sum.clippedArea += area;
-    } else {
-        sum.plain += area * glm::vec3(block.r[i], block.g[i], block.b[i]);
-        sum.plainArea += area;
-    }
+    sum.position += area * glm::vec3(block.x[i], block.y[i], block.z[i]);
+    sum.normal += area * facing;
+    sum.clipped += area * glm::vec3(block.r[i], block.g[i], block.b[i]);
+    sum.clippedArea += area;
 }
 
 /// Sums of all runs of one page; marks its clipped pixels.
@@ -46,10 +58,13 @@ std::vector<RunSum> sumRuns(const Texels& texels, size_t p, std::vector<uint8_t>
             loader.load(begin, count, block);
             loader.loadArea(begin, count, block);
             for (size_t i = 0; i < count; ++i) {
-                const bool clipped =
-                    brightestChannel({block.r[i], block.g[i], block.b[i]}) >= burntOut;
-                if (clipped) isClipped[page.pixel[begin + i]] = 1;
-                add(block, i, clipped, sums[run]);
+                if (brightestChannel({block.r[i], block.g[i], block.b[i]}) < burntOut) {
+                    addPlain(block, i, sums[run]);
+                    continue;
+                }
+                isClipped[page.pixel[begin + i]] = 1;
+                const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
+                addClipped(block, i, facingOf(texels, page.facet[begin + i], normal), sums[run]);
             }
         });
     });

@@ -64,4 +64,16 @@ TEST(SurfelRadiance, PatchesAreWhereTheBurntOutTexelsAre)
     }
 }
 
+// Normals without a scan's noise lean across the edge of a lamp; what the lamp is cut by does not.
+TEST(SurfelRadiance, PatchesFaceTheWayTheScanDid)
+{
+    Scan scan = scenes::square(2.0f, 200, halfBurntOut());
+    const glm::vec3 leaning = glm::normalize(glm::vec3(0.2f, 1.0f, 0.0f));
+    for (Mesh& mesh : scan.meshes) mesh.facings.assign(mesh.triangles.size(), leaning);
+    const scenes::Surfaces floor(std::move(scan));
+    ASSERT_FALSE(floor.radiance.clipped.empty());
+    for (const ClippedPatch& patch : floor.radiance.clipped)
+        EXPECT_NEAR(glm::distance(patch.normal, leaning), 0.0f, 1e-5f);
+}
+
 } // namespace relamp

@@ -171,6 +171,16 @@ bool isNoisy(const Faces& faces, std::span<const glm::vec3> even)
     return noisy > 0.5 * all;
 }
 
+/// Means of the triangles' corners.
+std::vector<glm::vec3> facingsOf(std::span<const glm::vec3> corners)
+{
+    std::vector<glm::vec3> facings;
+    facings.reserve(corners.size() / 3);
+    for (size_t c = 0; c < corners.size(); c += 3)
+        facings.push_back(glm::normalize(corners[c] + corners[c + 1] + corners[c + 2]));
+    return facings;
+}
+
 /// Normals of corners. A reconstruction's are of its faces evened out, for the file's have the same
 /// noise.
 void findNormals(Mesh& mesh, std::span<const glm::vec3> vertexNormals)
@@ -178,12 +188,13 @@ void findNormals(Mesh& mesh, std::span<const glm::vec3> vertexNormals)
     const VertexFans fans(mesh);
     const Faces faces = facesOf(mesh);
     const std::vector<glm::vec3> even = evenNormals(faces.normals, faces.area, fans);
-    if (isNoisy(faces, even))
-        mesh.normals = smoothed(even, faces.area, fans);
-    else if (vertexNormals.empty())
+    if (vertexNormals.empty())
         mesh.normals = smoothed(faces.normals, faces.area, fans);
     else
         takeNormals(mesh, vertexNormals, faces.normals);
+    if (!isNoisy(faces, even)) return;
+    mesh.facings = facingsOf(mesh.normals);
+    mesh.normals = smoothed(even, faces.area, fans);
 }
 
 } // namespace

@@ -79,6 +79,18 @@ TEST(FinishMesh, NormalsOfANoisyFileGiveWayToItsFaces)
     float sum = 0.0f;
     for (const glm::vec3 normal : wall.normals) sum += glm::distance(normal, glm::vec3(0, 1, 0));
     EXPECT_LT(sum / static_cast<float>(wall.normals.size()), 0.1f); // the file's: 0.38
+
+    ASSERT_THAT(wall.facings, SizeIs(wall.triangles.size()));
+    const glm::uvec3 t = wall.triangles[5];
+    const glm::vec3 mean = glm::normalize(normals[t.x] + normals[t.y] + normals[t.z]);
+    EXPECT_NEAR(glm::distance(wall.facings[5], mean), 0.0f, 1e-6f);
+}
+
+TEST(FinishMesh, WhereNothingWasTakenOffThereIsNothingToKeep)
+{
+    Mesh blunt = hinge(40.0f);
+    finish(blunt);
+    EXPECT_THAT(blunt.facings, IsEmpty());
 }
 
 // The far corners belong to one face each, however smooth the edge is.
