@@ -27,6 +27,14 @@ constexpr int kRounds = 6;            // of weights that follow from the light b
 constexpr int kSteps = 12;            // of conjugate gradients in each
 constexpr float kDarkest = 1e-4f;
 
+// A thin dark line in the open is paint: a joint between tiles, a dot on a wallpaper.
+constexpr int kThin = 2;          // rings of neighbours that a line is narrower than twice
+constexpr float kNear = 0.1f;     // metres; what throws so thin a shadow is about that near
+constexpr float kOpen = 0.015f;   // share of a view that is so near: up to it nothing throws one,
+                                  // from twice that on it may
+constexpr float kShallow = 0.15f; // of log light: so deep a line may still be shade,
+constexpr float kDeep = 0.25f;    // and so deep a one is not
+
 /// Albedo as the light found makes it, in logarithms.
 struct Paint
 {
@@ -86,6 +94,10 @@ struct Sheet
     std::vector<int> surfel;
     std::vector<float> step;  // of brightness, from it to s
     std::vector<float> alike; // in colour
+
+    [[nodiscard]] size_t count() const { return first.size() - 1; }
+    [[nodiscard]] size_t begin(size_t s) const { return static_cast<size_t>(first[s]); }
+    [[nodiscard]] size_t end(size_t s) const { return static_cast<size_t>(first[s + 1]); }
 };
 
 Sheet sheetOf(const Surfels& surfels, std::span<const Paint> paint)
@@ -140,8 +152,8 @@ private:
 /// A step that paint would not make is light's.
 void Settling::weigh(Eigen::Index s)
 {
-    const auto begin = static_cast<size_t>(sheet_.first[static_cast<size_t>(s)]);
-    const auto end = static_cast<size_t>(sheet_.first[static_cast<size_t>(s) + 1]);
+    const size_t begin = sheet_.begin(static_cast<size_t>(s));
+    const size_t end = sheet_.end(static_cast<size_t>(s));
     float sum = paint_[static_cast<size_t>(s)].belief * static_cast<float>(end - begin - 1);
     float pull = 0.0f;
     for (size_t i = begin + 1; i < end; ++i) {
@@ -170,33 +182,84 @@ Eigen::VectorXf Settling::run()
     return std::move(lit_);
 }
 
-/// Shares of light, each the mean of a surfel and those around it: what comes and goes from surfel
-/// to surfel is a pattern.
-std::vector<float> sharesOf(const Sheet& sheet, const Eigen::VectorXf& lit)
+/// Logs of shares of light, each the mean of a surfel and those around it: what comes and goes from
+/// surfel to surfel is a pattern.
+std::vector<float> evened(const Sheet& sheet, const Eigen::VectorXf& lit)
 {
-    std::vector<float> shares(sheet.first.size() - 1);
-    forEach(shares.size(), [&](size_t s) {
+    std::vector<float> even(sheet.count());
+    forEach(even.size(), [&](size_t s) {
         float sum = 0.0f;
         float weights = 0.0f;
-        for (auto i = static_cast<size_t>(sheet.first[s]);
-             i < static_cast<size_t>(sheet.first[s + 1]); ++i) {
+        for (size_t i = sheet.begin(s); i < sheet.end(s); ++i) {
             sum += sheet.alike[i] * lit[sheet.surfel[i]];
             weights += sheet.alike[i];
         }
-        shares[s] = std::exp(std::min(sum / weights, kMostUneven));
+        even[s] = sum / weights;
     });
-    return shares;
+    return even;
+}
+
+/// Each the one of itself and those beside it that `pick` picks.
+template<class Pick>
+std::vector<float> picked(const Sheet& sheet, const std::vector<float>& values, const Pick& pick)
+{
+    std::vector<float> result(values);
+    forEach(result.size(), [&](size_t s) {
+        for (size_t i = sheet.begin(s); i < sheet.end(s); ++i)
+            result[s] = pick(result[s], values[static_cast<size_t>(sheet.surfel[i])]);
+    });
+    return result;
+}
+
+/// The values without what is dark and thin: a morphological closing.
+std::vector<float> closed(const Sheet& sheet, std::vector<float> values)
+{
+    const auto most = [](float a, float b) { return std::max(a, b); };
+    const auto least = [](float a, float b) { return std::min(a, b); };
+    for (int ring = 0; ring < kThin; ++ring) values = picked(sheet, values, most);
+    for (int ring = 0; ring < kThin; ++ring) values = picked(sheet, values, least);
+    return values;
+}
+
+/// How much of what a surfel sees is near it, 0..1.
+float nearness(const Surfels& surfels, const HitLists& hits, size_t surfel)
+{
+    const std::span<const HitTarget> targets = hits.targetsOf(surfel);
+    float sum = 0.0f;
+    for (const HitTarget target : targets) {
+        if (target.isNothing()) continue;
+        const glm::vec3 way = surfels.position[target.side().surfel()] - surfels.position[surfel];
+        sum += kNear * kNear / (kNear * kNear + glm::dot(way, way));
+    }
+    return targets.empty() ? 0.0f : sum / static_cast<float>(targets.size());
+}
+
+/// Takes thin dark lines out of the shares where nothing is near that would throw them.
+void clearOfLines(const Surfels& surfels, const HitLists& hits, const Sheet& sheet,
+                  std::vector<float>& lit)
+{
+    const std::vector<float> without = closed(sheet, lit);
+    forEach(lit.size(), [&](size_t s) {
+        const float depth = without[s] - lit[s];
+        if (depth <= kShallow) return;
+        const float open = 2.0f - nearness(surfels, hits, s) / kOpen;
+        const float deep = (depth - kShallow) / (kDeep - kShallow);
+        lit[s] += std::clamp(open, 0.0f, 1.0f) * std::min(deep, 1.0f) * depth;
+    });
 }
 
 } // namespace
 
 std::vector<float> findShade(const Surfels& surfels, const SurfelRadiance& radiance,
-                             std::span<const glm::vec3> irradiance)
+                             const HitLists& hits, std::span<const glm::vec3> irradiance)
 {
     if (irradiance.empty()) return {};
     const std::vector<Paint> paint = paintOf(radiance, irradiance);
     const Sheet sheet = sheetOf(surfels, paint);
-    return sharesOf(sheet, Settling(sheet, paint).run());
+    std::vector<float> lit = evened(sheet, Settling(sheet, paint).run());
+    clearOfLines(surfels, hits, sheet, lit);
+    for (float& share : lit) share = std::exp(std::min(share, kMostUneven));
+    return lit;
 }
 
 TexelShading withShade(const Texels& texels, TexelShading shade, std::span<const float> lit)

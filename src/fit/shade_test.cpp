@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -48,9 +49,42 @@ float shareBetween(const Surfels& surfels, const std::vector<float>& shares, flo
     return sum / count;
 }
 
+/// Every surfel sees this alone.
+HitLists seeing(const Surfels& surfels, const std::function<HitTarget(uint32_t)>& target)
+{
+    HitLists hits;
+    for (uint32_t s = 0; s < surfels.count(); ++s) {
+        hits.targets.push_back(target(s));
+        hits.firstTarget.push_back(s + 1);
+    }
+    return hits;
+}
+
+HitLists seeingNothing(const Surfels& surfels)
+{
+    return seeing(surfels, [](uint32_t) { return HitTarget::nothing(); });
+}
+
+HitLists seeingWhatIsNear(const Surfels& surfels)
+{
+    return seeing(surfels, [&](uint32_t s) {
+        return HitTarget::of(Side::front(surfels.neighborsOf(s).back()), false);
+    });
+}
+
 std::vector<float> sharesOf(const scenes::Surfaces& floor)
 {
-    return findShade(floor.texels.surfels, floor.radiance, foundOn(floor.texels.surfels));
+    const Surfels& surfels = floor.texels.surfels;
+    return findShade(surfels, floor.radiance, seeingNothing(surfels), foundOn(surfels));
+}
+
+/// A floor that is dim all over, with a dark line at x = 0.3, two surfels wide.
+scenes::Surfaces linedFloor()
+{
+    return scenes::Surfaces(scenes::square(kSide, 128, [](glm::vec3 p, glm::vec3) {
+        const float line = std::abs(p.x - 0.3f) < 0.03f ? 0.5f : 1.0f;
+        return glm::vec3(0.7f, 0.6f, 0.5f) * foundAt(p.x) * line;
+    }));
 }
 
 } // namespace
@@ -85,6 +119,21 @@ TEST(Shade, AnEdgeOfColourIsNone)
     EXPECT_NEAR(shareBetween(floor.texels.surfels, shares, 0.0f, 0.25f), 1.0f, 0.06f);
 }
 
+TEST(Shade, AThinLineInTheOpenIsPaint)
+{
+    const scenes::Surfaces floor = linedFloor();
+    EXPECT_GT(shareBetween(floor.texels.surfels, sharesOf(floor), 0.28f, 0.32f), 0.9f);
+}
+
+TEST(Shade, AThinLineBesideWhatThrowsItIsShade)
+{
+    const scenes::Surfaces floor = linedFloor();
+    const Surfels& surfels = floor.texels.surfels;
+    const auto shares =
+        findShade(surfels, floor.radiance, seeingWhatIsNear(surfels), foundOn(surfels));
+    EXPECT_LT(shareBetween(surfels, shares, 0.28f, 0.32f), 0.75f);
+}
+
 TEST(Shade, BrightPlacesAreRight)
 {
     const scenes::Surfaces floor(scenes::square(kSide, 128, [](glm::vec3 p, glm::vec3) {
@@ -94,7 +143,7 @@ TEST(Shade, BrightPlacesAreRight)
     std::vector<glm::vec3> found;
     for (const glm::vec3 place : surfels.position)
         found.emplace_back(place.x < 0.6f ? 12.0f : 3.0f);
-    const auto shares = findShade(surfels, floor.radiance, found);
+    const auto shares = findShade(surfels, floor.radiance, seeingNothing(surfels), found);
     EXPECT_GT(shareBetween(surfels, shares, 0.0f, 0.15f), 0.95f);
 }
 

@@ -94,7 +94,7 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
     std::vector<float> lit;
     callAll(
         [&] {
-            lit = findShade(texels.surfels, room.found.radiance,
+            lit = findShade(texels.surfels, room.found.radiance, room.found.hits,
                             withoutStray(room.lighting.irradiance, room.stray));
         },
         [&] { meanwhile(room); });
