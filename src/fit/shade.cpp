@@ -30,9 +30,9 @@ constexpr float kDarkest = 1e-4f;
 // A thin dark line in the open is paint: a joint between tiles, a dot on a wallpaper.
 constexpr int kThin = 2;          // rings of neighbours that a line is narrower than twice
 constexpr float kNear = 0.1f;     // metres; what throws so thin a shadow is about that near
-constexpr float kOpen = 0.015f;   // share of a view that is so near: up to it nothing throws one,
+constexpr float kOpen = 0.01f;    // share of a view that is so near: up to it nothing throws one,
                                   // from twice that on it may
-constexpr float kShallow = 0.15f; // of log light: so deep a line may still be shade,
+constexpr float kShallow = 0.15f; // of log albedo: so deep a line may still be shade,
 constexpr float kDeep = 0.25f;    // and so deep a one is not
 
 /// Albedo as the light found makes it, in logarithms.
@@ -92,7 +92,6 @@ struct Sheet
 {
     std::vector<int> first{0};
     std::vector<int> surfel;
-    std::vector<float> step;  // of brightness, from it to s
     std::vector<float> alike; // in colour
 
     [[nodiscard]] size_t count() const { return first.size() - 1; }
@@ -104,99 +103,22 @@ Sheet sheetOf(const Surfels& surfels, std::span<const Paint> paint)
 {
     Sheet sheet;
     const float reach = kBeside * surfels.size;
-    const auto add = [&](size_t n, float step, float alike) {
+    const auto add = [&](size_t n, float alike) {
         sheet.surfel.push_back(static_cast<int>(n));
-        sheet.step.push_back(step);
         sheet.alike.push_back(alike);
     };
     for (size_t s = 0; s < surfels.count(); ++s) {
-        add(s, 0.0f, 1.0f);
+        add(s, 1.0f);
         for (const uint32_t n : surfels.neighborsOf(s)) {
             const glm::vec3 way = surfels.position[n] - surfels.position[s];
             if (n == s || paint[s].belief < 0.0f || paint[n].belief < 0.0f ||
                 glm::dot(way, way) > reach * reach)
                 continue;
-            add(n, paint[s].brightness - paint[n].brightness, alike(paint[s], paint[n]));
+            add(n, alike(paint[s], paint[n]));
         }
         sheet.first.push_back(static_cast<int>(sheet.surfel.size()));
     }
     return sheet;
-}
-
-using Matrix = Eigen::SparseMatrix<float, Eigen::RowMajor>;
-
-/// What the light comes to where paint is even but for edges, and light stays where it is believed:
-/// logs of the light that is there over that which was found.
-class Settling
-{
-public:
-    Settling(const Sheet& sheet, std::span<const Paint> paint)
-        : sheet_(sheet), paint_(paint), weight_(sheet.surfel.size()), lit_(count()), pull_(count())
-    {
-        lit_.setZero();
-    }
-
-    Eigen::VectorXf run();
-
-private:
-    [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(paint_.size()); }
-    void weigh(Eigen::Index s);
-
-    const Sheet& sheet_;
-    std::span<const Paint> paint_;
-    std::vector<float> weight_; // entries of a matrix: of the surfel itself, less those beside it
-    Eigen::VectorXf lit_;
-    Eigen::VectorXf pull_; // the right side
-};
-
-/// A step that paint would not make is light's.
-void Settling::weigh(Eigen::Index s)
-{
-    const size_t begin = sheet_.begin(static_cast<size_t>(s));
-    const size_t end = sheet_.end(static_cast<size_t>(s));
-    float sum = paint_[static_cast<size_t>(s)].belief * static_cast<float>(end - begin - 1);
-    float pull = 0.0f;
-    for (size_t i = begin + 1; i < end; ++i) {
-        const float edge = (lit_[sheet_.surfel[i]] + sheet_.step[i] - lit_[s]) / kPaintStep;
-        const float far = 1.0f + edge * edge;
-        const float weight = sheet_.alike[i] / (far * far);
-        weight_[i] = -weight;
-        sum += weight;
-        pull += weight * sheet_.step[i];
-    }
-    weight_[begin] = sum;
-    pull_[s] = pull;
-}
-
-Eigen::VectorXf Settling::run()
-{
-    const Eigen::Map<const Matrix> weights(
-        count(), count(), static_cast<Eigen::Index>(weight_.size()), sheet_.first.data(),
-        sheet_.surfel.data(), weight_.data());
-    Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver;
-    solver.setMaxIterations(kSteps);
-    for (int round = 0; round < kRounds; ++round) {
-        forEach(paint_.size(), [&](size_t s) { weigh(static_cast<Eigen::Index>(s)); });
-        lit_ = solver.compute(weights).solveWithGuess(pull_, lit_);
-    }
-    return std::move(lit_);
-}
-
-/// Logs of shares of light, each the mean of a surfel and those around it: what comes and goes from
-/// surfel to surfel is a pattern.
-std::vector<float> evened(const Sheet& sheet, const Eigen::VectorXf& lit)
-{
-    std::vector<float> even(sheet.count());
-    forEach(even.size(), [&](size_t s) {
-        float sum = 0.0f;
-        float weights = 0.0f;
-        for (size_t i = sheet.begin(s); i < sheet.end(s); ++i) {
-            sum += sheet.alike[i] * lit[sheet.surfel[i]];
-            weights += sheet.alike[i];
-        }
-        even[s] = sum / weights;
-    });
-    return even;
 }
 
 /// Each the one of itself and those beside it that `pick` picks.
@@ -234,18 +156,99 @@ float nearness(const Surfels& surfels, const HitLists& hits, size_t surfel)
     return targets.empty() ? 0.0f : sum / static_cast<float>(targets.size());
 }
 
-/// Takes thin dark lines out of the shares where nothing is near that would throw them.
+/// Takes thin dark lines out of the paint where nothing is near that would throw them as shadows.
 void clearOfLines(const Surfels& surfels, const HitLists& hits, const Sheet& sheet,
-                  std::vector<float>& lit)
+                  std::vector<Paint>& paint)
 {
-    const std::vector<float> without = closed(sheet, lit);
-    forEach(lit.size(), [&](size_t s) {
-        const float depth = without[s] - lit[s];
+    std::vector<float> brightness(paint.size());
+    for (size_t s = 0; s < paint.size(); ++s) brightness[s] = paint[s].brightness;
+    const std::vector<float> without = closed(sheet, std::move(brightness));
+    forEach(paint.size(), [&](size_t s) {
+        const float depth = without[s] - paint[s].brightness;
         if (depth <= kShallow) return;
         const float open = 2.0f - nearness(surfels, hits, s) / kOpen;
         const float deep = (depth - kShallow) / (kDeep - kShallow);
-        lit[s] += std::clamp(open, 0.0f, 1.0f) * std::min(deep, 1.0f) * depth;
+        paint[s].brightness += std::clamp(open, 0.0f, 1.0f) * std::min(deep, 1.0f) * depth;
     });
+}
+
+using Matrix = Eigen::SparseMatrix<float, Eigen::RowMajor>;
+
+/// What the light comes to where paint is even but for edges, and light stays where it is believed:
+/// logs of the light that is there over that which was found.
+class Settling
+{
+public:
+    Settling(const Sheet& sheet, std::span<const Paint> paint)
+        : sheet_(sheet), paint_(paint), weight_(sheet.surfel.size()), lit_(count()), pull_(count())
+    {
+        lit_.setZero();
+    }
+
+    Eigen::VectorXf run();
+
+private:
+    [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(paint_.size()); }
+    void weigh(Eigen::Index s);
+
+    const Sheet& sheet_;
+    std::span<const Paint> paint_;
+    std::vector<float> weight_; // entries of a matrix: of the surfel itself, less those beside it
+    Eigen::VectorXf lit_;
+    Eigen::VectorXf pull_; // the right side
+};
+
+/// A step that paint would not make is light's.
+void Settling::weigh(Eigen::Index s)
+{
+    const size_t begin = sheet_.begin(static_cast<size_t>(s));
+    const size_t end = sheet_.end(static_cast<size_t>(s));
+    float sum = paint_[static_cast<size_t>(s)].belief * static_cast<float>(end - begin - 1);
+    float pull = 0.0f;
+    for (size_t i = begin + 1; i < end; ++i) {
+        const int n = sheet_.surfel[i];
+        const float step =
+            paint_[static_cast<size_t>(s)].brightness - paint_[static_cast<size_t>(n)].brightness;
+        const float edge = (lit_[n] + step - lit_[s]) / kPaintStep;
+        const float far = 1.0f + edge * edge;
+        const float weight = sheet_.alike[i] / (far * far);
+        weight_[i] = -weight;
+        sum += weight;
+        pull += weight * step;
+    }
+    weight_[begin] = sum;
+    pull_[s] = pull;
+}
+
+Eigen::VectorXf Settling::run()
+{
+    const Eigen::Map<const Matrix> weights(
+        count(), count(), static_cast<Eigen::Index>(weight_.size()), sheet_.first.data(),
+        sheet_.surfel.data(), weight_.data());
+    Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver;
+    solver.setMaxIterations(kSteps);
+    for (int round = 0; round < kRounds; ++round) {
+        forEach(paint_.size(), [&](size_t s) { weigh(static_cast<Eigen::Index>(s)); });
+        lit_ = solver.compute(weights).solveWithGuess(pull_, lit_);
+    }
+    return std::move(lit_);
+}
+
+/// Shares of light, each the mean of a surfel and those around it: what comes and goes from surfel
+/// to surfel is a pattern.
+std::vector<float> sharesOf(const Sheet& sheet, const Eigen::VectorXf& lit)
+{
+    std::vector<float> shares(sheet.count());
+    forEach(shares.size(), [&](size_t s) {
+        float sum = 0.0f;
+        float weights = 0.0f;
+        for (size_t i = sheet.begin(s); i < sheet.end(s); ++i) {
+            sum += sheet.alike[i] * lit[sheet.surfel[i]];
+            weights += sheet.alike[i];
+        }
+        shares[s] = std::exp(std::min(sum / weights, kMostUneven));
+    });
+    return shares;
 }
 
 } // namespace
@@ -254,12 +257,10 @@ std::vector<float> findShade(const Surfels& surfels, const SurfelRadiance& radia
                              const HitLists& hits, std::span<const glm::vec3> irradiance)
 {
     if (irradiance.empty()) return {};
-    const std::vector<Paint> paint = paintOf(radiance, irradiance);
+    std::vector<Paint> paint = paintOf(radiance, irradiance);
     const Sheet sheet = sheetOf(surfels, paint);
-    std::vector<float> lit = evened(sheet, Settling(sheet, paint).run());
-    clearOfLines(surfels, hits, sheet, lit);
-    for (float& share : lit) share = std::exp(std::min(share, kMostUneven));
-    return lit;
+    clearOfLines(surfels, hits, sheet, paint);
+    return sharesOf(sheet, Settling(sheet, paint).run());
 }
 
 TexelShading withShade(const Texels& texels, TexelShading shade, std::span<const float> lit)
