@@ -21,24 +21,24 @@ constexpr float kBeside = 1.6f;       // surfel sizes
 constexpr float kMostBurntOut = 0.1f; // of a surfel
 constexpr float kPaintStep = 0.3f;    // of log albedo between neighbours: more is an edge of paint
 constexpr float kColorStep = 0.1f;    // of log (r / g) and log (b / g), likewise
-constexpr float kBelief = 0.004f;     // in the light found in the middle of all places
+constexpr float kBelief = 0.002f;     // in the light found in the middle of all places
 constexpr float kMostUneven = 0.05f;  // of log light that is too dark: so much is noise
 constexpr int kRounds = 6;            // of weights that follow from the light before
 constexpr int kSteps = 12;            // of conjugate gradients in each
 constexpr float kDarkest = 1e-4f;
 
-// A thin dark line in the open is paint: a joint between tiles, a dot on a wallpaper.
-constexpr int kThin = 2;          // rings of neighbours that a line is narrower than twice
-constexpr float kNear = 0.1f;     // metres; what throws so thin a shadow is about that near
-constexpr float kOpen = 0.01f;    // share of a view that is so near: up to it nothing throws one,
-                                  // from twice that on it may
-constexpr float kShallow = 0.15f; // of log albedo: so deep a line may still be shade,
-constexpr float kDeep = 0.25f;    // and so deep a one is not
+// A thin pattern in the open is paint: a joint between tiles, dots on a wallpaper.
+constexpr int kThin = 2;           // rings of neighbours; a line is narrower than twice that
+constexpr float kShallow = 0.15f;  // of log albedo: a pattern is deeper
+constexpr float kOneSided = 0.35f; // surfel sizes, of the mean way to those beside one
+constexpr float kNear = 0.1f;      // metres; what throws so thin a shadow is about that near
+constexpr float kOpen = 0.015f;    // share of a view that is so near: less, and nothing throws one
 
 /// Albedo as the light found makes it, in logarithms.
 struct Paint
 {
     float brightness;
+    float even;   // the same without thin patterns
     float red;    // over green
     float blue;   // over green
     float belief; // in the light; < 0: nothing is known here
@@ -71,9 +71,9 @@ std::vector<Paint> paintOf(const SurfelRadiance& radiance, std::span<const glm::
         const float bright = luminance(light) / usual;
         const bool isKnown = radiance.plainArea[s] > 0.0f &&
                              radiance.clippedArea[s] < kMostBurntOut * radiance.plainArea[s];
-        paint[s] = {logOf(luminance(seen)) - logOf(luminance(light)),
-                    logOf(seen.r) - logOf(light.r) - green, logOf(seen.b) - logOf(light.b) - green,
-                    isKnown ? beliefIn(bright) : -1.0f};
+        const float brightness = logOf(luminance(seen)) - logOf(luminance(light));
+        paint[s] = {brightness, brightness, logOf(seen.r) - logOf(light.r) - green,
+                    logOf(seen.b) - logOf(light.b) - green, isKnown ? beliefIn(bright) : -1.0f};
     });
     return paint;
 }
@@ -93,6 +93,7 @@ struct Sheet
     std::vector<int> first{0};
     std::vector<int> surfel;
     std::vector<float> alike; // in colour
+    std::vector<char> atRim;  // of surfels: the others lie on one side of it
 
     [[nodiscard]] size_t count() const { return first.size() - 1; }
     [[nodiscard]] size_t begin(size_t s) const { return static_cast<size_t>(first[s]); }
@@ -109,37 +110,40 @@ Sheet sheetOf(const Surfels& surfels, std::span<const Paint> paint)
     };
     for (size_t s = 0; s < surfels.count(); ++s) {
         add(s, 1.0f);
+        glm::vec3 ways(0.0f);
         for (const uint32_t n : surfels.neighborsOf(s)) {
             const glm::vec3 way = surfels.position[n] - surfels.position[s];
             if (n == s || paint[s].belief < 0.0f || paint[n].belief < 0.0f ||
                 glm::dot(way, way) > reach * reach)
                 continue;
             add(n, alike(paint[s], paint[n]));
+            ways += way;
         }
         sheet.first.push_back(static_cast<int>(sheet.surfel.size()));
+        const auto beside = static_cast<float>(sheet.end(s) - sheet.begin(s) - 1);
+        sheet.atRim.push_back(glm::length(ways) > kOneSided * surfels.size * beside);
     }
     return sheet;
 }
 
-/// Each the one of itself and those beside it that `pick` picks.
-template<class Pick>
-std::vector<float> picked(const Sheet& sheet, const std::vector<float>& values, const Pick& pick)
-{
-    std::vector<float> result(values);
-    forEach(result.size(), [&](size_t s) {
-        for (size_t i = sheet.begin(s); i < sheet.end(s); ++i)
-            result[s] = pick(result[s], values[static_cast<size_t>(sheet.surfel[i])]);
-    });
-    return result;
-}
-
-/// The values without what is dark and thin: a morphological closing.
+/// The values without what is low and thin, by morphological closing; nothing is closed at a rim,
+/// for beyond it the values may go on falling.
 std::vector<float> closed(const Sheet& sheet, std::vector<float> values)
 {
-    const auto most = [](float a, float b) { return std::max(a, b); };
-    const auto least = [](float a, float b) { return std::min(a, b); };
-    for (int ring = 0; ring < kThin; ++ring) values = picked(sheet, values, most);
-    for (int ring = 0; ring < kThin; ++ring) values = picked(sheet, values, least);
+    std::vector<float> before;
+    const auto ring = [&](const auto& pick) {
+        before = values;
+        forEach(values.size(), [&](size_t s) {
+            for (size_t i = sheet.begin(s); i < sheet.end(s); ++i)
+                values[s] = pick(s, before[static_cast<size_t>(sheet.surfel[i])]);
+        });
+    };
+    const auto greater = [&](size_t s, float other) {
+        return sheet.atRim[s] ? values[s] : std::max(values[s], other);
+    };
+    const auto less = [&](size_t s, float other) { return std::min(values[s], other); };
+    for (int i = 0; i < kThin; ++i) ring(greater);
+    for (int i = 0; i < kThin; ++i) ring(less);
     return values;
 }
 
@@ -156,20 +160,20 @@ float nearness(const Surfels& surfels, const HitLists& hits, size_t surfel)
     return targets.empty() ? 0.0f : sum / static_cast<float>(targets.size());
 }
 
-/// Takes thin dark lines out of the paint where nothing is near that would throw them as shadows.
-void clearOfLines(const Surfels& surfels, const HitLists& hits, const Sheet& sheet,
-                  std::vector<Paint>& paint)
+/// Takes thin patterns out of the paint where nothing is near that would throw them as shadows:
+/// what is darker than all around, and then what is brighter.
+void clearOfPatterns(const Surfels& surfels, const HitLists& hits, const Sheet& sheet,
+                     std::vector<Paint>& paint)
 {
-    std::vector<float> brightness(paint.size());
-    for (size_t s = 0; s < paint.size(); ++s) brightness[s] = paint[s].brightness;
-    const std::vector<float> without = closed(sheet, std::move(brightness));
-    forEach(paint.size(), [&](size_t s) {
-        const float depth = without[s] - paint[s].brightness;
-        if (depth <= kShallow) return;
-        const float open = 2.0f - nearness(surfels, hits, s) / kOpen;
-        const float deep = (depth - kShallow) / (kDeep - kShallow);
-        paint[s].brightness += std::clamp(open, 0.0f, 1.0f) * std::min(deep, 1.0f) * depth;
-    });
+    std::vector<float> values(paint.size());
+    for (const float sign : {1.0f, -1.0f}) {
+        for (size_t s = 0; s < paint.size(); ++s) values[s] = sign * paint[s].even;
+        const std::vector<float> without = closed(sheet, values);
+        forEach(paint.size(), [&](size_t s) {
+            if (without[s] - values[s] > kShallow && nearness(surfels, hits, s) < kOpen)
+                paint[s].even = sign * without[s];
+        });
+    }
 }
 
 using Matrix = Eigen::SparseMatrix<float, Eigen::RowMajor>;
@@ -198,6 +202,14 @@ private:
     Eigen::VectorXf pull_; // the right side
 };
 
+/// Of brightness from b to a. Within a pattern it is as it shows, into one there is none.
+float stepBetween(const Paint& a, const Paint& b)
+{
+    const float step = a.brightness - b.brightness;
+    const float even = a.even - b.even;
+    return std::abs(even) < std::abs(step) ? even : step;
+}
+
 /// A step that paint would not make is light's.
 void Settling::weigh(Eigen::Index s)
 {
@@ -208,7 +220,7 @@ void Settling::weigh(Eigen::Index s)
     for (size_t i = begin + 1; i < end; ++i) {
         const int n = sheet_.surfel[i];
         const float step =
-            paint_[static_cast<size_t>(s)].brightness - paint_[static_cast<size_t>(n)].brightness;
+            stepBetween(paint_[static_cast<size_t>(s)], paint_[static_cast<size_t>(n)]);
         const float edge = (lit_[n] + step - lit_[s]) / kPaintStep;
         const float far = 1.0f + edge * edge;
         const float weight = sheet_.alike[i] / (far * far);
@@ -259,7 +271,7 @@ std::vector<float> findShade(const Surfels& surfels, const SurfelRadiance& radia
     if (irradiance.empty()) return {};
     std::vector<Paint> paint = paintOf(radiance, irradiance);
     const Sheet sheet = sheetOf(surfels, paint);
-    clearOfLines(surfels, hits, sheet, paint);
+    clearOfPatterns(surfels, hits, sheet, paint);
     return sharesOf(sheet, Settling(sheet, paint).run());
 }
 

@@ -18,7 +18,7 @@ namespace relamp
 /// What throws it is missing from the scan, or off by a few centimetres. It shows as albedo that
 /// fades within one paint, towards places that are dark anyway: a smooth change is light, an edge
 /// is paint (Land and McCann 1971), and bright places are right. `irradiance`: found, one a surfel.
-/// A surfel that is burnt out keeps its light. A thin dark line is paint unless `hits`, of all
+/// A surfel that is burnt out keeps its light. A thin pattern is paint unless `hits`, of all
 /// fronts, say that something is near.
 std::vector<float> findShade(const Surfels& surfels, const SurfelRadiance& radiance,
                              const HitLists& hits, std::span<const glm::vec3> irradiance);
