@@ -103,17 +103,24 @@ bool knowsItsAlbedo(const SurfelRadiance& radiance, size_t surfel)
     return radiance.plainArea[surfel] > 0.1f * radiance.clippedArea[surfel];
 }
 
+std::vector<float> noiseAround(const Surfels& surfels, std::span<const float> noise)
+{
+    std::vector<float> around(surfels.count());
+    forEach(around.size(), [&](size_t s) {
+        float squared = 0.0f;
+        for (const uint32_t n : surfels.neighborsOf(s)) squared += noise[n] * noise[n];
+        around[s] = std::sqrt(squared / static_cast<float>(surfels.neighborsOf(s).size()));
+    });
+    return around;
+}
+
 std::vector<glm::vec3> withoutNoise(const Surfels& surfels, std::span<const glm::vec3> values,
                                     std::span<const float> noise)
 {
     std::vector<glm::vec3> result = meanOfNeighbors(surfels, values);
     forEach(result.size(), [&](size_t s) {
-        const std::span around = surfels.neighborsOf(s); // with itself
-        float squaredNoise = 0.0f;
-        for (const uint32_t n : around) squaredNoise += noise[n] * noise[n];
-        squaredNoise /= static_cast<float>(around.size());
         const glm::vec3 way = result[s] - values[s];
-        result[s] = values[s] + shareOfNoise(luminance(glm::abs(way)), squaredNoise) * way;
+        result[s] = values[s] + shareOfNoise(luminance(glm::abs(way)), noise[s] * noise[s]) * way;
     });
     return result;
 }
@@ -247,7 +254,7 @@ std::vector<glm::vec3> indirectOfFronts(const Surfels& surfels, const HitLists& 
         indirect[s] = even.irradiance[s] + ambient * even.missed[s];
     });
     for (int pass = 0; pass < kExcessSmoothings; ++pass) excess = meanOfNeighbors(surfels, excess);
-    indirect = withoutNoise(surfels, indirect, even.noise);
+    indirect = withoutNoise(surfels, indirect, noiseAround(surfels, even.noise));
     forEach(surfels.count(), [&](size_t s) { indirect[s] += excess[s]; });
     return indirect;
 }

@@ -42,8 +42,13 @@ std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scen
 void addDirect(std::span<const AreaSample> ofLamp, glm::vec3 radiance,
                std::span<glm::vec3> irradiance);
 
+/// Standard errors of the surfels around each, itself among them: the root of their mean square.
+/// For values that few rays tell, of places of much the same light: a surfel's own is a guess then,
+/// and the lower the darker what they met by chance. Beside something very bright it is too much.
+std::vector<float> noiseAround(const Surfels& surfels, std::span<const float> noise);
+
 /// Draws every surfel's value towards the mean around it, all the way where their difference may be
-/// `noise`, the standard errors of luminance.
+/// `noise`, the standard error of its luminance.
 std::vector<glm::vec3> withoutNoise(const Surfels& surfels, std::span<const glm::vec3> values,
                                     std::span<const float> noise);
 

@@ -30,8 +30,7 @@ SHARED_FN vec3 burntOutRadiance(vec3 albedo, vec3 irradiance, vec3 shown)
 
 // How far a value is drawn towards the mean around it: all the way where that may be its noise.
 // `step`: the luminance of how far the mean is away in each channel; another colour that is as
-// bright is no noise. `squaredNoise`: the mean of the squared standard errors around. That of the
-// value alone, of a few rays, is a guess, and the lower the darker what they met by chance.
+// bright is no noise. `squaredNoise`: of its standard error.
 SHARED_FN float shareOfNoise(float step, float squaredNoise)
 {
     const float variance = kLikelyNoise * kLikelyNoise * squaredNoise;

@@ -164,7 +164,23 @@ TEST(LitSides, RaysThatAgreeByChanceAreAsNoisyAsThoseAround)
     const size_t dark = surfels.count() / 2;
     light[dark] = glm::vec3(0.2f);
     noise[dark] = 0.0f;
-    EXPECT_GT(withoutNoise(surfels, light, noise)[dark].g, 0.28f);
+    EXPECT_GT(withoutNoise(surfels, light, noiseAround(surfels, noise))[dark].g, 0.28f);
+}
+
+TEST(LitSides, WhatIsSureStaysAsItIsBesideWhatIsNot)
+{
+    const scenes::Surfaces box(scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f))));
+    const Surfels& surfels = box.texels.surfels;
+    std::vector<glm::vec3> light(surfels.count(), glm::vec3(0.3f));
+    std::vector<float> noise(surfels.count(), 1e-3f);
+    const size_t bright = surfels.count() / 2;
+    light[bright] = glm::vec3(20.0f);
+    noise[bright] = 5.0f;
+    const std::vector<glm::vec3> even = withoutNoise(surfels, light, noise);
+    for (const uint32_t n : surfels.neighborsOf(bright)) {
+        if (n == bright) continue;
+        EXPECT_NEAR(even[n].g, 0.3f, 1e-3f);
+    }
 }
 
 TEST(LitSides, IndirectOfAFurnaceIsWhatItsWallsSend)
