@@ -11,9 +11,9 @@ namespace relamp
 
 /// Divides the light out of a block of texels: albedo = radiance / (direct + indirect).
 ///
-/// The shading is raised to `darkest` first, and where albedo would be above 0.9 by `lack`, which
-/// makes it that: no paper is whiter. Half floats; entries behind the block's last texel are
-/// unspecified.
+/// A shading below `darkest` is believed the less the darker it is (divide.shared.h). Where albedo
+/// would be above 0.9, the shading is raised by `lack`, which makes it that: no paper is whiter.
+/// Half floats; entries behind the block's last texel are unspecified.
 struct AlbedoBlock
 {
     alignas(64) uint16_t r[TexelBlock::kCapacity];

@@ -7,17 +7,24 @@
 SHARED_BEGIN
 
 SHARED_CONST kWhitestPaper = 0.9f;     // albedo: no matte surface is whiter
+SHARED_CONST kUsualPaper = 0.35f;      // albedo: of a room's surfaces, about
 SHARED_CONST kLeastOfBrightest = 0.2f; // of the brightest channel of a shading; less is noise
 
-// What a matte surface of albedo rho under shading S = E / pi shows is rho S. Here S is raised
-// before it divides until its brightest channel reaches `darkest`, for below it noise is all there
-// is: all channels alike, which keeps its hue, but those that hardly hold any light.
+// What a matte surface of albedo rho under shading S = E / pi shows is rho S. Of that hardly
+// anything is left where S is below `darkest` in its brightest channel: the darker, the more likely
+// is the usual paper. What still shows more than that would gets more light than was found: it is
+// as if the shading were `darkest`.
 SHARED_FN vec3 dividedByShading(vec3 radiance, vec3 shading, float darkest)
 {
-    const vec3 some = shading + 1e-6f; // what is black is raised as grey
+    const vec3 some = shading + 1e-6f; // what is black is so in all channels
     const float brightest = brightestChannel(some);
-    const float raised = max(darkest / brightest, 1.0f);
-    return radiance / (raised * max(some, vec3(kLeastOfBrightest * brightest)));
+    const vec3 shown = radiance / max(some, vec3(kLeastOfBrightest * brightest));
+    const float known = min(brightest / darkest, 1.0f);
+    const float lost = (1.0f - known) * (1.0f - known);
+    const vec3 likely = (1.0f - lost) * shown + lost * kUsualPaper;
+    const float most = max(known * brightestChannel(shown), kUsualPaper);
+    const float less = min(most / max(brightestChannel(likely), 1e-6f), 1.0f);
+    return known < 1.0f ? less * likely : shown;
 }
 
 // What came out whiter than paper got more light than was known: how many times as much, at least.

@@ -47,21 +47,32 @@ TEST(Divide, NothingIsWhiterThanPaperAndItsHueIsKept)
     EXPECT_NEAR(floatFromHalf(albedo.r[0]) * albedo.lack[0] * 0.5f, block.r[0], 1e-3f);
 }
 
-TEST(Divide, NeverDividesByLessThanTheDarkestShading)
+TEST(Divide, WhatGetsNoLightIsUsualPaper)
 {
-    EXPECT_NEAR(divideOne(0.01f, 0.0f, 0.0f, 0.1f), 0.1f, 1e-3f);
+    EXPECT_NEAR(divideOne(0.0f, 0.0f, 0.0f), kUsualPaper, 1e-3f);
+}
+
+TEST(Divide, ShadingIsBelievedTheLessTheDarkerItIs)
+{
+    const float paper = 0.8f;
+    EXPECT_NEAR(divideOne(0.02f * paper, 0.02f, 0.0f), paper, 1e-3f);
+    EXPECT_NEAR(divideOne(0.015f * paper, 0.015f, 0.0f), 0.6f, 1e-3f); // as if by 0.02
+    EXPECT_NEAR(divideOne(0.01f * 0.1f, 0.01f, 0.0f), 0.75f * 0.1f + 0.25f * kUsualPaper, 1e-3f);
+}
+
+TEST(Divide, WhatShowsWithoutLightIsDividedByTheDarkestShading)
+{
+    EXPECT_NEAR(divideOne(0.05f, 0.0f, 0.0f, 0.1f), 0.5f, 1e-3f);
 }
 
 // What a warm lamp hardly reaches is no bluer for that; only a channel without any light is noise.
 TEST(Divide, DarkShadingIsRaisedInItsOwnHue)
 {
     const glm::vec3 shading(0.005f, 0.003f, 0.0f);
-    const glm::vec3 albedo = dividedByShading(0.4f * shading, shading, 0.02f);
-    EXPECT_NEAR(albedo.r, 0.1f, 1e-3f);
-    EXPECT_NEAR(albedo.g, 0.1f, 1e-3f);
-    EXPECT_EQ(albedo.b, 0.0f);
-    const glm::vec3 noise = dividedByShading(glm::vec3(0.0f, 0.0f, 0.002f), shading, 0.02f);
-    EXPECT_NEAR(noise.b, 0.5f, 1e-3f); // by a fifth of the brightest
+    const glm::vec3 albedo = dividedByShading(0.3f * shading, shading, 0.02f);
+    EXPECT_NEAR(albedo.r, albedo.g, 1e-3f);
+    EXPECT_NEAR(albedo.r, 0.3f, 0.04f);
+    EXPECT_LT(albedo.b, albedo.g);
 }
 
 } // namespace relamp
