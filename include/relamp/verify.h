@@ -34,11 +34,12 @@ struct VerifiedBin
 struct Verification
 {
     std::filesystem::path scanFile;
-    size_t places = 0;              // that were compared: texels that are not burnt out
-    float rmsError = 0.0f;          // radiance, 1 = the texture's white; the paths' noise taken off
-    float standardError = 0.0f;     // of rmsError, by the scatter of the places
-    float rmsOfScan = 0.0f;         // of the texture there, to compare with
-    float asWhiteAsPaper = 0.0f;    // share of the area whose albedo is 0.9: there light may lack
+    size_t places = 0;           // that were compared: texels that are not burnt out
+    float rmsError = 0.0f;       // radiance, 1 = the texture's white; the paths' noise taken off,
+                                 // and no less than that could hide
+    float standardError = 0.0f;  // of rmsError, by the scatter of the places
+    float rmsOfScan = 0.0f;      // of the texture there, to compare with
+    float asWhiteAsPaper = 0.0f; // share of the area whose albedo is 0.9: there light may lack
     float rmsErrorElsewhere = 0.0f; // rmsError without these places
     float psnr = 0.0f;              // dB, peak 1; 120 where the error is nothing
     glm::vec3 ratio{0.0f};          // of what was rendered over the scan, means of each channel

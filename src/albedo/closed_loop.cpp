@@ -63,6 +63,9 @@ std::vector<AlbedoSum> sumRuns(const Texels& texels, size_t p,
 struct ErrorSum
 {
     double error = 0.0;
+    double squaredError = 0.0;
+    double weighted = 0.0; // error, by the square of area, as is the next
+    double squaredArea = 0.0;
     double scan = 0.0;
     double area = 0.0;
     glm::dvec3 rendered{0.0};
@@ -71,25 +74,29 @@ struct ErrorSum
     void add(const RenderedPlace& place)
     {
         const auto weight = static_cast<double>(place.area);
-        error += weight * place.squaredError();
+        const double own = weight * place.squaredError();
+        error += own;
+        squaredError += own * own;
+        weighted += weight * own;
+        squaredArea += weight * weight;
         scan += weight * static_cast<double>(glm::dot(place.scan, place.scan)) / 3.0;
         area += weight;
         rendered += weight * 0.5 * glm::dvec3(place.first + place.second);
         shown += weight * glm::dvec3(place.scan);
     }
-    [[nodiscard]] double meanSquare() const { return std::max(error / area, kLeastSquare); }
-};
-
-/// Of the mean square that all places give.
-double standardErrorOf(std::span<const RenderedPlace> places, double meanSquare, double area)
-{
-    double squares = 0.0;
-    for (const RenderedPlace& place : places) {
-        const double off = place.squaredError() - meanSquare;
-        squares += static_cast<double>(place.area * place.area) * off * off;
+    /// Of the mean square, by the scatter of the places.
+    [[nodiscard]] double standardError() const
+    {
+        const double mean = error / area;
+        const double squares = squaredError - 2.0 * mean * weighted + mean * mean * squaredArea;
+        return std::sqrt(std::max(squares, 0.0)) / area;
     }
-    return std::sqrt(squares) / area;
-}
+    /// No less than the noise could hide.
+    [[nodiscard]] double meanSquare() const
+    {
+        return std::max({error / area, standardError(), kLeastSquare});
+    }
+};
 
 /// The whitest that divide() gives, as a half float.
 bool isAsWhiteAsPaper(const RenderedPlace& place)
@@ -204,8 +211,7 @@ void compare(std::span<const RenderedPlace> places, Verification& result)
                      [](const auto& a, const auto& b) { return shadingOf(a) < shadingOf(b); });
     const double rms = std::sqrt(sum.meanSquare());
     result.rmsError = static_cast<float>(rms);
-    result.standardError =
-        static_cast<float>(standardErrorOf(sorted, sum.meanSquare(), sum.area) / (2.0 * rms));
+    result.standardError = static_cast<float>(sum.standardError() / (2.0 * rms));
     result.asWhiteAsPaper = static_cast<float>(1.0 - elsewhere.area / sum.area);
     if (elsewhere.area > 0.0)
         result.rmsErrorElsewhere = static_cast<float>(std::sqrt(elsewhere.meanSquare()));

@@ -43,6 +43,14 @@ TEST(ClosedLoop, NoiseOfThePathsIsNoError)
     EXPECT_NEAR(found.ratio.g, 0.30f / 0.25f, 0.01f);
 }
 
+TEST(ClosedLoop, NothingIsSaidToBeBetterThanTheNoiseTells)
+{
+    Verification found;
+    compare(noisyPlaces(0.0f, 0.4f), found);
+    EXPECT_LT(found.standardError, 0.51f * found.rmsError);
+    EXPECT_LT(found.psnr, 60.0f);
+}
+
 TEST(ClosedLoop, BinsAreFifthsFromDarkToBright)
 {
     Verification found;
