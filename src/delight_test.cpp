@@ -1,6 +1,7 @@
 #include "relamp/delight.h"
 
 #include "base/half.h"
+#include "base/pi.shared.h"
 #include "decomposition_state.h"
 #include "relamp/error.h"
 #include "relamp/threads.h"
@@ -21,7 +22,6 @@ namespace
 {
 
 constexpr glm::vec3 kRoom(4.0f, 2.5f, 5.0f);
-constexpr float kPi = 3.14159265f;
 
 /// Stripes and a colour a wall.
 glm::vec3 paper(glm::vec3 p, glm::vec3 n)

@@ -26,7 +26,7 @@ DelightOptions draft()
     return options;
 }
 
-DelightOptions thesis()
+DelightOptions thesisSolver()
 {
     return {.solver = Solver::thesis};
 }
@@ -121,7 +121,7 @@ TEST(Delighter, DialsOfTheThesisAreThoseOfDelight)
     const Scan scan = scenes::LitRoom().scan;
     Progress progress;
     Delighter delighter(scan);
-    DelightOptions options = thesis();
+    DelightOptions options = thesisSolver();
     const Decomposition first = delighter.solve(options, progress);
     const PageLayers before = layersOf(first);
     const std::function<void()> dials[] = {[&] { options.thesis.power = 2.0f; },
@@ -166,7 +166,7 @@ TEST(Delighter, ResultsOutliveIt)
         found.emplace(delighter.solve(draft(), progress));
         resolved.emplace(
             delighter.resolve(brighter(found->lights(), 0.5f), draft().albedo, progress));
-        static_cast<void>(delighter.solve(thesis(), progress)); // which needs other texels
+        static_cast<void>(delighter.solve(thesisSolver(), progress)); // which needs other texels
     }
     EXPECT_GT(sumOf(layersOf(*resolved).albedo), sumOf(layersOf(*found).albedo));
 }
@@ -234,7 +234,7 @@ TEST(Delighter, RefusesWhatAreNotItsLightsAndGoesOn)
                   static_cast<void>(room.delighter.resolve(brighter(found, 2.0f), {}, cancelled));
               }),
               ErrorCode::cancelled);
-    EXPECT_EQ(codeOf([&] { static_cast<void>(room.delighter.solve(thesis(), cancelled)); }),
+    EXPECT_EQ(codeOf([&] { static_cast<void>(room.delighter.solve(thesisSolver(), cancelled)); }),
               ErrorCode::cancelled);
     Delighter fresh(room.scan);
     EXPECT_EQ(codeOf([&] { static_cast<void>(fresh.resolve(found, {}, room.progress)); }),
@@ -307,7 +307,7 @@ TEST_F(GpuDelighter, EarlierResultsStayWhatTheyAre)
     const Scan scan = scenes::LitRoom().scan;
     Progress progress;
     Delighter delighter(scan);
-    DelightOptions options = thesis();
+    DelightOptions options = thesisSolver();
     options.engine.engine = Engine::gpu;
     const Decomposition first = delighter.solve(options, progress);
     const PageLayers before = layersOf(first);

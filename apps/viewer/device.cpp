@@ -21,7 +21,7 @@ constexpr const char* kNoDriver =
     "no Vulkan driver was found; install the one of your graphics card, or mesa-vulkan-drivers, "
     "which draws without one";
 
-[[noreturn]] void fail(const std::string& sentence)
+[[noreturn]] void noDevice(const std::string& sentence)
 {
     throw relamp::Error(relamp::ErrorCode::unsupported, sentence);
 }
@@ -74,7 +74,7 @@ void check(VkResult result, const char* step)
             ? "; its memory is full, scale the scan's textures down"
         : result == VK_ERROR_DEVICE_LOST ? "; the device was lost, start the viewer again"
                                          : "";
-    fail(fmt::format("Vulkan: {} failed ({}){}", step, static_cast<int>(result), reason));
+    noDevice(fmt::format("Vulkan: {} failed ({}){}", step, static_cast<int>(result), reason));
 }
 
 Device::Device(GLFWwindow* window, const Wish& wish)
@@ -110,7 +110,7 @@ void Device::closeInstance()
 
 void Device::createInstance()
 {
-    if (glfwVulkanSupported() == GLFW_FALSE) fail(kNoDriver);
+    if (glfwVulkanSupported() == GLFW_FALSE) noDevice(kNoDriver);
     uint32_t count = 0;
     const char** extensions = glfwGetRequiredInstanceExtensions(&count);
     VkApplicationInfo app{VK_STRUCTURE_TYPE_APPLICATION_INFO};
@@ -122,14 +122,14 @@ void Device::createInstance()
     info.ppEnabledExtensionNames = extensions;
     const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER || result == VK_ERROR_EXTENSION_NOT_PRESENT)
-        fail(kNoDriver);
+        noDevice(kNoDriver);
     check(result, "starting it");
 }
 
 void Device::createSurface(GLFWwindow* window)
 {
     if (glfwCreateWindowSurface(instance_, window, nullptr, &surface_) != VK_SUCCESS)
-        fail("Vulkan cannot draw in windows of this display; a driver of its kind is missing");
+        noDevice("Vulkan cannot draw in windows of this display; a driver of its kind is missing");
 }
 
 void Device::choosePhysical(const std::string& wish)
@@ -153,11 +153,13 @@ void Device::choosePhysical(const std::string& wish)
     }
     if (physical_ != nullptr) return;
     if (wanted)
-        fail(fmt::format("{} cannot draw in this window; leave --gpu out, or name a device that "
-                         "can (relamp devices lists them)",
-                         wanted->name));
-    fail("no Vulkan 1.2 device can draw in this window; install the driver of your graphics card, "
-         "or mesa-vulkan-drivers, which draws without one");
+        noDevice(
+            fmt::format("{} cannot draw in this window; leave --gpu out, or name a device that "
+                        "can (relamp devices lists them)",
+                        wanted->name));
+    noDevice(
+        "no Vulkan 1.2 device can draw in this window; install the driver of your graphics card, "
+        "or mesa-vulkan-drivers, which draws without one");
 }
 
 void Device::take(VkPhysicalDevice physical, uint32_t family)
@@ -235,7 +237,7 @@ OwnedMemory Device::allocate(const VkMemoryRequirements& needs,
         check(vkAllocateMemory(device_, &info, nullptr, &made), "taking memory");
         return {device_, made};
     }
-    fail("Vulkan: the device has no memory of the kind that the viewer needs");
+    noDevice("Vulkan: the device has no memory of the kind that the viewer needs");
 }
 
 void Device::run(const std::function<void(VkCommandBuffer)>& record) const

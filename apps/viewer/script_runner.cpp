@@ -17,7 +17,7 @@ namespace
 
 constexpr double kLongestWait = 600.0; // s
 
-[[noreturn]] void fail(const std::string& sentence)
+[[noreturn]] void wrongCommand(const std::string& sentence)
 {
     throw relamp::Error(relamp::ErrorCode::malformed, sentence);
 }
@@ -28,7 +28,8 @@ int buttonOf(const ScriptCommand& command, size_t word)
         return GLFW_MOUSE_BUTTON_LEFT;
     if (command.words[word] == "right") return GLFW_MOUSE_BUTTON_RIGHT;
     if (command.words[word] == "middle") return GLFW_MOUSE_BUTTON_MIDDLE;
-    fail(fmt::format("\"{}\" is no button; there are left, right and middle", command.words[word]));
+    wrongCommand(
+        fmt::format("\"{}\" is no button; there are left, right and middle", command.words[word]));
 }
 
 glm::vec2 placeOf(const ScriptCommand& command, size_t word)
@@ -49,7 +50,7 @@ InputEvent button(int code, bool down)
 KeyChord chordOf(const std::string& name)
 {
     const std::optional<KeyChord> chord = chordNamed(name);
-    if (!chord) fail(fmt::format("\"{}\" is no key", name));
+    if (!chord) wrongCommand(fmt::format("\"{}\" is no key", name));
     return *chord;
 }
 
@@ -151,8 +152,9 @@ bool ScriptRunner::isDone(const ScriptCommand& command, Viewer& viewer) const
     const bool isStillThere = mustOpen_ && viewer.studio.hasFailed(); // what was open before
     if (!isStillThere && isThere(what, viewer)) return true;
     if (isStillThere || viewer.studio.failures() > failuresBefore_)
-        fail(viewer.studio.messages.empty() ? "it failed" : viewer.studio.messages.back());
-    if (passed > kLongestWait) fail(fmt::format("{} did not come in {} s", what, kLongestWait));
+        wrongCommand(viewer.studio.messages.empty() ? "it failed" : viewer.studio.messages.back());
+    if (passed > kLongestWait)
+        wrongCommand(fmt::format("{} did not come in {} s", what, kLongestWait));
     return false;
 }
 
@@ -165,9 +167,10 @@ bool ScriptRunner::isThere(const std::string& what, const Viewer& viewer) const
     if (what == "glance") return viewer.studio.isGlanced();
     if (what == "relit") return viewer.studio.isRelit();
     if (what == "rest") return viewer.studio.rests();
-    fail(fmt::format("\"{}\" never comes; one can wait for scan, draft, solve, glance, relit, rest "
-                     "or a number of seconds",
-                     what));
+    wrongCommand(
+        fmt::format("\"{}\" never comes; one can wait for scan, draft, solve, glance, relit, rest "
+                    "or a number of seconds",
+                    what));
 }
 
 void ScriptRunner::end(const ScriptCommand& command, Viewer& viewer)

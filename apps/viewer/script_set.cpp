@@ -21,14 +21,14 @@ namespace
 
 using Words = std::vector<std::string>; // the name and its values
 
-[[noreturn]] void fail(const std::string& sentence)
+[[noreturn]] void wrongSetting(const std::string& sentence)
 {
     throw relamp::Error(relamp::ErrorCode::malformed, sentence);
 }
 
 float number(const Words& words, size_t at = 1)
 {
-    if (at >= words.size()) fail(fmt::format("{} needs more numbers", words[0]));
+    if (at >= words.size()) wrongSetting(fmt::format("{} needs more numbers", words[0]));
     return numberOf(words[at]);
 }
 
@@ -41,7 +41,7 @@ bool flag(const Words& words)
 {
     if (words[1] == "on") return true;
     if (words[1] == "off") return false;
-    fail(fmt::format("{} is on or off, not \"{}\"", words[0], words[1]));
+    wrongSetting(fmt::format("{} is on or off, not \"{}\"", words[0], words[1]));
 }
 
 template<size_t count>
@@ -52,20 +52,20 @@ size_t indexOf(const std::string& word, const std::array<const char*, count>& na
         if (word == names[i]) return i;
         known += (i == 0 ? "" : ", ") + std::string(names[i]);
     }
-    fail(fmt::format("\"{}\" is none of {}", word, known));
+    wrongSetting(fmt::format("\"{}\" is none of {}", word, known));
 }
 
 Layer layerNamed(const std::string& word)
 {
     for (const LayerName& layer : kLayers)
         if (word == layer.name) return layer.layer;
-    fail(fmt::format("\"{}\" is no layer", word));
+    wrongSetting(fmt::format("\"{}\" is no layer", word));
 }
 
 glm::vec3 direction(const Words& words)
 {
     const glm::vec3 way = vector(words);
-    if (glm::length(way) < 1e-6f) fail("a direction has a length");
+    if (glm::length(way) < 1e-6f) wrongSetting("a direction has a length");
     return glm::normalize(way);
 }
 
@@ -74,7 +74,8 @@ void setCamera(Viewer& viewer, const Words& words)
     const glm::vec3 position = vector(words);
     const glm::vec3 way = vector(words, 4) - position;
     const float distance = glm::length(way);
-    if (distance < 1e-4f) fail("the camera must look at another place than where it stands");
+    if (distance < 1e-4f)
+        wrongSetting("the camera must look at another place than where it stands");
     const float angle = words.size() > 7 ? glm::radians(number(words, 7)) : 1.3f;
     viewer.studio.camera.set({position, way / distance, {0, 1, 0}, angle}, distance);
     viewer.studio.isCameraUntouched = false;
@@ -231,7 +232,7 @@ void setLamp(LampItem& lamp, const std::string& what, const Words& words)
         {"on", [&] { lamp.on = flag(words); }},
         {"dim", [&] { lamp.dim = number(words); }}};
     const auto found = all.find(what);
-    if (found == all.end()) fail(fmt::format("a light has no \"{}\"", what));
+    if (found == all.end()) wrongSetting(fmt::format("a light has no \"{}\"", what));
     found->second();
 }
 
@@ -248,7 +249,7 @@ void setFixture(FixtureItem& fixture, const std::string& what, const Words& word
     else if (what == "window")
         fixture.window = flag(words);
     else
-        fail(fmt::format("a fixture has no \"{}\"", what));
+        wrongSetting(fmt::format("a fixture has no \"{}\"", what));
 }
 
 /// "lamp.0.lumens" and the like: of lights as they shine now, and of fixtures as they were
@@ -267,7 +268,8 @@ bool setLight(Viewer& viewer, const Words& words)
         kind == "scanned" ? viewer.studio.edit.scanned.fixtures : light.fixtures;
     const size_t count = kind == "lamp" ? light.lamps.size() : fixtures.size();
     if (!(index >= 0.0f) || index >= static_cast<float>(count))
-        fail(fmt::format("there is no {}; there are {}", words[0].substr(0, second), count));
+        wrongSetting(
+            fmt::format("there is no {}; there are {}", words[0].substr(0, second), count));
     if (kind == "lamp")
         setLamp(light.lamps[static_cast<size_t>(index)], what, words);
     else
@@ -286,7 +288,7 @@ void setByScript(Viewer& viewer, const std::vector<std::string>& words)
     else if (dial != dials().end())
         dial->second(viewer.studio.edit.dials, words);
     else if (!setLight(viewer, words))
-        fail(fmt::format("\"{}\" cannot be set", words[0]));
+        wrongSetting(fmt::format("\"{}\" cannot be set", words[0]));
     viewer.studio.commit("Set " + words[0]);
     viewer.studio.settle();
 }

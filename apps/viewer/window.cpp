@@ -35,7 +35,7 @@ std::string utf8(unsigned int c)
             byte(0x80 | (c & 0x3f))};
 }
 
-[[noreturn]] void fail(const std::string& sentence)
+[[noreturn]] void noWindow(const std::string& sentence)
 {
     const char* reason = nullptr;
     glfwGetError(&reason);
@@ -48,14 +48,15 @@ std::string utf8(unsigned int c)
 Window::Window(glm::ivec2 size, const std::string& title)
 {
     if (glfwInit() == GLFW_FALSE)
-        fail("no window can be opened: there is no display. Run it in a desktop session, or under "
-             "xvfb-run");
+        noWindow(
+            "no window can be opened: there is no display. Run it in a desktop session, or under "
+            "xvfb-run");
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
     if (window_ == nullptr) {
         glfwTerminate();
-        fail("no window can be opened on this display");
+        noWindow("no window can be opened on this display");
     }
     for (const int shape : kPointers) pointers_.push_back(glfwCreateStandardCursor(shape));
     listen();

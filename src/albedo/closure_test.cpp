@@ -1,5 +1,6 @@
 #include "albedo/closure.h"
 
+#include "base/pi.shared.h"
 #include "scenes/scenes.h"
 #include "shading/direct.shared.h"
 
@@ -12,7 +13,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr glm::vec3 kInverseSquare(0.0f, 0.0f, 1.0f);
 
 Lights oneLamp(float intensity)

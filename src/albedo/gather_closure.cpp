@@ -1,4 +1,5 @@
 #include "albedo/gather_closure.h"
+#include "base/pi.shared.h"
 
 #include <cmath>
 
@@ -7,7 +8,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr int kBounces = 6; // a room's walls keep about half at each
 
 /// What all sides send out once light has bounced about on the albedo.

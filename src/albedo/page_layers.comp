@@ -5,12 +5,11 @@
 #include "albedo/fill.shared.h"
 #include "albedo/page_layers.gpu.h"
 #include "albedo/page_layers.shared.h"
+#include "base/pi.shared.h"
 #include "lights/emitters.shared.h"
 #include "shading/buried.shared.h"
 
 ARGUMENTS(PageLayersArguments)
-
-const float kPerPi = 1.0 / 3.14159265;
 
 struct Shading
 {
@@ -22,8 +21,8 @@ struct Shading
 Shading shadingOf(uint i, vec4 rim, vec3 radiance)
 {
     Shading shading;
-    shading.direct = kPerPi * halves(arguments.direct.at[i]).rgb;
-    shading.indirect = kPerPi * halves(arguments.indirect.at[i]).rgb;
+    shading.direct = 1.0 / kPi * halves(arguments.direct.at[i]).rgb;
+    shading.indirect = 1.0 / kPi * halves(arguments.indirect.at[i]).rgb;
     if (rim.w <= 0.0) return shading;
     const float share =
         shareOfRim(luminance(radiance), luminance(shading.direct + shading.indirect),

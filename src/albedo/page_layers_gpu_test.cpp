@@ -1,6 +1,7 @@
 #include "albedo/page_layers_gpu.h"
 
 #include "base/half.h"
+#include "base/pi.shared.h"
 #include "scenes/apart_layers.h"
 #include "scenes/gpu_scene.h"
 #include "scenes/scenes.h"
@@ -16,8 +17,6 @@ namespace relamp
 {
 namespace
 {
-
-constexpr float kPi = 3.14159265f;
 
 /// Numbers that look drawn, 0..1.
 float drawn(size_t i, uint32_t salt)

@@ -2,6 +2,7 @@
 
 #include "relamp/error.h"
 
+#include <filesystem>
 #include <string>
 
 #include <fmt/format.h>
@@ -18,6 +19,11 @@ namespace relamp
 [[noreturn]] inline void malformed(const std::string& what, const std::string& why)
 {
     fail(ErrorCode::malformed, what, why);
+}
+
+[[noreturn]] inline void cannotWrite(const std::filesystem::path& file, const std::string& why)
+{
+    fail(ErrorCode::cannotWrite, file.string(), "cannot be written: " + why);
 }
 
 } // namespace relamp

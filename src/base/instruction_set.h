@@ -14,7 +14,10 @@ InstructionSet bestInstructionSet();
 
 std::string_view nameOf(InstructionSet set);
 
-#if defined(__x86_64__) && !defined(__clang__)
+#ifdef RELAMP_SANITIZED // looks at what the source does, and at one copy of it
+#define RELAMP_TARGET_AVX2 gnu::noinline
+#define RELAMP_TARGET_AVX512 gnu::noinline
+#elif defined(__x86_64__) && !defined(__clang__)
 #define RELAMP_TARGET_AVX2 gnu::target("avx2,fma,f16c"), gnu::flatten
 #define RELAMP_TARGET_AVX512                                                                       \
     gnu::target("avx512f,avx512vl,avx512bw,avx512dq,fma,f16c,prefer-vector-width=512"), gnu::flatten

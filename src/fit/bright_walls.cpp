@@ -1,5 +1,6 @@
 #include "fit/bright_walls.h"
 
+#include "base/pi.shared.h"
 #include "lights/expand.shared.h"
 
 #include <algorithm>
@@ -9,7 +10,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kBrightWall = 0.75f; // albedo of what burns out first
 constexpr size_t kLooks = 16;        // surfels of a lamp, to see what lights it
 constexpr size_t kRays = 4;          // from each place of a side

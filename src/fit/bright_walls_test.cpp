@@ -1,5 +1,6 @@
 #include "fit/bright_walls.h"
 
+#include "base/pi.shared.h"
 #include "lights/expand.shared.h"
 #include "scenes/lit_room.h"
 #include "scenes/surfaces.h"
@@ -12,8 +13,6 @@ namespace
 {
 
 using scenes::LitRoom;
-
-constexpr float kPi = 3.14159265f;
 
 /// The room's panel, then the sheet that it burns out, as lamps to be; and no other light.
 struct PanelAndSheet

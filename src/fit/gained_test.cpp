@@ -1,3 +1,4 @@
+#include "base/pi.shared.h"
 #include "fit/gained.h"
 
 #include <cmath>
@@ -9,7 +10,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kRadiance = 20.0f; // of the lamp that the fit does without
 
 /// A grey floor whose left half lies under a lamp of a fit, and its middle under one more.

@@ -1,5 +1,7 @@
 #include "fit/given_lamps.h"
 
+#include "base/pi.shared.h"
+#include "lights/shining.h"
 #include "shading/sampling.shared.h"
 
 #include <algorithm>
@@ -16,18 +18,12 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kMoved = 0.02f;       // m; a fixture that was moved farther is another
 constexpr float kOff = 0.25f;         // of its size; it is pointed at by hand
 constexpr float kAboutAsLarge = 2.0f; // ratio of areas
 constexpr float kFacesAlike = 0.7f;   // of a mean normal, along the fixture's
 constexpr float kLeastRadius = 0.02f; // m, of something without a size
 constexpr int kPatches = 32;
-
-bool isDark(glm::vec3 light)
-{
-    return std::max({light.r, light.g, light.b}) <= 0.0f;
-}
 
 glm::vec3 centreOf(std::span<const ClippedPatch> patches)
 {

@@ -1,4 +1,6 @@
+#include "base/pi.shared.h"
 #include "fit/given_lamps.h"
+#include "scenes/axes.h"
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
@@ -8,8 +10,7 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
-constexpr glm::vec3 kDown(0, -1, 0);
+using scenes::kDown;
 
 /// A lamp of one patch at (1, 2, 3), 0.5 m^2.
 FoundLamps onePanel()

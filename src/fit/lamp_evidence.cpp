@@ -12,7 +12,7 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kPlaces = 6000;
+constexpr size_t kEvidencePlaces = 6000;
 constexpr size_t kPlacesOfDraft = 2000;
 constexpr size_t kPlacesBurntOut = 150;
 constexpr float kAllBurntOut = 0.9f; // of a surfel's area
@@ -42,7 +42,7 @@ LampEvidence::LampEvidence(const Texels& texels, const RayScene& scene, const Hi
                            const SurfelRadiance& radiance, Quality quality)
     : texels_(texels), scene_(scene), hits_(hits), radiance_(radiance), field_(fieldOf(radiance))
 {
-    choosePlaces(quality == Quality::draft ? kPlacesOfDraft : kPlaces);
+    choosePlaces(quality == Quality::draft ? kPlacesOfDraft : kEvidencePlaces);
     if (tells()) chooseBurntOut();
     findAround();
 }

@@ -1,5 +1,6 @@
 #include "fit/lamp_evidence.h"
 
+#include "base/pi.shared.h"
 #include "scenes/lit_room.h"
 #include "scenes/surfaces.h"
 
@@ -14,8 +15,6 @@ namespace
 {
 
 using scenes::LitRoom;
-
-constexpr float kPi = 3.14159265f;
 
 /// The room with one panel, and what it tells; a suspect at each of its burnt-out pieces.
 struct Told

@@ -1,5 +1,7 @@
 #include "fit/lamp_groups.h"
 
+#include "scenes/axes.h"
+
 #include <gmock/gmock.h>
 
 namespace relamp
@@ -7,9 +9,9 @@ namespace relamp
 namespace
 {
 
-constexpr glm::vec3 kDown(0, -1, 0);
+using scenes::kDown;
 
-Candidate panelAt(float x, float z, float area)
+Candidate candidateAt(float x, float z, float area)
 {
     return candidateOf({{{x, 3, z}, kDown, area, 0}});
 }
@@ -20,7 +22,8 @@ std::vector<Candidate> ceiling(int rows)
     std::vector<Candidate> panels;
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < 10; ++column)
-            panels.push_back(panelAt(static_cast<float>(column), static_cast<float>(row), 0.36f));
+            panels.push_back(
+                candidateAt(static_cast<float>(column), static_cast<float>(row), 0.36f));
     return panels;
 }
 
@@ -78,7 +81,8 @@ TEST(LampGroups, WhatIsBurntOutAllAroundComesBeforeLargerFlatPieces)
 TEST(LampGroups, SpecksBeyondTheMostGroupNothingAndAreNotCounted)
 {
     std::vector<Candidate> candidates = ceiling(6);
-    for (int i = 0; i < 50; ++i) candidates.push_back(panelAt(20.0f, static_cast<float>(i), 1e-3f));
+    for (int i = 0; i < 50; ++i)
+        candidates.push_back(candidateAt(20.0f, static_cast<float>(i), 1e-3f));
     const LampGroups lamps = grouped(candidates);
     EXPECT_EQ(lamps.groups.size(), 64u);
     for (const LampGroup& group : lamps.groups) EXPECT_THAT(group.ends, testing::IsEmpty());

@@ -27,16 +27,16 @@ namespace
 {
 
 constexpr size_t kMostCandidates = 96;
-constexpr size_t kSteps = 4;             // of the search, as progress tells
+constexpr size_t kSearchSteps = 4;       // of the search, as progress tells
 constexpr double kToleranceFirst = 1e-4; // of a fit that only tells what is worth looking at
 constexpr size_t kRaysPerOrigin = 6; // at a place, to those that remain: noise would make them weak
-constexpr float kHardlyWhite = 1.05f;  // luminance at the first look, which few rays make dim
-constexpr float kAboutWhite = 1.2f;    // below, it lights its surroundings as a wall would
-constexpr float kHardlyShare = 0.001f; // of the light at places
-constexpr float kLeastShare = 0.0015f; // below, a lamp does not matter
-constexpr float kLeastReach = 0.02f;   // of places that see it; else it is in a pocket of the scan
-constexpr float kExplained = 0.8f;     // of white
-constexpr float kPieceMissed = 0.008f; // rise of the fit's loss; it lights 1 % of the pairs
+constexpr float kHardlyWhite = 1.05f;   // luminance at the first look, which few rays make dim
+constexpr float kAboutWhite = 1.2f;     // below, it lights its surroundings as a wall would
+constexpr float kHardlyShare = 0.001f;  // of the light at places
+constexpr float kLeastShare = 0.0015f;  // below, a lamp does not matter
+constexpr float kLeastReach = 0.02f;    // of places that see it; else it is in a pocket of the scan
+constexpr float kExplainedWhite = 0.8f; // of white
+constexpr float kPieceMissed = 0.008f;  // rise of the fit's loss; it lights 1 % of the pairs
 constexpr float kWallPieceMissed = 0.03f; // of what would be burnt out anyway
 constexpr float kWallMissed = 0.04f;      // of that, once pieces are joined to lamps
 constexpr float kSmallWallMissed = 2.5f;  // times that, of pieces of less than kLarge
@@ -45,7 +45,7 @@ constexpr float kGreyWall = 0.5f;         // radiance
 constexpr float kDarkWall = 0.2f;         // what the room hardly lights hardly lights the room
 constexpr float kGreyMissed = 0.003f;     // of what is small
 constexpr float kLarge = 100.0f;          // surfels
-constexpr float kSmall = 10.0f;           // surfels
+constexpr float kSmallLamp = 10.0f;       // surfels
 constexpr float kSpeck = 1.0f;            // surfels
 constexpr float kHardlyMissed = 0.15f;    // of these
 constexpr float kBright = 500.0f;         // few lamps are brighter
@@ -98,7 +98,8 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
                        const SurfelRadiance& radiance, const GatherOptions& options,
                        Progress& progress)
     : texels_(texels), scene_(scene), hits_(hits), radiance_(radiance),
-      stage_(progress, "lamps", kSteps), evidence_(texels, scene, hits, radiance, options.quality)
+      stage_(progress, "lamps", kSearchSteps),
+      evidence_(texels, scene, hits, radiance, options.quality)
 {
     callAll([&] { takeCandidates(options); }, [&] { evidence_.drawAllPairs(); });
 }
@@ -218,7 +219,7 @@ bool LampSearch::isExplained(const BrightWalls& walls, size_t f) const
 {
     const float wall = brightnessOfWall(walls, f);
     const float above = std::log(luminance(suspects_[f].radiance) / std::max(wall, 1.0f));
-    return wall > kExplained && above < 0.7f + 2.0f * suspects_[f].logError.g;
+    return wall > kExplainedWhite && above < 0.7f + 2.0f * suspects_[f].logError.g;
 }
 
 /// The weakest that is explained goes first: what it was thought to do falls to the others.
@@ -259,12 +260,13 @@ std::vector<float> LampSearch::rises()
 /// the texture.
 float missedAtLeast(float brightnessOfWall, float surfels, float ifWall)
 {
-    if (brightnessOfWall > kExplained) return surfels < kLarge ? kSmallWallMissed * ifWall : ifWall;
+    if (brightnessOfWall > kExplainedWhite)
+        return surfels < kLarge ? kSmallWallMissed * ifWall : ifWall;
     if (surfels < kSpeck) return kWallMissed;
     if (brightnessOfWall < kDarkWall)
         return std::lerp(kWallPieceMissed, kGreyMissed, brightnessOfWall / kDarkWall);
-    const float aboveGrey = (brightnessOfWall - kGreyWall) / (kExplained - kGreyWall);
-    return std::max(surfels < kSmall ? kGreyMissed : 0.0f, kPieceMissed * aboveGrey);
+    const float aboveGrey = (brightnessOfWall - kGreyWall) / (kExplainedWhite - kGreyWall);
+    return std::max(surfels < kSmallLamp ? kGreyMissed : 0.0f, kPieceMissed * aboveGrey);
 }
 
 /// How much more a lamp of that radiance must be missed: a speck can be anything to the fit.
@@ -296,7 +298,7 @@ std::vector<float> LampSearch::needs(float missedIfWall)
         const float least =
             missedAtLeast(wall, surfels, ifWall) + missedIfBright(luminance(suspect.radiance));
         if (!suspect.isGiven && least > 0.0f) need[f] = risen / least;
-        mayBePane[f] = wall < kExplained && surfels >= kSmall;
+        mayBePane[f] = wall < kExplainedWhite && surfels >= kSmallLamp;
     }
     for (size_t f = 0; f < need.size(); ++f)
         for (size_t other = 0; other < need.size() && mayBePane[f] != 0; ++other)
@@ -327,7 +329,7 @@ void LampSearch::dropNeedless(float missedIfWall)
 /// small: it can be anything to the fit.
 std::vector<Suspect> LampSearch::worthAnotherLook() const
 {
-    const float small = kSmall * texels_.surfels.size * texels_.surfels.size;
+    const float small = kSmallLamp * texels_.surfels.size * texels_.surfels.size;
     std::vector<const Suspect*> passed;
     std::vector<std::span<const float>> direct;
     for (const Suspect& suspect : passedOver_) {

@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr float kDark = 0.5f;     // of the median light
-constexpr size_t kLeastShare = 4; // a quarter of the pairs; of fewer the prior has too much to say
+constexpr size_t kLeastPairs = 4; // a quarter of the pairs; of fewer the prior has too much to say
 
 /// Luminance of the irradiance of every measured place.
 std::vector<float> lightUnder(const Powers& powers, const FitData& data)
@@ -57,7 +57,7 @@ Powers fitLitPowers(const FitData& data, std::span<const MaterialPair> pairs,
 {
     Powers all = fitPowers(data, pairs, options);
     const std::vector<MaterialPair> lit = litPairs(pairs, lightUnder(all, data));
-    if (lit.empty() || kLeastShare * lit.size() < pairs.size()) return all;
+    if (lit.empty() || kLeastPairs * lit.size() < pairs.size()) return all;
     options.start = all.radiance;
     options.start.push_back(all.ambient);
     options.firstScale = 2.0 * options.lastScale; // most of it is known

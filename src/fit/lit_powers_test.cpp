@@ -1,3 +1,4 @@
+#include "base/pi.shared.h"
 #include "fit/lit_powers.h"
 
 #include <random>
@@ -10,7 +11,6 @@ namespace
 {
 
 constexpr size_t kPlaces = 600;
-constexpr float kPi = 3.14159265f;
 
 /// A floor of one paint under a lamp of radiance 40; a third of it lies in the dark.
 struct DarkCorners

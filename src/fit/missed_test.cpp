@@ -1,3 +1,4 @@
+#include "base/pi.shared.h"
 #include "fit/missed.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ FitData halfLitFloor()
         data.direct.insert(data.direct.end(), {lit, lit, 0.0f});
         data.gathered.emplace_back(0.2f);
         data.missed.push_back(0.0f);
-        data.radiance.emplace_back(0.5f * (0.2f + 10.0f * lit) / 3.14159265f);
+        data.radiance.emplace_back(0.5f * (0.2f + 10.0f * lit) / kPi);
     }
     return data;
 }

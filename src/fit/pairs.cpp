@@ -14,7 +14,7 @@ constexpr float kSamePlaneFacing = 0.97f; // cosine
 constexpr float kSamePlaneStep = 0.05f;   // m off the plane
 constexpr float kSameColor =
     0.6f; // length of the step in log r, g, b after brightness is taken out
-constexpr float kDarkest = 0.004f; // luminance; below, a byte's steps are too coarse
+constexpr float kDarkestPaired = 0.004f; // luminance; below, a byte's steps are too coarse
 constexpr size_t kTriesPerPair = 32;
 
 /// Colour without brightness, in logs.
@@ -24,7 +24,7 @@ glm::vec3 chromaOf(glm::vec3 radiance)
 }
 
 /// What tells whether two places are of one material.
-struct Place
+struct PairPlace
 {
     glm::vec3 position;
     glm::vec3 normal;
@@ -32,17 +32,18 @@ struct Place
     bool isDark;
 };
 
-std::vector<Place> placesOf(const FitData& data, std::span<const uint32_t> surfels,
-                            const Surfels& all)
+std::vector<PairPlace> placesOf(const FitData& data, std::span<const uint32_t> surfels,
+                                const Surfels& all)
 {
-    std::vector<Place> places;
+    std::vector<PairPlace> places;
     for (size_t i = 0; i < data.places(); ++i)
         places.push_back({all.position[surfels[i]], all.normal[surfels[i]],
-                          chromaOf(data.radiance[i]), luminance(data.radiance[i]) < kDarkest});
+                          chromaOf(data.radiance[i]),
+                          luminance(data.radiance[i]) < kDarkestPaired});
     return places;
 }
 
-bool couldBeOneMaterial(const Place& p, const Place& q)
+bool couldBeOneMaterial(const PairPlace& p, const PairPlace& q)
 {
     return !p.isDark && !q.isDark && glm::dot(p.normal, q.normal) >= kSamePlaneFacing &&
            std::abs(glm::dot(q.position - p.position, p.normal)) <= kSamePlaneStep &&
@@ -55,7 +56,7 @@ std::vector<MaterialPair> drawPairs(const FitData& data, std::span<const uint32_
                                     const Surfels& all, size_t perPlace)
 {
     std::vector<MaterialPair> pairs;
-    const std::vector<Place> places = placesOf(data, surfels, all);
+    const std::vector<PairPlace> places = placesOf(data, surfels, all);
     const auto count = static_cast<uint32_t>(places.size());
     if (count < 2) return pairs;
     std::mt19937 random(1); // its raw numbers are the same everywhere; distributions need not be

@@ -1,5 +1,7 @@
 #include "fit/pairs.h"
 
+#include "scenes/axes.h"
+
 #include <numeric>
 
 #include <gmock/gmock.h>
@@ -9,7 +11,7 @@ namespace relamp
 namespace
 {
 
-constexpr glm::vec3 kUp(0, 1, 0);
+using scenes::kUp;
 
 /// Places of a room, each a surfel of its own.
 struct Places

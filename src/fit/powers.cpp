@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include <Eigen/Cholesky>
@@ -17,7 +18,6 @@ namespace relamp
 namespace
 {
 
-constexpr double kPi = 3.14159265358979;
 constexpr double kBrightestPaper = 0.9;   // albedo
 constexpr double kLeastIrradiance = 1e-3; // what no measured place falls below
 constexpr double kSmallest = -4.0;        // log radiance
@@ -216,7 +216,7 @@ void Channel::findShares(size_t i, std::span<const float> value)
 /// How much too dark a burnt-out place is even as the brightest paper; 0 where it is not.
 double Channel::lack(size_t place) const
 {
-    const double least = logRadiance_[place] + std::log(kPi / kBrightestPaper);
+    const double least = logRadiance_[place] + std::log(std::numbers::pi / kBrightestPaper);
     return std::max(least - logIrradiance_[place], 0.0);
 }
 
@@ -296,7 +296,7 @@ void Channel::addLevel(Squares& squares) const
             row[static_cast<Eigen::Index>(f)] -= static_cast<double>(sums[at + f]) / places;
     double& level = row[squares.rows() - 1];
     for (size_t i = 0; i < data_.places(); ++i) level += logRadiance_[i] - logIrradiance_[i];
-    level = level / places + std::log(kPi / kUsualAlbedo);
+    level = level / places + std::log(std::numbers::pi / kUsualAlbedo);
     squares += kLevelWeight * static_cast<double>(pairs_.size()) * row * row.transpose();
 }
 

@@ -1,3 +1,4 @@
+#include "base/pi.shared.h"
 #include "fit/powers.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kPlaces = 800;
+constexpr size_t kPowerPlaces = 800;
 
 /// Numbers that are the same on every machine; distributions of the standard need not be.
 class Numbers
@@ -54,7 +55,7 @@ Floor::Floor(std::vector<glm::vec3> lamps, float noise, float outliers) : truth(
     std::vector<glm::vec2> under;
     for (size_t f = 0; f < data.lamps; ++f)
         under.emplace_back(random.between(1, 4), random.between(1, 4));
-    for (size_t i = 0; i < kPlaces; ++i) {
+    for (size_t i = 0; i < kPowerPlaces; ++i) {
         const glm::vec2 place(random.between(0, 5), random.between(0, 5));
         glm::vec3 irradiance(random.between(0.2f, 0.5f));
         data.gathered.push_back(irradiance);
@@ -67,11 +68,11 @@ Floor::Floor(std::vector<glm::vec3> lamps, float noise, float outliers) : truth(
             irradiance += truth[f] * data.direct.back();
         }
         const float albedo = (i % 2 == 0 ? 0.7f : 0.3f) * std::exp(noise * random.normal());
-        data.radiance.push_back(albedo * irradiance / 3.14159265f);
+        data.radiance.push_back(albedo * irradiance / kPi);
     }
-    for (size_t i = 0; i < 8 * kPlaces; ++i) {
-        const auto p = static_cast<uint32_t>(random.between(0, kPlaces - 1));
-        const auto q = static_cast<uint32_t>(random.between(0, kPlaces - 1));
+    for (size_t i = 0; i < 8 * kPowerPlaces; ++i) {
+        const auto p = static_cast<uint32_t>(random.between(0, kPowerPlaces - 1));
+        const auto q = static_cast<uint32_t>(random.between(0, kPowerPlaces - 1));
         const bool sameMaterial = p % 2 == q % 2;
         if (p != q && (sameMaterial || random.between(0, 1) < outliers)) pairs.push_back({p, q});
     }
@@ -118,7 +119,7 @@ TEST(Powers, AreInTheUnitsOfTheGatheredLight)
 TEST(Powers, WhatTheDataLeaveOpenIsWhiteAndSaysSo)
 {
     Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.02f, 0.0f);
-    for (size_t i = 0; i < kPlaces; ++i) floor.data.direct[2 * i + 1] = 0.0f;
+    for (size_t i = 0; i < kPowerPlaces; ++i) floor.data.direct[2 * i + 1] = 0.0f;
     const Powers powers = fitPowers(floor.data, floor.pairs);
     expectNear(powers.radiance[1], glm::vec3(1.0f), 0.05f);
     EXPECT_GT(powers.logError[1].g, 10.0f * powers.logError[0].g);
@@ -142,7 +143,7 @@ TEST(Powers, AChannelThatTheDataLeaveOpenIsAsBrightAsTheLamp)
 {
     Floor floor({{400, 300, 200}}, 0.0f, 0.0f);
     Numbers random;
-    for (size_t i = 0; i < kPlaces; ++i) { // few places see the lamp, and blue is all noise
+    for (size_t i = 0; i < kPowerPlaces; ++i) { // few places see the lamp, and blue is all noise
         const glm::vec3 light = floor.truth[0] * floor.data.direct[i];
         if (i % 80 > 1) {
             const glm::vec3 rest = floor.data.gathered[i] + floor.ambient * floor.data.missed[i];
@@ -174,11 +175,11 @@ TEST(Powers, BurntOutPlacesBoundALampFromBelow)
 {
     Floor floor({{40, 30, 20}, {0, 0, 0}}, 0.02f,
                 0.0f); // what is measured gets nothing from lamp 1
-    for (size_t i = 0; i < kPlaces; ++i) floor.data.direct[2 * i + 1] = 0.0f;
+    for (size_t i = 0; i < kPowerPlaces; ++i) floor.data.direct[2 * i + 1] = 0.0f;
     const Powers without = fitPowers(floor.data, floor.pairs);
     burnOut(floor.data, 50, 0.1f);
     const Powers powers = fitPowers(floor.data, floor.pairs);
-    const float least = (3.14159265f / 0.9f - 0.2f) / 0.1f;
+    const float least = (kPi / 0.9f - 0.2f) / 0.1f;
     expectNear(powers.radiance[1], glm::vec3(least), 0.05f);
     expectNear(powers.radiance[0], without.radiance[0], 0.01f);
 }
@@ -203,13 +204,13 @@ TEST(Powers, LevelOfARoomIsHeldWhereLampsOutshineWhatIsGathered)
     Numbers random;
     FitData data{.lamps = 1};
     std::vector<MaterialPair> pairs;
-    for (uint32_t i = 0; i < kPlaces; ++i) {
+    for (uint32_t i = 0; i < kPowerPlaces; ++i) {
         data.gathered.emplace_back(1e-4f);
         data.missed.push_back(0.0f);
         data.direct.push_back(random.between(0.05f, 0.2f));
-        data.radiance.push_back(kAlbedo / 3.14159265f * lamp * data.direct.back());
+        data.radiance.push_back(kAlbedo / kPi * lamp * data.direct.back());
         for (const uint32_t step : {1u, 5u, 9u})
-            pairs.push_back({i, static_cast<uint32_t>((i + step) % kPlaces)});
+            pairs.push_back({i, static_cast<uint32_t>((i + step) % kPowerPlaces)});
     }
     expectNear(fitPowers(data, pairs).radiance[0], lamp, 0.25f);
 }
@@ -219,7 +220,7 @@ TEST(Powers, BurntOutPlacesSayNothingOfColour)
     Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.02f, 0.0f);
     const Powers without = fitPowers(floor.data, floor.pairs);
     burnOut(floor.data, 200, 0.1f);
-    for (size_t i = kPlaces; i < floor.data.radiance.size(); ++i)
+    for (size_t i = kPowerPlaces; i < floor.data.radiance.size(); ++i)
         floor.data.radiance[i] = {1.0f, 0.7f, 0.4f};
     const Powers with = fitPowers(floor.data, floor.pairs);
     EXPECT_GT(with.radiance[1].g, 1.2f * without.radiance[1].g);
@@ -250,7 +251,7 @@ TEST(Powers, HighlightsDoNotMakeLampsBrighter)
 TEST(Powers, LampsOfOneModelAreAboutEquallyBright)
 {
     Floor floor({{40, 30, 20}, {40, 30, 20}}, 0.02f, 0.0f);
-    for (size_t i = 0; i < kPlaces; ++i) floor.data.direct[2 * i + 1] = 0.0f;
+    for (size_t i = 0; i < kPowerPlaces; ++i) floor.data.direct[2 * i + 1] = 0.0f;
     const Powers powers =
         fitPowers(floor.data, floor.pairs, {.priorWeight = 1e-6, .alike = {{0, 1}}});
     expectNear(powers.radiance[1], powers.radiance[0], 0.1f);
@@ -259,7 +260,7 @@ TEST(Powers, LampsOfOneModelAreAboutEquallyBright)
 TEST(Powers, LampsOfOneModelAreAsBrightAsExpectedOfWhatTheScanShowsOfThem)
 {
     Floor floor({{40, 30, 20}, {40, 30, 20}}, 0.02f, 0.0f);
-    for (size_t i = 0; i < kPlaces; ++i) floor.data.direct[2 * i + 1] = 0.0f;
+    for (size_t i = 0; i < kPowerPlaces; ++i) floor.data.direct[2 * i + 1] = 0.0f;
     const Powers powers =
         fitPowers(floor.data, floor.pairs, {.priorWeight = 1e-6, .alike = {{1, 0, 3.0f}}});
     expectNear(powers.radiance[1], 3.0f * powers.radiance[0], 0.1f);

@@ -1,6 +1,7 @@
 #include "fit/shade.h"
 
 #include "base/parallel.h"
+#include "base/pi.shared.h"
 #include "lights/expand.shared.h"
 #include "shading/gathered_light.h"
 
@@ -16,23 +17,22 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
-constexpr float kBeside = 1.6f;       // surfel sizes
-constexpr float kMostBurntOut = 0.1f; // of a surfel
-constexpr float kPaintStep = 0.3f;    // of log albedo between neighbours: more is an edge of paint
-constexpr float kColorStep = 0.1f;    // of log (r / g) and log (b / g), likewise
-constexpr float kBelief = 0.002f;     // in the light found in the middle of all places
-constexpr float kMostUneven = 0.05f;  // of log light that is too dark: so much is noise
-constexpr int kRounds = 6;            // of weights that follow from the light before
-constexpr int kSteps = 12;            // of conjugate gradients in each
-constexpr float kDarkest = 1e-4f;
+constexpr float kBesideSurfel = 1.6f;         // surfel sizes
+constexpr float kMostOfSurfelBurntOut = 0.1f; // of a surfel
+constexpr float kPaintStep = 0.3f;   // of log albedo between neighbours: more is an edge of paint
+constexpr float kColorStep = 0.1f;   // of log (r / g) and log (b / g), likewise
+constexpr float kBelief = 0.002f;    // in the light found in the middle of all places
+constexpr float kMostUneven = 0.05f; // of log light that is too dark: so much is noise
+constexpr int kShadeRounds = 6;      // of weights that follow from the light before
+constexpr int kSolverSteps = 12;     // of conjugate gradients in each
+constexpr float kDarkestShade = 1e-4f;
 
 // A thin pattern in the open is paint: a joint between tiles, dots on a wallpaper.
-constexpr int kThin = 2;           // rings of neighbours; a line is narrower than twice that
-constexpr float kShallow = 0.15f;  // of log albedo: a pattern is deeper
-constexpr float kOneSided = 0.35f; // surfel sizes, of the mean way to those beside one
-constexpr float kNear = 0.1f;      // metres; what throws so thin a shadow is about that near
-constexpr float kOpen = 0.015f;    // share of a view that is so near: less, and nothing throws one
+constexpr int kThin = 2;               // rings of neighbours; a line is narrower than twice that
+constexpr float kShallow = 0.15f;      // of log albedo: a pattern is deeper
+constexpr float kOneSidedRing = 0.35f; // surfel sizes, of the mean way to those beside one
+constexpr float kNear = 0.1f;          // metres; what throws so thin a shadow is about that near
+constexpr float kOpen = 0.015f; // share of a view that is so near: less, and nothing throws one
 
 /// Albedo as the light found makes it, in logarithms.
 struct Paint
@@ -46,7 +46,7 @@ struct Paint
 
 float logOf(float value)
 {
-    return std::log(std::max(value, kDarkest));
+    return std::log(std::max(value, kDarkestShade));
 }
 
 /// Steep: what is darker than usual by an octave is believed 64 times less.
@@ -62,15 +62,16 @@ std::vector<Paint> paintOf(const SurfelRadiance& radiance, std::span<const glm::
     for (const glm::vec3 light : irradiance) found.push_back(luminance(light));
     const auto middle = found.begin() + static_cast<ptrdiff_t>(found.size() / 2);
     std::nth_element(found.begin(), middle, found.end());
-    const float usual = std::max(*middle, kDarkest);
+    const float usual = std::max(*middle, kDarkestShade);
     std::vector<Paint> paint(irradiance.size());
     forEach(paint.size(), [&](size_t s) {
         const glm::vec3 seen = radiance.plain[s];
         const glm::vec3 light = irradiance[s];
         const float green = logOf(seen.g) - logOf(light.g);
         const float bright = luminance(light) / usual;
-        const bool isKnown = radiance.plainArea[s] > 0.0f &&
-                             radiance.clippedArea[s] < kMostBurntOut * radiance.plainArea[s];
+        const bool isKnown =
+            radiance.plainArea[s] > 0.0f &&
+            radiance.clippedArea[s] < kMostOfSurfelBurntOut * radiance.plainArea[s];
         const float brightness = logOf(luminance(seen)) - logOf(luminance(light));
         paint[s] = {brightness, brightness, logOf(seen.r) - logOf(light.r) - green,
                     logOf(seen.b) - logOf(light.b) - green, isKnown ? beliefIn(bright) : -1.0f};
@@ -103,7 +104,7 @@ struct Sheet
 Sheet sheetOf(const Surfels& surfels, std::span<const Paint> paint)
 {
     Sheet sheet;
-    const float reach = kBeside * surfels.size;
+    const float reach = kBesideSurfel * surfels.size;
     const auto add = [&](size_t n, float alike) {
         sheet.surfel.push_back(static_cast<int>(n));
         sheet.alike.push_back(alike);
@@ -121,7 +122,7 @@ Sheet sheetOf(const Surfels& surfels, std::span<const Paint> paint)
         }
         sheet.first.push_back(static_cast<int>(sheet.surfel.size()));
         const auto beside = static_cast<float>(sheet.end(s) - sheet.begin(s) - 1);
-        sheet.atRim.push_back(glm::length(ways) > kOneSided * surfels.size * beside);
+        sheet.atRim.push_back(glm::length(ways) > kOneSidedRing * surfels.size * beside);
     }
     return sheet;
 }
@@ -238,8 +239,8 @@ Eigen::VectorXf Settling::run()
         count(), count(), static_cast<Eigen::Index>(weight_.size()), sheet_.first.data(),
         sheet_.surfel.data(), weight_.data());
     Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver;
-    solver.setMaxIterations(kSteps);
-    for (int round = 0; round < kRounds; ++round) {
+    solver.setMaxIterations(kSolverSteps);
+    for (int round = 0; round < kShadeRounds; ++round) {
         forEach(paint_.size(), [&](size_t s) { weigh(static_cast<Eigen::Index>(s)); });
         lit_ = solver.compute(weights).solveWithGuess(pull_, lit_);
     }

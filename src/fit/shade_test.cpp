@@ -1,5 +1,6 @@
 #include "fit/shade.h"
 
+#include "base/pi.shared.h"
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"
 
@@ -25,8 +26,7 @@ float foundAt(float x)
 std::vector<glm::vec3> foundOn(const Surfels& surfels)
 {
     std::vector<glm::vec3> found;
-    for (const glm::vec3 place : surfels.position)
-        found.emplace_back(3.14159265f * foundAt(place.x));
+    for (const glm::vec3 place : surfels.position) found.emplace_back(kPi * foundAt(place.x));
     return found;
 }
 

@@ -14,13 +14,13 @@ using ::testing::DoubleNear;
 using ::testing::Each;
 using ::testing::Pointwise;
 
-constexpr size_t kPlaces = 50;
+constexpr size_t kSquarePlaces = 50;
 
 PlaceTable tableOf(size_t columns)
 {
     std::mt19937 random(3);
-    PlaceTable table(kPlaces, columns);
-    for (size_t place = 0; place < kPlaces; ++place)
+    PlaceTable table(kSquarePlaces, columns);
+    for (size_t place = 0; place < kSquarePlaces; ++place)
         for (size_t f = 0; f < columns; ++f)
             table.row(place)[f] = static_cast<float>(random() % 1000) / 1000.0f;
     return table;
@@ -31,10 +31,10 @@ std::vector<PairResidual> residualsOf(size_t count)
     std::mt19937 random(4);
     std::vector<PairResidual> residuals;
     for (size_t i = 0; i < count; ++i)
-        residuals.push_back(
-            {{static_cast<uint32_t>(random() % kPlaces), static_cast<uint32_t>(random() % kPlaces)},
-             static_cast<float>(random() % 100) / 100.0f,
-             static_cast<float>(random() % 100) / 50.0f - 1.0f});
+        residuals.push_back({{static_cast<uint32_t>(random() % kSquarePlaces),
+                              static_cast<uint32_t>(random() % kSquarePlaces)},
+                             static_cast<float>(random() % 100) / 100.0f,
+                             static_cast<float>(random() % 100) / 50.0f - 1.0f});
     return residuals;
 }
 

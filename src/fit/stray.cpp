@@ -1,6 +1,7 @@
 #include "fit/stray.h"
 
 #include "base/parallel.h"
+#include "base/pi.shared.h"
 #include "fit/pairs.h"
 #include "lights/expand.shared.h"
 
@@ -15,14 +16,14 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kPlaces = 6000;
-constexpr size_t kPairs = 6;           // of a place
-constexpr size_t kTexels = 64;         // of a place, at most
-constexpr float kMostBurntOut = 0.02f; // of a place
-constexpr double kScale = 0.25;        // of the Cauchy loss, octaves
-constexpr double kStiffness = 5e-4;    // of the curve, in pairs' squared residuals
-constexpr int kRounds = 20;
-constexpr float kDarkest = 1e-4f; // shading
+constexpr size_t kStrayPlaces = 6000;
+constexpr size_t kPairs = 6;                  // of a place
+constexpr size_t kTexels = 64;                // of a place, at most
+constexpr float kMostOfPlaceBurntOut = 0.02f; // of a place
+constexpr double kScale = 0.25;               // of the Cauchy loss, octaves
+constexpr double kStiffness = 5e-4;           // of the curve, in pairs' squared residuals
+constexpr int kStrayRounds = 20;
+constexpr float kDarkestStray = 1e-4f; // shading
 
 using Row = Eigen::Matrix<double, StrayLight::kKnots, 1>;
 
@@ -72,7 +73,7 @@ std::vector<RunOfTexels> goodRuns(const Texels& texels, const SurfelRadiance& ra
         for (size_t run = 0; run + 1 < texels.pages[p].runs.size(); ++run) {
             const uint32_t s = texels.pages[p].runs[run].surfel;
             if (radiance.plainArea[s] > 0.0f &&
-                radiance.clippedArea[s] < kMostBurntOut * radiance.plainArea[s])
+                radiance.clippedArea[s] < kMostOfPlaceBurntOut * radiance.plainArea[s])
                 good.push_back({p, run});
         }
     return good;
@@ -100,7 +101,7 @@ float meanShading(const Texels& texels, const TexelLoader& loader, RunOfTexels p
 Places placesOf(const Texels& texels, const SurfelRadiance& radiance, const TexelShading& shade)
 {
     const std::vector<RunOfTexels> good = goodRuns(texels, radiance);
-    const size_t count = std::min(kPlaces, good.size());
+    const size_t count = std::min(kStrayPlaces, good.size());
     Places places;
     places.shading.resize(count);
     for (size_t i = 0; i < count; ++i) {
@@ -129,7 +130,7 @@ struct Equation
 std::vector<Equation> equationsOf(const Places& places, std::span<const MaterialPair> pairs)
 {
     const auto logOf = [](float value) {
-        return std::log2(static_cast<double>(std::max(value, kDarkest)));
+        return std::log2(static_cast<double>(std::max(value, kDarkestStray)));
     };
     std::vector<Row> knots;
     std::vector<double> albedo;
@@ -155,7 +156,7 @@ Row octavesOf(const std::vector<Equation>& equations)
     }
     stiffness *= kStiffness * static_cast<double>(equations.size());
     Row octaves = Row::Zero();
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kStrayRounds; ++round) {
         auto left = stiffness;
         Row right = Row::Zero();
         for (const auto& [row, apart] : equations) {
@@ -190,7 +191,8 @@ StrayLight fitStray(const Texels& texels, const SurfelRadiance& radiance, const 
     const double right = knotsAt(*middle).dot(octaves);
     std::array<float, StrayLight::kKnots> tooHigh{};
     for (int k = 0; k < StrayLight::kKnots; ++k)
-        if (StrayLight::kFirst + static_cast<float>(k) < std::log2(std::max(*middle, kDarkest)))
+        if (StrayLight::kFirst + static_cast<float>(k) <
+            std::log2(std::max(*middle, kDarkestStray)))
             tooHigh[static_cast<size_t>(k)] =
                 static_cast<float>(std::clamp(octaves[k] - right, 0.0, 1.0));
     return StrayLight(tooHigh);
@@ -198,7 +200,6 @@ StrayLight fitStray(const Texels& texels, const SurfelRadiance& radiance, const 
 
 std::vector<glm::vec3> withoutStray(std::vector<glm::vec3> irradiance, const StrayLight& stray)
 {
-    constexpr float kPi = 3.14159265f;
     for (glm::vec3& light : irradiance) light *= stray.kept(luminance(light) / kPi);
     return irradiance;
 }

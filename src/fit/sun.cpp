@@ -2,6 +2,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
+#include "base/pi.shared.h"
 #include "lights/candidates.h"
 #include "lights/expand.shared.h"
 #include "shading/sampling.shared.h"
@@ -20,21 +21,20 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kFar = 1e4f;           // m; a room's size beside it is nothing
 constexpr float kHalfAngle = 0.00465f; // radians of the disc
 constexpr int kPatchesOfDisc = 32;
-constexpr float kOffSurface = 0.02f;  // m; a scan's error
-constexpr float kGrazing = 0.15f;     // cosine; below, an edge is too far off
-constexpr float kLeastHeight = 0.03f; // of the direction; the sun is up
-constexpr float kOneSided = 0.7f;     // of sunlight on a floor and a chair; half a shade has 0.64
-constexpr float kLeastPatch = 0.03f;  // m^2
-constexpr float kWhitePaper = 0.75f;  // albedo
-constexpr float kExplained = 0.5f;    // radiance that lamps would give a burnt-out wall
-constexpr float kLeastFronts = 0.3f;  // of what is seen from within a room
-constexpr float kTooBright = 1.3f;    // albedo that nothing has
-constexpr float kPaper = 0.95f;       // albedo up to which light is as thought
-constexpr float kLeastSunlit = 0.25f; // radiance
+constexpr float kOffScan = 0.02f;      // m; a scan's error
+constexpr float kGrazing = 0.15f;      // cosine; below, an edge is too far off
+constexpr float kLeastHeight = 0.03f;  // of the direction; the sun is up
+constexpr float kOneSidedSun = 0.7f;   // of sunlight on a floor and a chair; half a shade has 0.64
+constexpr float kLeastPatch = 0.03f;   // m^2
+constexpr float kWhitePaper = 0.75f;   // albedo
+constexpr float kExplainedWall = 0.5f; // radiance that lamps would give a burnt-out wall
+constexpr float kLeastFronts = 0.3f;   // of what is seen from within a room
+constexpr float kTooBright = 1.3f;     // albedo that nothing has
+constexpr float kPaper = 0.95f;        // albedo up to which light is as thought
+constexpr float kLeastSunlit = 0.25f;  // radiance
 constexpr size_t kMostPatches = 8;
 constexpr size_t kDirections = 4096; // over the sphere
 constexpr size_t kFinalists = 6;
@@ -46,12 +46,12 @@ constexpr float kFirstStep = 0.03f; // radians
 constexpr float kLastStep = 0.001f;
 constexpr float kBlackest = 0.08f; // albedo of what the sun may shine on
 constexpr float kHardlyClipped = 0.1f;
-constexpr float kSamePlaneFacing = 0.97f; // cosine
-constexpr float kSamePlane = 0.05f;       // m
-constexpr float kLeastShade = 0.02f;      // albedo of what pairs with the patch
-constexpr float kBeside = 0.1f;           // m; nearer does not count more
-constexpr float kDisagree = 0.5f;         // of the irradiance; what is so far apart tells little
-constexpr size_t kFewSites = 20;          // that tell little
+constexpr float kSunlitPlaneFacing = 0.97f; // cosine
+constexpr float kSamePlane = 0.05f;         // m
+constexpr float kLeastShade = 0.02f;        // albedo of what pairs with the patch
+constexpr float kLeastWayToSun = 0.1f;      // m; nearer does not count more
+constexpr float kDisagree = 0.5f;           // of the irradiance; what is so far apart tells little
+constexpr size_t kFewSites = 20;            // that tell little
 
 /// What the light that is known makes of a surfel.
 enum class Look : uint8_t { other, dark, bright };
@@ -178,7 +178,7 @@ SunSearch::SunSearch(const Texels& texels, const RayScene& outside, const HitLis
 {
     std::vector<uint8_t> isRound(found.lamps.size(), 0);
     for (size_t f = 0; f < found.lamps.size(); ++f) {
-        isRound[f] = glm::length(candidateOf(found.lamps[f].patches).normal) < kOneSided ? 1 : 0;
+        isRound[f] = glm::length(candidateOf(found.lamps[f].patches).normal) < kOneSidedSun ? 1 : 0;
         for (const ClippedPatch& patch : found.lamps[f].patches)
             if (patch.surfel != Surfels::kNone) lamp_[patch.surfel] = static_cast<int32_t>(f);
     }
@@ -201,7 +201,7 @@ Look SunSearch::lookOf(uint32_t s) const
     const float plain = radiance_.plainArea[s];
     if (clipped > plain) {
         if (lamp_[s] >= 0) return Look::bright;
-        return kWhitePaper * shading < kExplained ? Look::bright : Look::other;
+        return kWhitePaper * shading < kExplainedWall ? Look::bright : Look::other;
     }
     if (clipped > kHardlyClipped * plain) return Look::other;
     const float seen = luminance(radiance_.plain[s]);
@@ -257,7 +257,7 @@ void SunSearch::addSurroundings(Patch& patch) const
 std::optional<Ray> SunSearch::rayOut(uint32_t s, glm::vec3 direction) const
 {
     if (glm::dot(surfels_.normal[s], direction) < kGrazing) return std::nullopt;
-    return Ray{surfels_.position[s] + kOffSurface * surfels_.normal[s], direction};
+    return Ray{surfels_.position[s] + kOffScan * surfels_.normal[s], direction};
 }
 
 bool SunSearch::seesOut(uint32_t s, glm::vec3 direction) const
@@ -386,10 +386,10 @@ std::optional<glm::vec3> SunSearch::albedoBeside(uint32_t s, std::span<const Sit
     for (const Site& other : shade) {
         const uint32_t n = other.surfel;
         const glm::vec3 way = surfels_.position[n] - surfels_.position[s];
-        if (glm::dot(surfels_.normal[n], surfels_.normal[s]) < kSamePlaneFacing ||
+        if (glm::dot(surfels_.normal[n], surfels_.normal[s]) < kSunlitPlaneFacing ||
             std::abs(glm::dot(way, surfels_.normal[s])) > kSamePlane)
             continue;
-        const float weight = 1.0f / (glm::dot(way, way) + kBeside * kBeside);
+        const float weight = 1.0f / (glm::dot(way, way) + kLeastWayToSun * kLeastWayToSun);
         sum += weight * sides_.albedo[n];
         weights += weight;
     }
@@ -529,7 +529,7 @@ bool isSunlit(const RayScene& outside, const Sun& sun, const FoundLamp& lamp)
     for (const ClippedPatch& patch : lamp.patches) {
         area += patch.area;
         if (glm::dot(patch.normal, sun.direction) < kGrazing) continue;
-        if (!outside.occluded({patch.position + kOffSurface * patch.normal, sun.direction}))
+        if (!outside.occluded({patch.position + kOffScan * patch.normal, sun.direction}))
             lit += patch.area;
     }
     return lit > kMostSeesOut * area;

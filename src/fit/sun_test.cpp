@@ -1,6 +1,7 @@
 #include "fit/sun.h"
 
 #include "base/half.h"
+#include "base/pi.shared.h"
 #include "lights/expand.shared.h"
 #include "relamp/delight.h"
 #include "scenes/lit_room.h"
@@ -19,7 +20,6 @@ namespace
 
 using scenes::SunRoom;
 
-constexpr float kPi = 3.14159265f;
 const glm::vec3 kBurning(60.0f, 52.0f, 40.0f); // irradiance on the floor; burns it out
 const glm::vec3 kFaint(5.2f, 4.9f, 4.4f);      // does not
 

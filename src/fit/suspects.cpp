@@ -13,15 +13,15 @@ namespace relamp
 namespace
 {
 
-constexpr float kTouching = 0.12f;    // m between pieces of one lamp
-constexpr float kAboutEqual = 3.0f;   // ratio of their radiances
-constexpr float kEqual = 1.5f;        // likewise, of panes of one window
-constexpr float kOneFacing = 0.95f;   // cosine
-constexpr float kOneLevel = 0.05f;    // m
-constexpr float kLeastModel = 0.003f; // m^2; the shape of less says nothing
-constexpr float kSmall = 0.02f;       // m^2; a scan may show half of it, or twice as much
-constexpr float kSamePower = 2.0f;    // ratio
-constexpr float kNoWall = 2.0f;       // luminance; walls' pieces agree in being about white
+constexpr float kTouching = 0.12f;     // m between pieces of one lamp
+constexpr float kAboutEqual = 3.0f;    // ratio of their radiances
+constexpr float kEqual = 1.5f;         // likewise, of panes of one window
+constexpr float kOneFacing = 0.95f;    // cosine
+constexpr float kOneLevel = 0.05f;     // m
+constexpr float kLeastModel = 0.003f;  // m^2; the shape of less says nothing
+constexpr float kSmallSuspect = 0.02f; // m^2; a scan may show half of it, or twice as much
+constexpr float kSamePower = 2.0f;     // ratio
+constexpr float kNoWall = 2.0f;        // luminance; walls' pieces agree in being about white
 constexpr size_t kLeastFamily = 4;
 constexpr size_t kFewBodies = 2;  // that are enough of a family
 constexpr float kWhole = 0.3f;    // length of a mean normal; what is shorter faces all around
@@ -67,7 +67,7 @@ bool areOneModel(const Candidate& a, const Candidate& b)
 bool agree(const Suspect& a, const Suspect& b)
 {
     if (a.isUnseen || b.isUnseen || !areOneModel(a.candidate, b.candidate)) return false;
-    const bool areSmall = std::max(a.candidate.area, b.candidate.area) < kSmall;
+    const bool areSmall = std::max(a.candidate.area, b.candidate.area) < kSmallSuspect;
     if (!areSmall && !areAlikeBodies(a.candidate, b.candidate)) return false;
     const float ratio = a.power() / b.power();
     return ratio < kSamePower && ratio > 1.0f / kSamePower &&

@@ -1,5 +1,7 @@
 #include "fit/suspects.h"
 
+#include "scenes/axes.h"
+
 #include <gmock/gmock.h>
 
 namespace relamp
@@ -7,12 +9,11 @@ namespace relamp
 namespace
 {
 
+using scenes::kDown;
 using testing::ElementsAre;
 
-constexpr glm::vec3 kDown(0, -1, 0);
-
 /// A panel of a quarter of a square metre whose left edge is at `x`.
-Suspect panelAt(float x, float radiance, size_t body)
+Suspect suspectAt(float x, float radiance, size_t body)
 {
     std::vector<ClippedPatch> patches;
     for (const float step : {0.05f, 0.45f})
@@ -45,7 +46,7 @@ Suspect globeAt(float x, float area, float radiance, size_t body)
 
 TEST(Suspects, ReachIsTheShareOfPlacesThatSeeThem)
 {
-    EXPECT_FLOAT_EQ(panelAt(0, 10, 0).reach(), 0.5f);
+    EXPECT_FLOAT_EQ(suspectAt(0, 10, 0).reach(), 0.5f);
     EXPECT_FLOAT_EQ(Suspect{}.reach(), 0.0f);
 }
 
@@ -53,7 +54,7 @@ TEST(Suspects, ReachIsTheShareOfPlacesThatSeeThem)
 // What is burnt out is not measured.
 TEST(Suspects, SharesAreOfTheLightAtMeasuredPlaces)
 {
-    std::vector<Suspect> suspects{panelAt(0, 10, 0), panelAt(2, 20, 1)};
+    std::vector<Suspect> suspects{suspectAt(0, 10, 0), suspectAt(2, 20, 1)};
     const FitData data{.lamps = 2,
                        .burntOut = 1,
                        .radiance = {glm::vec3(0.2f), glm::vec3(0.2f), glm::vec3(1.0f)},
@@ -67,7 +68,7 @@ TEST(Suspects, SharesAreOfTheLightAtMeasuredPlaces)
 
 TEST(Suspects, FarSidesGoWithTheirLamps)
 {
-    std::vector<Suspect> suspects{panelAt(0, 10, 0), panelAt(2, 20, 1), panelAt(2, 20, 1)};
+    std::vector<Suspect> suspects{suspectAt(0, 10, 0), suspectAt(2, 20, 1), suspectAt(2, 20, 1)};
     suspects[2].isUnseen = true;
     EXPECT_THAT(goneWith(suspects, 0), ElementsAre(1, 0, 0));
     EXPECT_THAT(goneWith(suspects, 1), ElementsAre(0, 1, 1));
@@ -80,8 +81,8 @@ TEST(Suspects, FarSidesGoWithTheirLamps)
 
 TEST(Suspects, PiecesThatTouchAndAreAboutEquallyBrightAreOneLamp)
 {
-    std::vector<Suspect> suspects{panelAt(0, 10, 0), panelAt(0.5f, 20, 1), panelAt(1, 100, 2),
-                                  panelAt(3, 10, 3)};
+    std::vector<Suspect> suspects{suspectAt(0, 10, 0), suspectAt(0.5f, 20, 1), suspectAt(1, 100, 2),
+                                  suspectAt(3, 10, 3)};
     suspects[1].isGiven = true;
     joinPieces(suspects);
     ASSERT_EQ(suspects.size(), 3u); // the third touches, and is too bright; the fourth is far away
@@ -95,9 +96,9 @@ TEST(Suspects, PiecesThatTouchAndAreAboutEquallyBrightAreOneLamp)
 // At a lamp's edge a crumb of it may be fitted to any radiance.
 TEST(Suspects, SliverIsOfTheLampThatItTouches)
 {
-    std::vector<Suspect> suspects{panelAt(0, 10, 0), panelAt(2, 10, 1)};
+    std::vector<Suspect> suspects{suspectAt(0, 10, 0), suspectAt(2, 10, 1)};
     for (const size_t body : {2u, 3u}) {
-        suspects.push_back(panelAt(0.5f, 600, body));
+        suspects.push_back(suspectAt(0.5f, 600, body));
         suspects.back().candidate =
             candidateOf({{{body == 2 ? 0.5f : 1.2f, 2.5f, 0.25f}, kDown, 0.002f, 0}});
     }
@@ -109,7 +110,8 @@ TEST(Suspects, SliverIsOfTheLampThatItTouches)
 
 TEST(Suspects, OfOneModelArePairsThatLookAlike)
 {
-    const std::vector<Suspect> suspects{panelAt(0, 10, 0), panelAt(2, 20, 1), panelAt(4, 10, 2)};
+    const std::vector<Suspect> suspects{suspectAt(0, 10, 0), suspectAt(2, 20, 1),
+                                        suspectAt(4, 10, 2)};
     EXPECT_EQ(alikesOf(suspects).size(), 3u);
 }
 
@@ -142,7 +144,7 @@ TEST(Suspects, WallsAndPanelsAreNoFamilies)
     std::vector<Suspect> panels;
     for (size_t i = 0; i < 6; ++i) {
         walls.push_back(spotAt(2.0f * static_cast<float>(i), 0.002f, 1, i));
-        panels.push_back(panelAt(2.0f * static_cast<float>(i), 10, i));
+        panels.push_back(suspectAt(2.0f * static_cast<float>(i), 10, i));
     }
     EXPECT_THAT(familyOf(walls, 0), ElementsAre(0));
     EXPECT_THAT(familyOf(panels, 3), ElementsAre(3)); // each speaks for itself
@@ -151,11 +153,11 @@ TEST(Suspects, WallsAndPanelsAreNoFamilies)
 // A window comes in pieces, of which each does what the others do.
 TEST(Suspects, PanesTouchInOnePlaneAndAreEquallyBright)
 {
-    const Suspect pane = panelAt(0, 10, 0);
-    EXPECT_TRUE(arePanesOfOne(pane, panelAt(0.5f, 12, 1)));
-    EXPECT_FALSE(arePanesOfOne(pane, panelAt(0.5f, 20, 1))); // too bright
-    EXPECT_FALSE(arePanesOfOne(pane, panelAt(3, 12, 1)));    // far away
-    Suspect below = panelAt(0.5f, 12, 1);
+    const Suspect pane = suspectAt(0, 10, 0);
+    EXPECT_TRUE(arePanesOfOne(pane, suspectAt(0.5f, 12, 1)));
+    EXPECT_FALSE(arePanesOfOne(pane, suspectAt(0.5f, 20, 1))); // too bright
+    EXPECT_FALSE(arePanesOfOne(pane, suspectAt(3, 12, 1)));    // far away
+    Suspect below = suspectAt(0.5f, 12, 1);
     below.candidate = candidateOf({{{0.5f, 2.4f, 0.25f}, kDown, 0.25f, 0}});
     EXPECT_FALSE(arePanesOfOne(pane, below));
     below.candidate = candidateOf({{{0.5f, 2.5f, 0.25f}, {0.7f, -0.7f, 0}, 0.25f, 0}});

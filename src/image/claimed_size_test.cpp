@@ -14,14 +14,14 @@ namespace
 {
 
 using Bytes = std::vector<uint8_t>;
-using Size = glm::vec<2, int64_t>;
+using ClaimedAs = glm::vec<2, int64_t>;
 
 /// Of no more than the first bytes of a file.
-Size sizeOf(Bytes bytes, const std::string& format, size_t most = 32)
+ClaimedAs sizeOf(Bytes bytes, const std::string& format, size_t most = 32)
 {
     bytes.resize(std::min(bytes.size(), most));
     const auto claimed = claimedSize(std::as_bytes(std::span(bytes)), format);
-    return claimed ? Size(claimed->width, claimed->height) : Size(-1);
+    return claimed ? ClaimedAs(claimed->width, claimed->height) : ClaimedAs(-1);
 }
 
 scenes::Pixels<uint8_t> picture(int width, int height, int channels)
@@ -34,9 +34,9 @@ scenes::Pixels<uint8_t> picture(int width, int height, int channels)
 
 TEST(ClaimedSize, IsThatOfWhatIsWritten)
 {
-    EXPECT_EQ(sizeOf(scenes::pictureFile("webp", picture(300, 20, 3)), "webp"), Size(300, 20));
-    EXPECT_EQ(sizeOf(scenes::pictureFile("webp", picture(300, 20, 4)), "webp"), Size(300, 20));
-    EXPECT_EQ(sizeOf(scenes::pictureFile("bmp", picture(300, 20, 3)), "bmp"), Size(300, 20));
+    EXPECT_EQ(sizeOf(scenes::pictureFile("webp", picture(300, 20, 3)), "webp"), ClaimedAs(300, 20));
+    EXPECT_EQ(sizeOf(scenes::pictureFile("webp", picture(300, 20, 4)), "webp"), ClaimedAs(300, 20));
+    EXPECT_EQ(sizeOf(scenes::pictureFile("bmp", picture(300, 20, 3)), "bmp"), ClaimedAs(300, 20));
 }
 
 TEST(ClaimedSize, IsToldInEveryKindOfWebp)
@@ -51,11 +51,11 @@ TEST(ClaimedSize, IsToldInEveryKindOfWebp)
     };
     // The largest of each: 14 bits less one, 14 bits, 24 bits.
     EXPECT_EQ(sizeOf(webp(' ', {0, 0, 0, 0x9d, 1, 0x2a, 0xff, 0x3f, 0xfe, 0x3f}), "webp"),
-              Size(16383, 16382));
+              ClaimedAs(16383, 16382));
     EXPECT_EQ(sizeOf(webp('L', {0x2f, 0xfe, 0xbf, 0xff, 0x0f, 0, 0, 0, 0, 0}), "webp"),
-              Size(16383, 16383));
+              ClaimedAs(16383, 16383));
     EXPECT_EQ(sizeOf(webp('X', {0, 0, 0, 0, 0xff, 0xff, 0xff, 0, 0, 1}), "webp"),
-              Size(1 << 24, (1 << 16) + 1));
+              ClaimedAs(1 << 24, (1 << 16) + 1));
 }
 
 TEST(ClaimedSize, OfABmpIsSignedOrShort)
@@ -64,10 +64,10 @@ TEST(ClaimedSize, OfABmpIsSignedOrShort)
     bytes[14] = 40;
     bytes[18] = 5;
     std::fill_n(&bytes[22], 4, uint8_t{0xff}); // -1: a line, from the top
-    EXPECT_EQ(sizeOf(bytes, "bmp"), Size(5, 1));
+    EXPECT_EQ(sizeOf(bytes, "bmp"), ClaimedAs(5, 1));
     bytes[14] = 12; // OS/2's
     bytes[20] = 9;
-    EXPECT_EQ(sizeOf(bytes, "bmp"), Size(5, 9));
+    EXPECT_EQ(sizeOf(bytes, "bmp"), ClaimedAs(5, 9));
 }
 
 TEST(ClaimedSize, IsNotToldByAFileThatEndsBefore)
@@ -75,10 +75,10 @@ TEST(ClaimedSize, IsNotToldByAFileThatEndsBefore)
     const Bytes webp = scenes::pictureFile("webp", picture(30, 20, 3));
     const Bytes bmp = scenes::pictureFile("bmp", picture(30, 20, 3));
     for (size_t size = 0; size < 26; ++size) {
-        EXPECT_EQ(sizeOf(webp, "webp", size), Size(-1));
-        EXPECT_EQ(sizeOf(bmp, "bmp", size), Size(-1));
+        EXPECT_EQ(sizeOf(webp, "webp", size), ClaimedAs(-1));
+        EXPECT_EQ(sizeOf(bmp, "bmp", size), ClaimedAs(-1));
     }
-    EXPECT_EQ(sizeOf(webp, "targa"), Size(-1));
+    EXPECT_EQ(sizeOf(webp, "targa"), ClaimedAs(-1));
 }
 
 } // namespace

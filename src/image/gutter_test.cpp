@@ -12,18 +12,19 @@ namespace relamp
 namespace
 {
 
-constexpr int kSize = 64;
+constexpr int kPageSize = 64;
 
 /// Red on the left, green on the right, with an uncovered band of `band` pixels between.
 struct TwoCharts
 {
-    explicit TwoCharts(int band) : rgb(3 * kSize * kSize, 0), covered(kSize * kSize, 0)
+    explicit TwoCharts(int band)
+        : rgb(3 * kPageSize * kPageSize, 0), covered(kPageSize * kPageSize, 0)
     {
-        for (int y = 0; y < kSize; ++y)
-            for (int x = 0; x < kSize; ++x) {
-                const bool left = x < kSize / 2 - band / 2;
-                const bool right = x >= kSize / 2 + band / 2;
-                const auto i = static_cast<size_t>(y * kSize + x);
+        for (int y = 0; y < kPageSize; ++y)
+            for (int x = 0; x < kPageSize; ++x) {
+                const bool left = x < kPageSize / 2 - band / 2;
+                const bool right = x >= kPageSize / 2 + band / 2;
+                const auto i = static_cast<size_t>(y * kPageSize + x);
                 covered[i] = left || right;
                 if (left) rgb[3 * i] = halfFromFloat(1.0f);
                 if (right) rgb[3 * i + 1] = halfFromFloat(1.0f);
@@ -39,7 +40,7 @@ TEST(Gutter, CoveredPixelsStayAsTheyAre)
 {
     TwoCharts charts(8);
     const auto before = charts.rgb;
-    fillGutters(std::span(charts.rgb), charts.covered, kSize, kSize);
+    fillGutters(std::span(charts.rgb), charts.covered, kPageSize, kPageSize);
     for (size_t i = 0; i < charts.covered.size(); ++i)
         if (charts.covered[i]) {
             EXPECT_EQ(charts.rgb[3 * i], before[3 * i]);
@@ -49,8 +50,8 @@ TEST(Gutter, CoveredPixelsStayAsTheyAre)
 TEST(Gutter, PixelsNextToAChartContinueIt)
 {
     TwoCharts charts(16);
-    fillGutters(std::span(charts.rgb), charts.covered, kSize, kSize);
-    const size_t row = 30 * kSize;
+    fillGutters(std::span(charts.rgb), charts.covered, kPageSize, kPageSize);
+    const size_t row = 30 * kPageSize;
     EXPECT_EQ(floatFromHalf(charts.rgb[3 * (row + 24)]), 1.0f); // first uncovered pixel: all red
     EXPECT_EQ(floatFromHalf(charts.rgb[3 * (row + 24) + 1]), 0.0f);
     EXPECT_EQ(floatFromHalf(charts.rgb[3 * (row + 39) + 1]), 1.0f); // last: all green
@@ -60,11 +61,11 @@ TEST(Gutter, PixelsNextToAChartContinueIt)
 TEST(Gutter, NoMipLevelIsDarkerThanTheCharts)
 {
     TwoCharts charts(30);
-    fillGutters(std::span(charts.rgb), charts.covered, kSize, kSize);
-    std::vector<float> level(kSize * kSize);
+    fillGutters(std::span(charts.rgb), charts.covered, kPageSize, kPageSize);
+    std::vector<float> level(kPageSize * kPageSize);
     for (size_t i = 0; i < level.size(); ++i)
         level[i] = floatFromHalf(charts.rgb[3 * i]) + floatFromHalf(charts.rgb[3 * i + 1]);
-    for (size_t size = kSize; size > 1; size /= 2) {
+    for (size_t size = kPageSize; size > 1; size /= 2) {
         std::vector<float> next(size * size / 4);
         for (size_t y = 0; y < size / 2; ++y)
             for (size_t x = 0; x < size / 2; ++x)

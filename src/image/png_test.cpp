@@ -19,7 +19,7 @@ std::vector<uint8_t> someSamples(int channels)
     return samples;
 }
 
-void anySize(const PictureHeader& /*header*/) {}
+void anyPng(const PictureHeader& /*header*/) {}
 
 } // namespace
 
@@ -27,7 +27,7 @@ TEST(Png, WhatIsWrittenIsReadAgain)
 {
     for (const int channels : {1, 3, 4}) {
         const auto file = encodePng(someSamples(channels), {5, 3}, channels);
-        const Picture picture = readPng(std::as_bytes(std::span(file)), anySize);
+        const Picture picture = readPng(std::as_bytes(std::span(file)), anyPng);
         EXPECT_EQ(picture.header.width, 5);
         EXPECT_EQ(picture.header.height, 3);
         EXPECT_EQ(picture.header.channelsToRead(), channels);
@@ -43,7 +43,7 @@ TEST(Png, TheHeaderIsLookedAtFirst)
         if (header.width == 5) throw Error(ErrorCode::malformed, "is too wide");
     };
     EXPECT_THROW(readPng(std::as_bytes(std::span(file)), refuse), Error);
-    EXPECT_THROW(readPng(std::as_bytes(std::span(file)), anySize), UndecodablePicture);
+    EXPECT_THROW(readPng(std::as_bytes(std::span(file)), anyPng), UndecodablePicture);
 }
 
 } // namespace relamp

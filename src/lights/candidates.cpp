@@ -14,7 +14,7 @@ namespace relamp
 namespace
 {
 
-constexpr float kSameFacing = 0.8f;      // cosine; an edge sharper than this cuts
+constexpr float kUncutFacing = 0.8f;     // cosine; an edge sharper than this cuts
 constexpr float kPlaneFacing = 0.85f;    // cosine to a plane's normal, with a scan's noise
 constexpr float kPlaneError = 0.02f;     // m; of a scan's worst 5 %
 constexpr float kPlaneThickness = 0.03f; // m; 1.5 times that
@@ -197,7 +197,7 @@ std::vector<Members> connected(const Texels& texels, const SurfelRadiance& radia
             const int32_t j = index[other];
             if (j < 0 || part[static_cast<size_t>(j)] != part[i]) continue;
             if (glm::dot(patch.normal, radiance.clipped[static_cast<size_t>(j)].normal) >
-                kSameFacing)
+                kUncutFacing)
                 sets.join(i, static_cast<uint32_t>(j));
         }
     }

@@ -13,7 +13,7 @@ namespace relamp
 namespace
 {
 
-struct RunSum
+struct EmitterSum
 {
     glm::vec3 plain{0.0f};
     float plainArea = 0.0f;
@@ -25,7 +25,8 @@ struct RunSum
 };
 
 /// `clips`: the texture cannot hold more than white, so what is white may have been brighter.
-void add(const TexelBlock& block, size_t i, bool clips, const EmitterOptions& options, RunSum& sum)
+void add(const TexelBlock& block, size_t i, bool clips, const EmitterOptions& options,
+         EmitterSum& sum)
 {
     const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
     const float area = block.area[i];
@@ -44,7 +45,7 @@ void add(const TexelBlock& block, size_t i, bool clips, const EmitterOptions& op
     }
 }
 
-Emitter emitterFrom(const RunSum& sum, uint32_t surfel)
+Emitter emitterFrom(const EmitterSum& sum, uint32_t surfel)
 {
     Emitter emitter;
     emitter.position = sum.position / sum.weight;
@@ -94,7 +95,7 @@ SurfelLight collectLight(const Texels& texels, const EmitterOptions& options, Pr
         const TexelLoader loader(texels, p);
         const bool clips = texels.scan->pages[p].image.clipsAtWhite;
         const size_t runs = page.runs.size() - 1;
-        std::vector<RunSum> sums(runs);
+        std::vector<EmitterSum> sums(runs);
         forEachRun(page, [&](size_t run, TexelBlock& block) {
             forEachBlockOfRun(page, run, [&](size_t begin, size_t count) {
                 loader.load(begin, count, block);

@@ -1,5 +1,6 @@
 #include "lights/fixtures.h"
 
+#include "base/pi.shared.h"
 #include "lights/expand.shared.h"
 #include "lights/median_cut.h"
 
@@ -13,8 +14,8 @@ namespace relamp
 namespace
 {
 
-constexpr float kSameFacing = 0.7f; // cosine; within about 45 degrees
-constexpr float kAllAround = 0.5f;  // mean normal shorter than this: shines to all sides
+constexpr float kMergedFacing = 0.7f; // cosine; within about 45 degrees
+constexpr float kAllAround = 0.5f;    // mean normal shorter than this: shines to all sides
 
 glm::vec3 unitOrZero(glm::vec3 v)
 {
@@ -97,7 +98,7 @@ PointLight pointLightOf(const Fixture& fixture, int index)
     light.position = fixture.centre;
     light.normal = fixture.normal;
     light.intensity = intensityOf(fixture);
-    light.radius = std::sqrt(fixture.area / 3.14159265f);
+    light.radius = std::sqrt(fixture.area / kPi);
     light.fixture = index;
     return light;
 }
@@ -139,7 +140,7 @@ std::vector<PointLight> mergeLights(std::span<const PointLight> lights, float di
             const bool unfacing =
                 group.strongest->normal == glm::vec3(0.0f) || light.normal == glm::vec3(0.0f);
             return near &&
-                   (unfacing || glm::dot(group.strongest->normal, light.normal) > kSameFacing);
+                   (unfacing || glm::dot(group.strongest->normal, light.normal) > kMergedFacing);
         };
         auto group = std::find_if(groups.begin(), groups.end(), belongs);
         if (group == groups.end()) group = groups.insert(groups.end(), {&light, {}});

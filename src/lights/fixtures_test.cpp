@@ -1,5 +1,6 @@
 #include "lights/fixtures.h"
 
+#include "base/pi.shared.h"
 #include "lights/expand.shared.h"
 #include "scenes/scenes.h"
 
@@ -88,7 +89,7 @@ TEST(Fixtures, PointLightsSendThePowerOfThePatchesThatTheyStandFor)
     EXPECT_NEAR(sum, 8.0f * 1.25f / 4.0f, 0.1f);
     float power = 0.0f;
     for (const Fixture& fixture : found.fixtures) power += fixture.power().g;
-    EXPECT_NEAR(4.0f * 3.14159265f * sum, power, 1e-3f * power);
+    EXPECT_NEAR(4.0f * kPi * sum, power, 1e-3f * power);
 }
 
 // So that a fixture can be switched off with what shines for it.

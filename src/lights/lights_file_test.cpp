@@ -1,5 +1,6 @@
 #include "relamp/lights.h"
 
+#include "base/pi.shared.h"
 #include "scenes/refusal.h"
 #include "scenes/temporary_folder.h"
 
@@ -110,7 +111,7 @@ TEST(LightsFile, AFixtureAloneShinesFromItsCentre)
     ASSERT_THAT(lights.points, SizeIs(1));
     EXPECT_EQ(lights.points[0].position, glm::vec3(1, 2, 3));
     EXPECT_EQ(lights.points[0].intensity, glm::vec3(2, 1, 0));
-    EXPECT_NEAR(lights.points[0].radius, std::sqrt(2.0f / 3.14159265f), 1e-6f);
+    EXPECT_NEAR(lights.points[0].radius, std::sqrt(2.0f / kPi), 1e-6f);
 }
 
 TEST(LightsFile, AFixtureThatIsOffTakesItsLightsAlong)

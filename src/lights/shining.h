@@ -1,10 +1,18 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 namespace relamp
 {
+
+inline bool isDark(glm::vec3 light)
+{
+    return std::max({light.r, light.g, light.b}) <= 0.0f;
+}
 
 /// Which texels are a lamp's own surface: the bright ones of the surfels that hold a part of one.
 struct Shining

@@ -9,7 +9,7 @@ namespace relamp
 namespace
 {
 
-struct RunSum
+struct RadianceSum
 {
     glm::vec3 plain{0.0f};
     float plainArea = 0.0f;
@@ -30,13 +30,13 @@ glm::vec3 facingOf(const Texels& texels, uint32_t facet, glm::vec3 normal)
     return facings[facet - facets.firstOfMesh[m]];
 }
 
-void addPlain(const TexelBlock& block, size_t i, RunSum& sum)
+void addPlain(const TexelBlock& block, size_t i, RadianceSum& sum)
 {
     sum.plain += block.area[i] * glm::vec3(block.r[i], block.g[i], block.b[i]);
     sum.plainArea += block.area[i];
 }
 
-void addClipped(const TexelBlock& block, size_t i, glm::vec3 facing, RunSum& sum)
+void addClipped(const TexelBlock& block, size_t i, glm::vec3 facing, RadianceSum& sum)
 {
     const float area = block.area[i];
     sum.position += area * glm::vec3(block.x[i], block.y[i], block.z[i]);
@@ -46,12 +46,12 @@ void addClipped(const TexelBlock& block, size_t i, glm::vec3 facing, RunSum& sum
 }
 
 /// Sums of all runs of one page; marks its clipped pixels.
-std::vector<RunSum> sumRuns(const Texels& texels, size_t p, std::vector<uint8_t>& isClipped)
+std::vector<RadianceSum> sumRuns(const Texels& texels, size_t p, std::vector<uint8_t>& isClipped)
 {
     const PageTexels& page = texels.pages[p];
     const TexelLoader loader(texels, p);
     const float burntOut = texels.scan->pages[p].image.clipsAtWhite ? kBurntOut : 1.0f;
-    std::vector<RunSum> sums(page.runs.size() - 1);
+    std::vector<RadianceSum> sums(page.runs.size() - 1);
     isClipped.assign(texels.scan->pages[p].image.pixels(), 0);
     forEachRun(page, [&](size_t run, TexelBlock& block) {
         forEachBlockOfRun(page, run, [&](size_t begin, size_t count) {
@@ -76,14 +76,14 @@ std::vector<RunSum> sumRuns(const Texels& texels, size_t p, std::vector<uint8_t>
 SurfelRadiance collectRadiance(const Texels& texels, Progress& progress)
 {
     const size_t surfels = texels.surfels.count();
-    std::vector<RunSum> total(surfels);
+    std::vector<RadianceSum> total(surfels);
     SurfelRadiance result;
     result.isClipped.resize(texels.pages.size());
     Progress::Stage stage(progress, "lights", texels.pages.size());
     for (size_t p = 0; p < texels.pages.size(); ++p) {
-        const std::vector<RunSum> sums = sumRuns(texels, p, result.isClipped[p]);
+        const std::vector<RadianceSum> sums = sumRuns(texels, p, result.isClipped[p]);
         for (size_t run = 0; run < sums.size(); ++run) {
-            RunSum& sum = total[texels.pages[p].runs[run].surfel];
+            RadianceSum& sum = total[texels.pages[p].runs[run].surfel];
             sum.plain += sums[run].plain;
             sum.plainArea += sums[run].plainArea;
             sum.position += sums[run].position;
@@ -97,7 +97,7 @@ SurfelRadiance collectRadiance(const Texels& texels, Progress& progress)
     result.plainArea.resize(surfels);
     result.clippedArea.resize(surfels);
     for (uint32_t s = 0; s < surfels; ++s) {
-        const RunSum& sum = total[s];
+        const RadianceSum& sum = total[s];
         result.plainArea[s] = sum.plainArea;
         result.clippedArea[s] = sum.clippedArea;
         if (sum.plainArea > 0.0f) result.plain[s] = sum.plain / sum.plainArea;

@@ -1,5 +1,6 @@
 #include "lights/surfel_radiance.h"
 
+#include "scenes/axes.h"
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"
 
@@ -12,7 +13,7 @@ namespace relamp
 namespace
 {
 
-constexpr glm::vec3 kUp(0, 1, 0);
+using scenes::kUp;
 
 /// 2 m squared of radiance 0.3; its half beyond x = 1.24 is burnt out.
 scenes::Paint halfBurntOut()

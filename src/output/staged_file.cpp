@@ -6,15 +6,6 @@
 namespace relamp
 {
 namespace fs = std::filesystem;
-namespace
-{
-
-[[noreturn]] void cannotWrite(const fs::path& file, const std::string& why)
-{
-    fail(ErrorCode::cannotWrite, file.string(), "cannot be written: " + why);
-}
-
-} // namespace
 
 StagedFile::StagedFile(const fs::path& file, Progress& progress) : file_(file)
 {

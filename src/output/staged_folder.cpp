@@ -11,11 +11,6 @@ namespace fs = std::filesystem;
 namespace
 {
 
-[[noreturn]] void cannotWrite(const fs::path& folder, const std::string& why)
-{
-    fail(ErrorCode::cannotWrite, folder.string(), "cannot be written: " + why);
-}
-
 /// Without a trailing slash, so that it has a name and a parent.
 fs::path cleaned(const fs::path& folder)
 {

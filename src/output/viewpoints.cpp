@@ -21,7 +21,7 @@ constexpr float kPitch = -0.15f;    // radians; people look slightly down into a
 constexpr float kEyeHeight = 1.55f; // m above the floor
 constexpr float kElbowRoom = 0.3f;  // m to the nearest thing
 
-struct View
+struct ScoredView
 {
     Camera camera;
     float score = 0.0f; // how much of the room's inside is seen, and from how far
@@ -96,18 +96,18 @@ float likeness(const Camera& a, const Camera& b)
 }
 
 /// kYaws views from each of the places where one can stand; those from elsewhere score 0.
-std::vector<View> viewsOf(const Scan& scan, const RayScene& scene)
+std::vector<ScoredView> viewsOf(const Scan& scan, const RayScene& scene)
 {
     const Bounds room = boundsOf(scan);
     const std::vector<glm::vec3> places = candidatePlaces(scan, scene);
     const float depth =
         std::max(0.6f * glm::length(glm::vec2(room.extent().x, room.extent().z)), 0.1f);
-    std::vector<View> views(places.size() * kYaws);
+    std::vector<ScoredView> views(places.size() * kYaws);
     forEach(places.size(), [&](size_t p) {
         const float inside = insideness(scene, places[p]);
         for (size_t yaw = 0; yaw < kYaws && inside > 0.0f; ++yaw) {
             const float angle = glm::two_pi<float>() * static_cast<float>(yaw) / kYaws;
-            View& view = views[p * kYaws + yaw];
+            ScoredView& view = views[p * kYaws + yaw];
             view.camera.position = places[p];
             view.camera.forward = {std::cos(kPitch) * std::cos(angle), std::sin(kPitch),
                                    std::cos(kPitch) * std::sin(angle)};
@@ -117,7 +117,7 @@ std::vector<View> viewsOf(const Scan& scan, const RayScene& scene)
     return views;
 }
 
-bool scoresLess(const View& a, const View& b)
+bool scoresLess(const ScoredView& a, const ScoredView& b)
 {
     return a.score < b.score;
 }
@@ -134,14 +134,14 @@ Camera fromOutside(const Scan& scan)
 
 std::vector<Camera> chooseViewpoints(const Scan& scan, const RayScene& scene, int count)
 {
-    std::vector<View> views = viewsOf(scan, scene);
+    std::vector<ScoredView> views = viewsOf(scan, scene);
     std::vector<Camera> chosen;
     while (static_cast<int>(chosen.size()) < count) {
         const auto best = std::max_element(views.begin(), views.end(), scoresLess);
         if (best->score <= 0.0f) break;
         const Camera camera = best->camera;
         chosen.push_back(camera);
-        for (View& view : views) view.score *= 1.0f - likeness(view.camera, camera);
+        for (ScoredView& view : views) view.score *= 1.0f - likeness(view.camera, camera);
     }
     if (chosen.empty()) chosen.push_back(fromOutside(scan));
     return chosen;
@@ -149,7 +149,7 @@ std::vector<Camera> chooseViewpoints(const Scan& scan, const RayScene& scene, in
 
 Camera chooseTurningPlace(const Scan& scan, const RayScene& scene)
 {
-    const std::vector<View> views = viewsOf(scan, scene);
+    const std::vector<ScoredView> views = viewsOf(scan, scene);
     size_t best = 0;
     float bestSum = 0.0f;
     for (size_t place = 0; place < views.size(); place += kYaws) {

@@ -1,6 +1,8 @@
 #include "relight/active_lights.h"
 
 #include "fit/given_lamps.h"
+#include "lights/shining.h"
+#include "relight/fixture_settings.h"
 #include "relight/sky_bins.h"
 
 #include <algorithm>
@@ -13,20 +15,12 @@ namespace relamp
 namespace
 {
 
-constexpr float kMoved = 0.02f; // m; a fixture that was moved farther is another
-
-bool isDark(glm::vec3 light)
-{
-    return std::max({light.r, light.g, light.b}) <= 0.0f;
-}
-
 /// The burnt-out surface that a captured fixture is, or a disc or ball where it is none of them.
 std::vector<ClippedPatch> surfaceOf(const Fixture& fixture, const Transport& transport,
                                     const Lights& captured)
 {
-    for (size_t i = 0; i < transport.fixtures.size(); ++i)
-        if (glm::distance(captured.fixtures[i].centre, fixture.centre) < kMoved)
-            return transport.fixtures[i];
+    const size_t place = placeOfFixture(captured, fixture.centre);
+    if (place < transport.fixtures.size()) return transport.fixtures[place];
     Lights one;
     one.fixtures.push_back(fixture);
     one.fixtures.back().radiance = glm::vec3(1.0f);

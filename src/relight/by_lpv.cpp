@@ -1,5 +1,6 @@
 #include "relight/by_lpv.h"
 
+#include "base/pi.shared.h"
 #include "shading/rsm.h"
 #include "shading/thesis.h"
 
@@ -12,8 +13,6 @@ namespace relamp
 {
 namespace
 {
-
-constexpr float kPi = 3.14159265f;
 
 /// What one light sends on its first way, times the albedo that it meets.
 void addBounce(const Relighter::State& state, const ActiveLight& light,

@@ -1,5 +1,6 @@
 #include "relight/by_paths.h"
 
+#include "base/pi.shared.h"
 #include "relight/relit_page.h"
 #include "relight/sky_bins.h"
 #include "shading/lamp_surface.h"
@@ -13,9 +14,6 @@ namespace relamp
 {
 namespace
 {
-
-constexpr float kPi = 3.14159265f;
-constexpr float kOffSurface = 2e-3f; // m
 
 /// Lights that somebody put up: rays pass them by.
 class UnseenLights

@@ -1,6 +1,7 @@
 #include "relight/by_radiosity.h"
 
 #include "base/parallel.h"
+#include "base/pi.shared.h"
 #include "shading/gathered_light.h"
 #include "shading/lit_sides.h"
 
@@ -12,7 +13,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr size_t kRaysToGlow = 2; // of a surfel; the neighbours have as many
 
 void addDirectOf(const LightSource& source, glm::vec3 emission, const TexelBlock& block,

@@ -14,8 +14,8 @@ namespace relamp
 namespace
 {
 
-constexpr float kMoved = 0.02f; // m; a fixture that was moved farther is another
-constexpr float kMost = 1e7f;   // lumens, per cent
+constexpr float kMoved = 0.02f;        // m; a fixture that was moved farther is another
+constexpr float kMostOfSetting = 1e7f; // lumens, per cent
 
 /// What one part of a setting does to a fixture.
 struct Setting
@@ -41,7 +41,7 @@ std::optional<float> numberBefore(std::string_view part, std::string_view unit)
     float value = 0.0f;
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
     if (error != std::errc() || end != part.data() + part.size() || !(value >= 0.0f) ||
-        value > kMost)
+        value > kMostOfSetting)
         return {};
     return value;
 }

@@ -3,6 +3,7 @@
 #include "base/instruction_set.h"
 #include "base/lanes.h"
 #include "base/parallel.h"
+#include "base/pi.shared.h"
 #include "base/ramp.shared.h"
 #include "lights/expand.shared.h"
 #include "scan/texels.h"
@@ -17,7 +18,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr double kBright = 8.0;  // times the room's mean
 constexpr double kMatters = 0.2; // of all light that is sent
 constexpr size_t kPatches = 128; // that stand for it where nothing is in the way

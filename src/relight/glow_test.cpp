@@ -1,5 +1,6 @@
 #include "relight/glow.h"
 
+#include "base/pi.shared.h"
 #include "scenes/radiosity.h"
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"
@@ -13,7 +14,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kAlbedo = 0.5f;
 
 /// A closed box of 3 x 2.5 x 3 m, a square of its floor lit so that it receives pi.

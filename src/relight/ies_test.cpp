@@ -21,7 +21,7 @@ IesPhotometry parsed(const std::string& text)
     return parseIes(std::as_bytes(std::span(text)), "lamp.ies");
 }
 
-std::string refusal(const std::string& text)
+std::string refusalOfIes(const std::string& text)
 {
     return scenes::refusalOf([&] { parsed(text); });
 }
@@ -126,21 +126,22 @@ TEST(Ies, TiltIsPassedOver)
 TEST(Ies, BrokenFilesAreRefusedWithASentence)
 {
     const std::string head = "TILT=NONE\n";
-    EXPECT_EQ(refusal("hello"), "lamp.ies: is no IES file: it has no line TILT=");
-    EXPECT_EQ(refusal(""), "lamp.ies: is no IES file: it has no line TILT=");
-    EXPECT_THAT(refusal(head), HasSubstr("ends before the number of lamps"));
-    EXPECT_THAT(refusal(head + "1 1000 1 2 x"),
+    EXPECT_EQ(refusalOfIes("hello"), "lamp.ies: is no IES file: it has no line TILT=");
+    EXPECT_EQ(refusalOfIes(""), "lamp.ies: is no IES file: it has no line TILT=");
+    EXPECT_THAT(refusalOfIes(head), HasSubstr("ends before the number of lamps"));
+    EXPECT_THAT(refusalOfIes(head + "1 1000 1 2 x"),
                 HasSubstr("line 2: \"x\" is no number, and should be the number of horizontal"));
-    EXPECT_THAT(refusal(head + "1 1000 1 4000000000 1"), HasSubstr("it must be 1 to 10000"));
-    EXPECT_THAT(refusal(head + "1 1000 1 2.5 1"), HasSubstr("must be a whole number"));
-    EXPECT_THAT(refusal(head + "1 1000 1 2 1 2 1"), HasSubstr("photometry of Type B"));
-    EXPECT_THAT(refusal(head + "1 1000 nan 2 1 1"), HasSubstr("\"nan\" is no number"));
+    EXPECT_THAT(refusalOfIes(head + "1 1000 1 4000000000 1"), HasSubstr("it must be 1 to 10000"));
+    EXPECT_THAT(refusalOfIes(head + "1 1000 1 2.5 1"), HasSubstr("must be a whole number"));
+    EXPECT_THAT(refusalOfIes(head + "1 1000 1 2 1 2 1"), HasSubstr("photometry of Type B"));
+    EXPECT_THAT(refusalOfIes(head + "1 1000 nan 2 1 1"), HasSubstr("\"nan\" is no number"));
     const std::string whole = head + "1 1000 1 2 1 1 2 0 0 0\n1 1 60\n";
-    EXPECT_THAT(refusal(whole + "90 0\n0\n1 1"), HasSubstr("line 4: the list of which a vertical"));
-    EXPECT_THAT(refusal(whole + "0 200\n"), HasSubstr("a vertical angle is 200"));
-    EXPECT_THAT(refusal(whole + "0 90\n45\n1 1"), HasSubstr("go from 45 to 45"));
-    EXPECT_THAT(refusal(whole + "0 90\n0\n1"), HasSubstr("ends before a candela value"));
-    EXPECT_THAT(refusal(whole + "0 90\n0\n0 0"), HasSubstr("gives no light"));
+    EXPECT_THAT(refusalOfIes(whole + "90 0\n0\n1 1"),
+                HasSubstr("line 4: the list of which a vertical"));
+    EXPECT_THAT(refusalOfIes(whole + "0 200\n"), HasSubstr("a vertical angle is 200"));
+    EXPECT_THAT(refusalOfIes(whole + "0 90\n45\n1 1"), HasSubstr("go from 45 to 45"));
+    EXPECT_THAT(refusalOfIes(whole + "0 90\n0\n1"), HasSubstr("ends before a candela value"));
+    EXPECT_THAT(refusalOfIes(whole + "0 90\n0\n0 0"), HasSubstr("gives no light"));
 }
 
 // Wherever a good file is cut or one of its bytes is another, it is read or refused.
@@ -148,7 +149,7 @@ TEST(Ies, NoDamageIsMoreThanASentence)
 {
     const std::string good = iesOf({0, 45, 90}, even, 0.0, 90.0, 15.0);
     const auto readOrRefused = [](const std::string& text) {
-        const std::string said = refusal(text);
+        const std::string said = refusalOfIes(text);
         return said.empty() || said.starts_with("lamp.ies: ");
     };
     for (size_t i = 0; i < good.size(); ++i) {

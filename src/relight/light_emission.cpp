@@ -1,5 +1,6 @@
 #include "relight/light_emission.h"
 
+#include "base/pi.shared.h"
 #include "relight/ies.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr glm::vec3 kWhite(1.0f);
 
 /// The units of emission of a type of light: RGB, photometric, and whether lumens are one.

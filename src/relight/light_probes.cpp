@@ -2,6 +2,7 @@
 
 #include "base/biweight.shared.h"
 #include "base/parallel.h"
+#include "base/pi.shared.h"
 #include "relight/relighter_state.h"
 
 #include <algorithm>
@@ -14,9 +15,8 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kReach = 1.5f; // of the interpolation, in surfel sizes, as texels have it
-constexpr size_t kChunk = 1024;
+constexpr size_t kProbeChunk = 1024;
 
 struct Tap
 {
@@ -60,10 +60,10 @@ LightProbes::LightProbes(const Relighter& relighter, std::span<const SurfacePlac
     : state_(std::make_unique<State>())
 {
     const Surfels& surfels = relighter.state().texels.surfels;
-    std::vector<std::vector<Tap>> found((places.size() + kChunk - 1) / kChunk);
+    std::vector<std::vector<Tap>> found((places.size() + kProbeChunk - 1) / kProbeChunk);
     std::vector<uint32_t> counts(places.size());
-    forEachChunk(places.size(), kChunk, [&](size_t begin, size_t end) {
-        std::vector<Tap>& taps = found[begin / kChunk];
+    forEachChunk(places.size(), kProbeChunk, [&](size_t begin, size_t end) {
+        std::vector<Tap>& taps = found[begin / kProbeChunk];
         for (size_t i = begin; i < end; ++i) {
             const size_t before = taps.size();
             addTapsOf(surfels, places[i], taps);
@@ -87,7 +87,7 @@ std::vector<LightAtPlace> LightProbes::light(const Relighter& relighter) const
     const std::span<const glm::vec3> irradiance = room.radiosity.onFronts();
     std::vector<LightAtPlace> light(state_->firstTap.size() - 1);
     if (irradiance.empty()) return light;
-    forEachChunk(light.size(), kChunk, [&](size_t begin, size_t end) {
+    forEachChunk(light.size(), kProbeChunk, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
             for (uint32_t t = state_->firstTap[i]; t < state_->firstTap[i + 1]; ++t) {
                 const Tap& tap = state_->taps[t];

@@ -1,6 +1,7 @@
 #include "relight/light_source.h"
 
 #include "base/lanes.h"
+#include "base/pi.shared.h"
 #include "shading/area_direct.shared.h"
 #include "shading/sampling.shared.h"
 
@@ -14,7 +15,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kAllAround = -2.0f;     // below any cosine
 constexpr float kLeastDistance = 1e-3f; // m; nearer to a point its light grows no more
 constexpr float kOffPoint = 1e-3f;      // m, a ray's end from a light that is not in the scan
@@ -45,12 +45,12 @@ AreaLight rectangleOf(const NewLight& light)
 
 AreaLight discOf(const NewLight& light)
 {
-    constexpr int kPatches = kPatchesAcross * kPatchesAcross;
+    constexpr int kBulbPatches = kPatchesAcross * kPatchesAcross;
     const glm::mat3 frame = frameOf(light);
     std::vector<ClippedPatch> patches;
-    const float area = kPi * light.radius * light.radius / kPatches;
-    for (int i = 0; i < kPatches; ++i) { // Vogel's spiral: every turn by the golden angle
-        const float r = light.radius * std::sqrt((static_cast<float>(i) + 0.5f) / kPatches);
+    const float area = kPi * light.radius * light.radius / kBulbPatches;
+    for (int i = 0; i < kBulbPatches; ++i) { // Vogel's spiral: every turn by the golden angle
+        const float r = light.radius * std::sqrt((static_cast<float>(i) + 0.5f) / kBulbPatches);
         const float angle = 2.3999632f * static_cast<float>(i);
         patches.push_back(patchAt(light.position + r * std::cos(angle) * frame[0] +
                                       r * std::sin(angle) * frame[1],

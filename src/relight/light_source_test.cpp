@@ -1,5 +1,7 @@
 #include "relight/light_source.h"
 
+#include "base/pi.shared.h"
+#include "scenes/axes.h"
 #include "scenes/radiosity.h"
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"
@@ -13,8 +15,7 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
-constexpr glm::vec3 kUp(0.0f, 1.0f, 0.0f);
+using scenes::kUp;
 
 /// Irradiance on a floor at `place`, nothing in the way.
 float onFloor(const LightSource& light, glm::vec3 place,

@@ -1,5 +1,7 @@
 #include "relight/panes.h"
 
+#include "lights/shining.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,11 +16,6 @@ constexpr float kUpright = 0.7f;   // upward part of a pane's normal, less
 constexpr float kLeastPane = 0.1f; // m^2
 constexpr float kBehind = 0.1f;    // m that a window's wall and its scan are thick
 constexpr size_t kRays = 16;
-
-bool isDark(glm::vec3 light)
-{
-    return std::max({light.r, light.g, light.b}) <= 0.0f;
-}
 
 bool isPane(const RayScene& scene, std::span<const ClippedPatch> patches)
 {

@@ -1,6 +1,7 @@
 #include "relight/radiosity.h"
 
 #include "base/parallel.h"
+#include "base/pi.shared.h"
 #include "lights/expand.shared.h"
 #include "relight/follow_bounces.h"
 #include "relight/radiosity.shared.h"
@@ -15,8 +16,7 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
-constexpr size_t kChunk = 1024;
+constexpr size_t kSurfelChunk = 1024;
 
 /// The fourth is the square of the luminance, which gathering sums up along with the colours.
 glm::vec4 withSquare(glm::vec3 radiance)
@@ -93,7 +93,7 @@ float Bouncer::bounceOnce(size_t step, float weight)
 {
     transport_.ofClusters.gather(sent_, arriving_, step);
     const size_t clusters = transport_.clusters();
-    forEachChunk(clusters, kChunk, [&](size_t begin, size_t end) {
+    forEachChunk(clusters, kSurfelChunk, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             const glm::vec3 arriving(arriving_[i]);
             const glm::vec3 sent = sentOn(albedo_[i], arriving);
@@ -111,7 +111,7 @@ std::vector<glm::vec4> Bouncer::radianceOfSides()
 {
     const size_t sides = transport_.sides.size();
     std::vector<glm::vec4> radiance(sides + Transport::radiancesBeyond(), glm::vec4(0.0f));
-    forEachChunk(sides, kChunk, [&](size_t begin, size_t end) {
+    forEachChunk(sides, kSurfelChunk, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
             radiance[i] = withSquare(sentOn(albedoOfSurfels_[transport_.sides[i].surfel()],
                                             metDirect(i) + irradiance_[transport_.clusterOf[i]]));
@@ -121,7 +121,7 @@ std::vector<glm::vec4> Bouncer::radianceOfSides()
     const SightLists& lists = transport_.ofFronts;
     std::vector<glm::vec4> irradiance(lists.count());
     lists.gather(radiance, irradiance, kStepOfSides);
-    forEachChunk(lists.count(), kChunk, [&](size_t begin, size_t end) {
+    forEachChunk(lists.count(), kSurfelChunk, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             glm::vec3 received = metDirect(i) + glm::vec3(irradiance[i]);
             if (!known_.irradiance.empty()) received += known_.irradiance[i];
@@ -138,7 +138,7 @@ void Bouncer::arrive(Bounced& bounced)
     lists.gather(radianceOfSides(), irradiance);
     bounced.irradiance.resize(lists.count());
     bounced.noise.resize(lists.count());
-    forEachChunk(lists.count(), kChunk, [&](size_t begin, size_t end) {
+    forEachChunk(lists.count(), kSurfelChunk, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             bounced.irradiance[i] = glm::vec3(irradiance[i]);
             const float mean = luminance(bounced.irradiance[i]) / kPi;

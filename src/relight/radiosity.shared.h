@@ -1,7 +1,7 @@
 #ifndef RELAMP_RADIOSITY_SHARED_H
 #define RELAMP_RADIOSITY_SHARED_H
 
-#include "base/shared.h"
+#include "base/pi.shared.h"
 
 SHARED_BEGIN
 
@@ -10,7 +10,7 @@ const int kStepOfSides = 4; // of their rays, one that is asked what a side send
 // Radiance that a matte surface sends on of what it receives.
 SHARED_FN vec3 sentOn(vec3 albedo, vec3 irradiance)
 {
-    return albedo * irradiance / 3.14159265f;
+    return albedo * irradiance / kPi;
 }
 
 SHARED_END

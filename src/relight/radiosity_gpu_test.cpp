@@ -19,9 +19,9 @@ using scenes::Apart;
 
 /// A room, and a light in it: colours, a bright spot on the floor, and what comes through where the
 /// ceiling is open.
-struct Room
+struct TwinRoom
 {
-    explicit Room(bool isOpen)
+    explicit TwinRoom(bool isOpen)
         : surfaces(scanOf(isOpen)),
           transport(transportOf(surfaces.texels, scenes::hitListsOf(surfaces, 64)))
     {
@@ -57,7 +57,7 @@ using GpuRadiosity = scenes::GpuTest;
 TEST_F(GpuRadiosity, BouncesAsTheCpuDoes)
 {
     for (const bool isOpen : {false, true}) {
-        const Room room(isOpen);
+        const TwinRoom room(isOpen);
         RadiosityGpu gpu(device(), room.transport);
         for (const float power : {1.0f, 1e-4f, 3e3f}) { // a candle, the sun
             std::vector<glm::vec3> direct = room.direct;
@@ -83,7 +83,7 @@ TEST_F(GpuRadiosity, BouncesAsTheCpuDoes)
 // The bright spot, as a glow that others have looked for.
 TEST_F(GpuRadiosity, LeavesWhatIsKnownToOthersAsTheCpuDoes)
 {
-    const Room room(false);
+    const TwinRoom room(false);
     std::vector<glm::vec3> spot;
     for (const glm::vec3 irradiance : room.direct)
         spot.push_back(irradiance.r > 20.0f ? 0.9f * irradiance : glm::vec3(0.0f));
@@ -104,7 +104,7 @@ TEST_F(GpuRadiosity, LeavesWhatIsKnownToOthersAsTheCpuDoes)
 
 TEST_F(GpuRadiosity, DarknessStaysDark)
 {
-    const Room room(false);
+    const TwinRoom room(false);
     const std::vector<glm::vec3> nothing(room.direct.size(), glm::vec3(0.0f));
     const Bounced found = RadiosityGpu(device(), room.transport).bounce(room.albedo, nothing, {});
     EXPECT_THAT(found.irradiance, testing::Each(glm::vec3(0.0f)));
@@ -113,7 +113,7 @@ TEST_F(GpuRadiosity, DarknessStaysDark)
 // Sums are added up in one order.
 TEST_F(GpuRadiosity, SameLightGivesTheSameBits)
 {
-    const Room room(true);
+    const TwinRoom room(true);
     RadiosityGpu gpu(device(), room.transport);
     const Bounced once = gpu.bounce(room.albedo, room.direct, room.sky);
     gpu.bounce(room.albedo, room.direct, {});

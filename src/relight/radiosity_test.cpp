@@ -1,5 +1,6 @@
 #include "relight/radiosity.h"
 
+#include "base/pi.shared.h"
 #include "relight/sky_bins.h"
 #include "scenes/radiosity.h"
 #include "scenes/scenes.h"
@@ -14,11 +15,9 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
-
-struct Room
+struct BouncingRoom
 {
-    explicit Room(Scan scan)
+    explicit BouncingRoom(Scan scan)
         : surfaces(std::move(scan)),
           transport(transportOf(surfaces.texels, scenes::hitListsOf(surfaces, 256)))
     {}
@@ -39,7 +38,7 @@ struct Room
 // bounces: every bounce adds a power.
 TEST(Radiosity, FurnaceReachesTheGeometricSeries)
 {
-    const Room room(scenes::room({4.0f, 2.5f, 5.0f}, 64, scenes::plain(glm::vec3(0.5f))));
+    const BouncingRoom room(scenes::room({4.0f, 2.5f, 5.0f}, 64, scenes::plain(glm::vec3(0.5f))));
     for (const float rho : {0.3f, 0.5f, 0.8f}) {
         const std::vector<glm::vec3> albedo(room.surfels(), glm::vec3(rho));
         const Bounced bounced = bounce(room.transport, albedo, room.everywhere(kPi), {});
@@ -58,7 +57,7 @@ TEST(Radiosity, ColourBleedsByTheFormFactorOfTheWalls)
     const std::array<scenes::Panel, 2> walls{
         scenes::Panel{{0, 0, 0}, {0, 0, 2}, {2, 0, 0}},  // faces up
         scenes::Panel{{0, 1, 0}, {2, 0, 0}, {0, 0, 2}}}; // faces down
-    const Room room(scenes::panels(walls, 64, scenes::plain(glm::vec3(0.5f))));
+    const BouncingRoom room(scenes::panels(walls, 64, scenes::plain(glm::vec3(0.5f))));
     const Surfels& surfels = room.surfaces.texels.surfels;
     std::vector<glm::vec3> albedo(room.surfels(), glm::vec3(0.0f));
     std::vector<glm::vec3> direct = room.everywhere(0.0f);
@@ -84,7 +83,7 @@ TEST(Radiosity, ColourBleedsByTheFormFactorOfTheWalls)
 
 TEST(Radiosity, OpenGroundReceivesTheWholeSky)
 {
-    const Room room(scenes::square(2.0f, 32, scenes::plain(glm::vec3(0.5f))));
+    const BouncingRoom room(scenes::square(2.0f, 32, scenes::plain(glm::vec3(0.5f))));
     const std::vector<glm::vec3> sky(SkyBins::kCount, glm::vec3(0.1f, 0.2f, 0.3f));
     const std::vector<glm::vec3> albedo(room.surfels(), glm::vec3(0.5f));
     const Bounced bounced = bounce(room.transport, albedo, room.everywhere(0.0f), sky);
@@ -96,7 +95,7 @@ TEST(Radiosity, OpenGroundReceivesTheWholeSky)
 
 TEST(Radiosity, DarknessStaysDark)
 {
-    const Room room(scenes::square(2.0f, 32, scenes::plain(glm::vec3(0.5f))));
+    const BouncingRoom room(scenes::square(2.0f, 32, scenes::plain(glm::vec3(0.5f))));
     const std::vector<glm::vec3> albedo(room.surfels(), glm::vec3(0.5f));
     for (const glm::vec3 irradiance :
          bounce(room.transport, albedo, room.everywhere(0.0f), {}).irradiance)

@@ -1,6 +1,7 @@
 #include "relamp/relight.h"
 
 #include "base/half.h"
+#include "base/pi.shared.h"
 #include "relamp/error.h"
 #include "relamp/threads.h"
 #include "relight/relighter_state.h"
@@ -17,8 +18,6 @@ namespace relamp
 {
 namespace
 {
-
-constexpr float kPi = 3.14159265f;
 
 /// A scan whose texture is its albedo.
 DelitRoom painted(Scan scan)

@@ -1,5 +1,6 @@
 #include "relight/relighting_file.h"
 #include "base/fail.h"
+#include "base/pi.shared.h"
 #include "lights/json_document.h"
 #include "lights/sun_item.h"
 #include "relamp/relight.h"
@@ -18,7 +19,6 @@ namespace
 
 using nlohmann::json;
 
-constexpr float kPi = 3.14159265f;
 constexpr float kPerDegree = kPi / 180.0f;
 
 /// A lights file being read.

@@ -1,3 +1,4 @@
+#include "base/pi.shared.h"
 #include "relamp/relight.h"
 #include "relight/photometry.h"
 #include "scenes/refusal.h"
@@ -16,8 +17,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr float kPi = 3.14159265f;
-
 std::vector<std::string> lastWarnings;
 
 Lights twoFixtures()
@@ -35,14 +34,14 @@ Relighting read(const std::string& text)
     return readRelighting(folder.write("lamps.json", text), twoFixtures(), lastWarnings);
 }
 
-std::string refusal(const std::string& text)
+std::string refusalOfLights(const std::string& text)
 {
     return scenes::refusalOf([&] { read(text); });
 }
 
 std::string refusalOfLight(const std::string& light)
 {
-    return refusal("{\n\"lights\": [\n{" + light + "}\n]}");
+    return refusalOfLights("{\n\"lights\": [\n{" + light + "}\n]}");
 }
 
 std::string refusalOfSetting(const std::string& setting)
@@ -138,7 +137,8 @@ TEST(RelightingFile, WarnsOfWhatItPassesOver)
 TEST(RelightingFile, NamesTheLineAndTheKeyOfWhatIsWrong)
 {
     EXPECT_THAT(
-        refusal("{\n\"lights\": [\n {\"position\": [1, 2, 3],\n  \"intensity\": [1, -1, 1]}\n]}"),
+        refusalOfLights(
+            "{\n\"lights\": [\n {\"position\": [1, 2, 3],\n  \"intensity\": [1, -1, 1]}\n]}"),
         AllOf(HasSubstr("lamps.json: light 0: \"intensity\""), HasSubstr("(line 4)")));
     const std::string place = R"("position": [1, 2, 3], )";
     const std::string shine = place + R"("intensity": [1, 1, 1])";
@@ -163,12 +163,13 @@ TEST(RelightingFile, NamesTheLineAndTheKeyOfWhatIsWrong)
         HasSubstr("\"size\""));
     EXPECT_THAT(refusalOfLight(shine + R"(, "on": "yes")"), HasSubstr("\"on\" must be true"));
     EXPECT_THAT(refusalOfLight(place + R"("ies": "nowhere.ies")"), HasSubstr("nowhere.ies"));
-    EXPECT_THAT(refusal(R"({"fixtures": [{"id": 2}]})"), HasSubstr("the room has 2 fixtures"));
-    EXPECT_THAT(refusal(R"({"fixtures": [{"dim": 2}]})"), HasSubstr("needs an \"id\""));
-    EXPECT_THAT(refusal(R"({"fixtures": "bright"})"), HasSubstr("must be \"on\", \"off\""));
-    EXPECT_THAT(refusal(R"({"sky": 3})"), HasSubstr("\"sky\" must be an object"));
-    EXPECT_THAT(refusal(R"({"sky": {"environment": "no.exr"}})"), HasSubstr("no.exr"));
-    EXPECT_THAT(refusal("{\n\"lights\": [}"), HasSubstr("line 2"));
+    EXPECT_THAT(refusalOfLights(R"({"fixtures": [{"id": 2}]})"),
+                HasSubstr("the room has 2 fixtures"));
+    EXPECT_THAT(refusalOfLights(R"({"fixtures": [{"dim": 2}]})"), HasSubstr("needs an \"id\""));
+    EXPECT_THAT(refusalOfLights(R"({"fixtures": "bright"})"), HasSubstr("must be \"on\", \"off\""));
+    EXPECT_THAT(refusalOfLights(R"({"sky": 3})"), HasSubstr("\"sky\" must be an object"));
+    EXPECT_THAT(refusalOfLights(R"({"sky": {"environment": "no.exr"}})"), HasSubstr("no.exr"));
+    EXPECT_THAT(refusalOfLights("{\n\"lights\": [}"), HasSubstr("line 2"));
 }
 
 TEST(RelightingReader, ReadsWhatTextsNameOnce)

@@ -1,5 +1,6 @@
 #include "relight/room_albedo.h"
 
+#include "scenes/axes.h"
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"
 
@@ -10,9 +11,10 @@ namespace relamp
 namespace
 {
 
+using scenes::kUp;
+
 constexpr glm::vec3 kWall(0.5f, 0.6f, 0.7f);
 constexpr float kHalfWay = 1.0f; // m; from there on nothing is known
-constexpr glm::vec3 kUp(0, 1, 0);
 
 glm::vec3 white(glm::vec3 place, glm::vec3)
 {

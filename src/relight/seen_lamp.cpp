@@ -1,5 +1,7 @@
 #include "relight/seen_lamp.h"
 
+#include "lights/shining.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,8 +20,7 @@ SeenLamp::SeenLamp(const NewLight& light) : light_(light), frame_(frameOf(light)
 bool SeenLamp::hasSurface(const NewLight& light)
 {
     if (light.type == LightType::sun) return false;
-    const bool isDark = std::max({light.emission.r, light.emission.g, light.emission.b}) <= 0.0f;
-    return !isDark && (light.type == LightType::rectangle || light.radius > 0.0f);
+    return !isDark(light.emission) && (light.type == LightType::rectangle || light.radius > 0.0f);
 }
 
 std::optional<SeenLamp::Glow> SeenLamp::along(const Ray& ray) const

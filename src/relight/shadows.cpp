@@ -14,9 +14,8 @@ namespace relamp
 namespace
 {
 
-constexpr float kOffSurface = 2e-3f; // m; less than things that lie on each other are apart
-constexpr size_t kFirstRays = 4;     // of a texel
-constexpr size_t kBatch = 256;       // rays
+constexpr size_t kFirstRays = 4; // of a texel
+constexpr size_t kBatch = 256;   // rays
 
 /// Rays of several texels that are traced together.
 class Batch

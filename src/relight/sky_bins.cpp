@@ -1,6 +1,7 @@
 #include "relight/sky_bins.h"
 
 #include "base/parallel.h"
+#include "base/pi.shared.h"
 #include "relight/sky_bins.shared.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr size_t kSamples = 8; // of a bin, along each side
 
 glm::vec3 directionAt(float around, float up)

@@ -1,7 +1,7 @@
 #ifndef RELAMP_SKY_BINS_SHARED_H
 #define RELAMP_SKY_BINS_SHARED_H
 
-#include "base/shared.h"
+#include "base/pi.shared.h"
 
 SHARED_BEGIN
 
@@ -10,9 +10,8 @@ SHARED_BEGIN
 // it towards +x. `turn`: rad around the vertical.
 SHARED_FN vec2 placeInSky(vec3 direction, float turn)
 {
-    const float pi = 3.14159265f;
-    return vec2((atan(direction.x, -direction.z) - turn) / (2.0f * pi) + 0.5f,
-                acos(clamp(direction.y, -1.0f, 1.0f)) / pi);
+    return vec2((atan(direction.x, -direction.z) - turn) / (2.0f * kPi) + 0.5f,
+                acos(clamp(direction.y, -1.0f, 1.0f)) / kPi);
 }
 
 SHARED_END

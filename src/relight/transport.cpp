@@ -1,6 +1,7 @@
 #include "relight/transport.h"
 
 #include "base/parallel.h"
+#include "base/pi.shared.h"
 #include "relight/sky_bins.h"
 
 #include <algorithm>
@@ -11,7 +12,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr size_t kRaysOfCluster = 32;
 constexpr float kLargestCluster = 0.13f; // m; beyond, surfels stay alone
 

@@ -214,7 +214,7 @@ struct Packer
 };
 
 /// Trusts the other side as little as the file: it may have been overrun before it wrote.
-struct Unpacker
+struct RequestUnpacker
 {
     std::span<const std::byte>& bytes;
 
@@ -285,7 +285,7 @@ Import importWithAssimp(const std::filesystem::path& file, const Progress& progr
     Import import;
     std::span<const std::byte> rest(bytes);
     try {
-        visitAll(import, Unpacker{rest});
+        visitAll(import, RequestUnpacker{rest});
     } catch (const std::length_error&) {
         malformed(file.string(), "cannot be read: the library that knows this format fails on it");
     }

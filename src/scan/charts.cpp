@@ -13,7 +13,7 @@ namespace
 {
 
 /// A vertex of the scan, all meshes in a row, and where it lies on its page.
-struct Corner
+struct ChartCorner
 {
     int page;
     float u;
@@ -34,14 +34,14 @@ std::vector<uint32_t> firstVertexOfMesh(const Scan& scan)
 void joinVerticesOfOnePlace(const Scan& scan, const std::vector<uint32_t>& firstVertex,
                             DisjointSets& charts)
 {
-    std::vector<Corner> corners;
+    std::vector<ChartCorner> corners;
     for (size_t m = 0; m < scan.meshes.size(); ++m) {
         const Mesh& mesh = scan.meshes[m];
         for (size_t i = 0; i < mesh.uvs.size(); ++i)
             corners.push_back({mesh.page, mesh.uvs[i].x, mesh.uvs[i].y,
                                firstVertex[m] + static_cast<uint32_t>(i)});
     }
-    std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
+    std::sort(corners.begin(), corners.end(), [](const ChartCorner& a, const ChartCorner& b) {
         return std::tuple_cat(a.place(), std::tie(a.vertex)) <
                std::tuple_cat(b.place(), std::tie(b.vertex));
     });

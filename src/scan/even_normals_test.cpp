@@ -1,3 +1,4 @@
+#include "base/pi.shared.h"
 #include "scan/even_normals.h"
 
 #include <algorithm>
@@ -12,8 +13,6 @@ namespace relamp
 {
 namespace
 {
-
-constexpr float kPi = 3.14159265f;
 
 using Surface = std::function<glm::vec3(float u, float v)>; // u, v in cells
 

@@ -1,5 +1,6 @@
 #include "scan/finish_mesh.h"
 
+#include "base/pi.shared.h"
 #include "scenes/refusal.h"
 
 #include <cmath>
@@ -19,12 +20,12 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 
 /// Two triangles that share an edge along z; the second is turned up by `degrees` about it.
 Mesh hinge(float degrees)
 {
-    const float angle = degrees * 3.14159265f / 180.0f;
+    const float angle = degrees * kPi / 180.0f;
     Mesh mesh;
     mesh.name = "hinge";
     mesh.positions = {{0, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {std::cos(angle), std::sin(angle), 0}};
@@ -117,7 +118,7 @@ TEST(FinishMesh, GivenNormalsAreTakenUnlessTheyAreNoneOrPointIntoTheSurface)
 {
     Mesh mesh = hinge(0.0f);
     const glm::vec3 slanted = glm::normalize(glm::vec3(1, 2, 0));
-    finish(mesh, {slanted * 3.0f, {kNan, 0, 0}, {0, -1, 0}, {0, 0, 0}});
+    finish(mesh, {slanted * 3.0f, {kNotANumber, 0, 0}, {0, -1, 0}, {0, 0, 0}});
     EXPECT_NEAR(glm::length(mesh.normals[0] - slanted), 0.0f, 1e-6f);
     EXPECT_EQ(mesh.normals[1], glm::vec3(0, 1, 0)); // of vertex 2: against the face
     EXPECT_EQ(mesh.normals[2], glm::vec3(0, 1, 0)); // of vertex 1: not a number
@@ -142,7 +143,7 @@ TEST(FinishMesh, CoordinatesBeyondAThousandKilometresAreNoRoom)
 TEST(FinishMesh, TextureCoordinatesThatAreNotNumbersTakeTheirTrianglesAlong)
 {
     Mesh mesh = hinge(0.0f);
-    mesh.uvs = {{0, 0}, {0, 1}, {1, 0}, {kNan, 0}};
+    mesh.uvs = {{0, 0}, {0, 1}, {1, 0}, {kNotANumber, 0}};
     finish(mesh);
     EXPECT_THAT(mesh.triangles, SizeIs(1));
     EXPECT_EQ(mesh.uvs[3], glm::vec2(0.0f));

@@ -1,5 +1,7 @@
 #include "scan/gltf_from_scan.h"
 
+#include "scan/gltf_json.h"
+
 #include <array>
 #include <limits>
 #include <span>
@@ -13,11 +15,6 @@ namespace
 {
 
 using nlohmann::json;
-
-constexpr int kFloat = 5126;
-constexpr int kUnsignedInt = 5125;
-constexpr int kArrayBuffer = 34962;
-constexpr int kElementArrayBuffer = 34963;
 
 size_t append(json& list, json item)
 {

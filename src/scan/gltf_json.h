@@ -12,6 +12,12 @@
 namespace relamp
 {
 
+// Of OpenGL, as glTF names them.
+constexpr int kUnsignedInt = 5125;
+constexpr int kFloat = 5126;
+constexpr int kArrayBuffer = 34962;
+constexpr int kElementArrayBuffer = 34963;
+
 /// The two chunks of a GLB, or a .gltf text and no chunk.
 struct GltfChunks
 {

@@ -34,7 +34,7 @@ json asJson(const glm::vec3& v)
     return {shortest(v.x), shortest(v.y), shortest(v.z)};
 }
 
-size_t append(json& list, const json& item)
+size_t appendTo(json& list, const json& item)
 {
     list.push_back(item);
     return list.size() - 1;
@@ -75,9 +75,9 @@ public:
     {
         json& sceneNodes = nodesOfScene(document_); // before there are nodes of ours
         node["name"] = light["name"];
-        const size_t index = append(document_["extensions"][kExtension]["lights"], light);
+        const size_t index = appendTo(document_["extensions"][kExtension]["lights"], light);
         node["extensions"][kExtension]["light"] = index;
-        sceneNodes.push_back(append(document_["nodes"], node));
+        sceneNodes.push_back(appendTo(document_["nodes"], node));
     }
 
 private:

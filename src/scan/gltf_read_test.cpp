@@ -1,5 +1,7 @@
 #include "scan/gltf_read.h"
 
+#include "scan/gltf_json.h"
+
 #include "scenes/gltf_files.h"
 #include "scenes/pictures.h"
 
@@ -27,7 +29,6 @@ constexpr int kByte = 5120;
 constexpr int kUnsignedByte = 5121;
 constexpr int kShort = 5122;
 constexpr int kUnsignedShort = 5123;
-constexpr int kUnsignedInt = 5125;
 
 MATCHER_P2(Near, expected, tolerance, "")
 {

@@ -23,8 +23,6 @@ using nlohmann::json;
 using Content = std::span<const uint8_t>;
 
 constexpr size_t kLargestGlb = (size_t{1} << 32) - (size_t{1} << 20);
-constexpr int kFloat = 5126;
-constexpr int kArrayBuffer = 34962;
 
 void eraseExtension(json& object, const char* name)
 {

@@ -12,6 +12,9 @@
 namespace relamp
 {
 
+constexpr float kOffSurface =
+    2e-3f; // m, where rays start; less than things that lie on each other are apart
+
 struct Ray
 {
     glm::vec3 origin{0.0f};    // finite

@@ -12,7 +12,7 @@ namespace relamp
 namespace
 {
 
-Texels rasterize(const Scan& scan)
+Texels rasterizeLayered(const Scan& scan)
 {
     Progress progress;
     return rasterizeAtlas(scan, progress, {.layered = true});
@@ -47,7 +47,7 @@ size_t mixed(const Texels& texels, float middle)
 TEST(SplitSurfels, OfTwoLayersEachHasItsOwn)
 {
     const Scan scan = twoLayers(0.03f);
-    const Texels texels = rasterize(scan);
+    const Texels texels = rasterizeLayered(scan);
     ASSERT_GT(texels.surfels.size, 0.05f); // both lie in one cell
     EXPECT_EQ(mixed(texels, 0.015f), 0u);
     for (size_t s = 0; s < texels.surfels.count(); ++s) {
@@ -62,7 +62,7 @@ TEST(SplitSurfels, OfTwoLayersEachHasItsOwn)
 TEST(SplitSurfels, AThinSheetStaysOfOnePiece)
 {
     const Scan scan = twoLayers(0.004f);
-    const Texels texels = rasterize(scan);
+    const Texels texels = rasterizeLayered(scan);
     EXPECT_GT(mixed(texels, 0.002f), texels.surfels.count() / 2);
 }
 
@@ -70,7 +70,7 @@ TEST(SplitSurfels, ASlopeIsNoStep)
 {
     const scenes::Panel slope{{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, {1.0f, 0.8f, 0.0f}};
     const Scan scan = scenes::panels(std::vector{slope}, 64, scenes::plain(glm::vec3(0.5f)));
-    const Texels texels = rasterize(scan);
+    const Texels texels = rasterizeLayered(scan);
     for (const uint64_t key : texels.surfels.key)
         EXPECT_EQ(key & static_cast<uint64_t>(SurfelPart::upper), 0u);
 }
@@ -78,7 +78,7 @@ TEST(SplitSurfels, ASlopeIsNoStep)
 TEST(SplitSurfels, FindsTheLayerThatIsNearer)
 {
     const Scan scan = twoLayers(0.03f);
-    const Texels texels = rasterize(scan);
+    const Texels texels = rasterizeLayered(scan);
     const glm::vec3 up(0.0f, 1.0f, 0.0f);
     const uint32_t lower = texels.surfels.find({0.5f, 0.004f, 0.5f}, up);
     const uint32_t upper = texels.surfels.find({0.5f, 0.026f, 0.5f}, up);
@@ -89,7 +89,7 @@ TEST(SplitSurfels, FindsTheLayerThatIsNearer)
 TEST(SplitSurfels, MarkedTexelsLeaveTheirSurfelsAndKeepTheirArea)
 {
     const Scan scan = scenes::square(1.0f, 64, scenes::plain(glm::vec3(0.5f)));
-    Texels texels = rasterize(scan);
+    Texels texels = rasterizeLayered(scan);
     const size_t before = texels.surfels.count();
     const PageTexels page = texels.pages[0];
     TexelMarks marks{std::vector<uint8_t>(page.count(), 0)};

@@ -35,12 +35,12 @@ void forEachTexel(const Texels& texels, const Visit& visit)
     }
 }
 
-const scenes::Paint kGrey = scenes::plain(glm::vec3(0.5f));
+const scenes::Paint kGreyPaint = scenes::plain(glm::vec3(0.5f));
 
 /// The square again, with one colour a corner and no texture.
 Scan vertexColored()
 {
-    Scan scan = scenes::square(2.0f, 4, kGrey);
+    Scan scan = scenes::square(2.0f, 4, kGreyPaint);
     scan.meshes[0].uvs.clear();
     scan.pages[0].ofVertices = true;
     scan.pages[0].image.width = 4;
@@ -53,8 +53,8 @@ Scan vertexColored()
 
 TEST(Texels, AreasSumToTheMeshsArea)
 {
-    EXPECT_NEAR(rasterize(scenes::square(2.0f, 64, kGrey)).area, 4.0, 1e-4);
-    const Texels room = rasterize(scenes::room({4.0f, 2.5f, 3.0f}, 96, kGrey));
+    EXPECT_NEAR(rasterize(scenes::square(2.0f, 64, kGreyPaint)).area, 4.0, 1e-4);
+    const Texels room = rasterize(scenes::room({4.0f, 2.5f, 3.0f}, 96, kGreyPaint));
     EXPECT_NEAR(room.area, 2.0 * (4.0 * 2.5 + 4.0 * 3.0 + 2.5 * 3.0), 0.01);
     double ofSurfels = 0.0;
     for (const float area : room.surfels.area) ofSurfels += static_cast<double>(area);
@@ -73,7 +73,7 @@ TEST(Texels, VerticesShareTheAreaOfTheirTriangles)
 // pixels.
 TEST(Texels, LieWhereTheirPixelCentresAre)
 {
-    const Scan scan = scenes::square(2.0f, 64, kGrey);
+    const Scan scan = scenes::square(2.0f, 64, kGreyPaint);
     const Texels texels = rasterize(scan);
     EXPECT_EQ(texels.count(), 64u * 64u);
     forEachTexel(texels, [](const TexelBlock& block, size_t i, uint32_t pixel) {
@@ -98,7 +98,7 @@ TEST(Texels, ShowTheRadianceOfTheirPixels)
 
 TEST(Texels, FactorAndVertexColorsMultiplyTheTexture)
 {
-    Scan scan = scenes::square(2.0f, 64, kGrey);
+    Scan scan = scenes::square(2.0f, 64, kGreyPaint);
     scan.meshes[0].factor = {1.0f, 0.5f, 1.0f};
     for (const glm::vec3& p : scan.meshes[0].positions)
         scan.meshes[0].colors.emplace_back(0.5f * p.x, 1.0f, 1.0f);
@@ -111,7 +111,7 @@ TEST(Texels, FactorAndVertexColorsMultiplyTheTexture)
 
 TEST(Texels, OfOneSurfelFollowEachOtherAndLieTogether)
 {
-    const Scan scan = scenes::room({4.0f, 2.5f, 3.0f}, 96, kGrey);
+    const Scan scan = scenes::room({4.0f, 2.5f, 3.0f}, 96, kGreyPaint);
     const Texels texels = rasterize(scan);
     const Surfels& surfels = texels.surfels;
     std::set<uint32_t> seen;
@@ -130,7 +130,7 @@ TEST(Texels, OfOneSurfelFollowEachOtherAndLieTogether)
 // Neighbours lie on the same wall: the surface is followed, not the straight way round a corner.
 TEST(Surfels, NeighborsAreOnTheSameSurface)
 {
-    const Scan scan = scenes::room({4.0f, 2.5f, 3.0f}, 96, kGrey);
+    const Scan scan = scenes::room({4.0f, 2.5f, 3.0f}, 96, kGreyPaint);
     const Texels texels = rasterize(scan);
     const Surfels& surfels = texels.surfels;
     size_t most = 0;
@@ -145,7 +145,7 @@ TEST(Surfels, NeighborsAreOnTheSameSurface)
 
 TEST(Texels, AreTheSameOnAnyNumberOfThreads)
 {
-    const Scan scan = scenes::room({4.0f, 2.5f, 3.0f}, 96, kGrey);
+    const Scan scan = scenes::room({4.0f, 2.5f, 3.0f}, 96, kGreyPaint);
     const auto run = [&](int threads) {
         const ThreadLimit limit(threads);
         return rasterize(scan);
@@ -160,7 +160,7 @@ TEST(Texels, AreTheSameOnAnyNumberOfThreads)
 
 TEST(Texels, OverlappingUvsAreRefusedWithTheirShare)
 {
-    Scan scan = scenes::square(2.0f, 64, kGrey);
+    Scan scan = scenes::square(2.0f, 64, kGreyPaint);
     scan.meshes.push_back(scan.meshes[0]);
     for (glm::vec3& p : scan.meshes[1].positions) p.y += 1.0f;
     const Texels texels = rasterize(scan);
@@ -176,7 +176,7 @@ TEST(Texels, OverlappingUvsAreRefusedWithTheirShare)
 
 TEST(Texels, TiledTexturesCountAsOverlapping)
 {
-    Scan scan = scenes::square(2.0f, 64, kGrey);
+    Scan scan = scenes::square(2.0f, 64, kGreyPaint);
     for (glm::vec2& uv : scan.meshes[0].uvs) uv *= 4.0f;
     EXPECT_GT(rasterize(scan).overlapShare, 0.5);
 }
@@ -186,7 +186,7 @@ TEST(Texels, TiledTexturesCountAsOverlapping)
 TEST(Texels, WhatHangsOverAnyEdgeOfThePageIsAmbiguous)
 {
     for (const glm::vec2 shift : {glm::vec2(0.5f, 0.0f), glm::vec2(0.0f, 0.5f)}) {
-        Scan scan = scenes::square(2.0f, 64, kGrey);
+        Scan scan = scenes::square(2.0f, 64, kGreyPaint);
         for (glm::vec2& uv : scan.meshes[0].uvs) uv += shift;
         const Texels texels = rasterize(scan);
         EXPECT_NEAR(static_cast<double>(texels.count()), 0.75 * 64 * 64, 64.0) << shift.x;
@@ -209,7 +209,7 @@ TEST(Texels, UvsOnAnotherTileAreFoundByWrapping)
 
 TEST(Texels, AbsurdUvsNeitherHangNorCrash)
 {
-    Scan scan = scenes::square(2.0f, 64, kGrey);
+    Scan scan = scenes::square(2.0f, 64, kGreyPaint);
     scan.meshes[0].uvs[0] = {-1e30f, 1e30f};
     EXPECT_GE(rasterize(scan).overlapShare, 0.0);
 }

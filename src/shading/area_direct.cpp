@@ -11,9 +11,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kOffSurface = 2e-3f; // m, at the lit end
-constexpr float kOffLamp = 0.015f;   // m, at the lamp's: its surface is as uneven as any of a scan
-
 } // namespace
 
 AreaLight::AreaLight(std::vector<ClippedPatch> patches) : patches_(std::move(patches))

@@ -12,6 +12,9 @@
 namespace relamp
 {
 
+constexpr float kOffLamp =
+    0.015f; // m, at which shadow rays end: its surface is as uneven as any of a scan
+
 /// A lamp as something that points can be sampled on: its burnt-out patches, and where in their
 /// order an area is reached.
 class AreaLight

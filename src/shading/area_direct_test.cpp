@@ -2,6 +2,7 @@
 
 #include "shading/lamp_patches.h"
 
+#include "scenes/axes.h"
 #include "scenes/radiosity.h"
 #include "scenes/surfaces.h"
 
@@ -15,9 +16,10 @@ namespace relamp
 namespace
 {
 
-constexpr glm::vec3 kUp(0, 1, 0);
-constexpr glm::vec3 kDown(0, -1, 0);
-constexpr float kOffSurface = 2e-3f; // m; shadow rays start so far off
+using scenes::kDown;
+using scenes::kUp;
+
+constexpr float kOffPlace = 2e-3f; // m; shadow rays start so far off
 
 /// Of `side` squared, `height` above the origin, facing down.
 scenes::Panel above(float height, float side)
@@ -115,7 +117,7 @@ TEST(AreaDirect, PatchesAndSamplesAgree)
         const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
         const glm::vec3 place(block.x[i], block.y[i], block.z[i]);
         const AreaSample sample =
-            sampleAreaLight(far.rays, light, place - kOffSurface * normal, normal, 4096, 0.5f);
+            sampleAreaLight(far.rays, light, place - kOffPlace * normal, normal, 4096, 0.5f);
         EXPECT_NEAR(open[i], sample.open, 1e-2f * sample.open + 5e-4f); // of 0.06 at most
     }
 }

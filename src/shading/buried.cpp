@@ -1,6 +1,7 @@
 #include "shading/buried.h"
 
 #include "base/parallel.h"
+#include "base/pi.shared.h"
 #include "lights/expand.shared.h"
 #include "scan/footprints.h"
 #include "shading/buried.shared.h"
@@ -17,7 +18,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kRimReach = 2.0f;    // of a buried surfel to open ones, in surfel sizes
 constexpr float kRimStep = 0.3f;     // off its surface, in these
 constexpr float kRimFacing = 0.8f;   // cosine
@@ -25,7 +25,6 @@ constexpr float kDark = 1e-4f;       // shading
 constexpr size_t kRaysOfSurfel = 12; // that say whether its texels need to be looked at
 constexpr size_t kRaysOfTexel = 4;
 constexpr size_t kPlacesOfTexel = 16; // that say how much of it is open
-constexpr float kOffSurface = 2e-3f;  // m, as hit lists start theirs
 constexpr double kInsideOut = 0.5;    // share of buried texels from which a scan is inside out
 
 bool meetsBack(const RayScene& scene, const Ray& ray)

@@ -1,5 +1,6 @@
 #include "shading/buried.h"
 
+#include "base/pi.shared.h"
 #include "lights/expand.shared.h"
 #include "scenes/scenes.h"
 
@@ -12,7 +13,6 @@ namespace
 
 constexpr glm::vec3 kBoxLow(0.305f, 0.0f, 0.305f); // its edges cross texels
 constexpr glm::vec3 kBoxHigh(0.7f, 0.4f, 0.7f);
-constexpr float kPi = 3.14159265f;
 
 /// A floor of one metre with a box on it, which has no bottom.
 Scan boxOnFloor(const scenes::Paint& paint)

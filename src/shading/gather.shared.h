@@ -1,14 +1,14 @@
 #ifndef RELAMP_GATHER_SHARED_H
 #define RELAMP_GATHER_SHARED_H
 
-#include "base/shared.h"
+#include "base/pi.shared.h"
 
 SHARED_BEGIN
 
 // Of `rays` cosine-distributed rays each one's part of the irradiance, at radiance 1.
 SHARED_FN float irradiancePerRay(float rays)
 {
-    return 3.14159265f / rays;
+    return kPi / rays;
 }
 
 // Standard error of the luminance of an irradiance by that many rays. `sum` is of the luminance of
@@ -16,7 +16,7 @@ SHARED_FN float irradiancePerRay(float rays)
 SHARED_FN float noiseOfRays(float sum, float squares, float rays)
 {
     const float mean = sum / rays;
-    return 3.14159265f * sqrt(max(squares / rays - mean * mean, 0.0f) / rays);
+    return kPi * sqrt(max(squares / rays - mean * mean, 0.0f) / rays);
 }
 
 SHARED_END

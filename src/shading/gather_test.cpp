@@ -1,6 +1,8 @@
 #include "shading/gather.h"
 
+#include "base/pi.shared.h"
 #include "lights/expand.shared.h"
+#include "scenes/axes.h"
 #include "scenes/radiosity.h"
 #include "scenes/surfaces.h"
 
@@ -13,15 +15,16 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
-constexpr glm::vec3 kRoom(2.0f, 1.5f, 3.0f);
-constexpr glm::vec3 kUp(0, 1, 0);
+using scenes::kUp;
+
+constexpr glm::vec3 kGatherRoom(2.0f, 1.5f, 3.0f);
 
 /// A dark room under a ceiling of radiance 0.9.
 Scan brightCeiling()
 {
-    return scenes::room(
-        kRoom, 32, [](glm::vec3, glm::vec3 n) { return glm::vec3(n.y < -0.5f ? 0.9f : 0.0f); });
+    return scenes::room(kGatherRoom, 32, [](glm::vec3, glm::vec3 n) {
+        return glm::vec3(n.y < -0.5f ? 0.9f : 0.0f);
+    });
 }
 
 } // namespace
@@ -30,7 +33,7 @@ Scan brightCeiling()
 TEST(Gather, FurnaceGivesPiTimesItsRadiance)
 {
     const glm::vec3 radiance(0.4f, 0.2f, 0.1f);
-    const scenes::Surfaces box(scenes::room(kRoom, 32, scenes::plain(radiance)));
+    const scenes::Surfaces box(scenes::room(kGatherRoom, 32, scenes::plain(radiance)));
     const Gathered gathered = gather(scenes::hitListsOf(box, 32), fieldOf(box.radiance));
     for (const glm::vec3 irradiance : gathered.irradiance)
         EXPECT_LT(glm::distance(irradiance, kPi * radiance), 2e-3f); // half floats
@@ -42,7 +45,7 @@ TEST(Gather, FurnaceGivesPiTimesItsRadiance)
 TEST(Gather, BurntOutWallSendsWhatTheTextureShowsOfIt)
 {
     const glm::vec3 warm(1.0f, 0.6f, 0.2f);
-    Scan scan = scenes::room(kRoom, 32, scenes::plain(warm));
+    Scan scan = scenes::room(kGatherRoom, 32, scenes::plain(warm));
     scan.pages[0].image.clipsAtWhite = true;
     const scenes::Surfaces box(std::move(scan));
     ASSERT_THAT(box.radiance.plainArea, testing::Each(0.0f));
@@ -54,7 +57,7 @@ TEST(Gather, BurntOutWallSendsWhatTheTextureShowsOfIt)
 // What leaves through a hole is missing in the irradiance and stands in `missed`.
 TEST(Gather, WhatIsMissedMakesItWholeAgain)
 {
-    std::vector<scenes::Panel> walls = scenes::wallsOf(kRoom);
+    std::vector<scenes::Panel> walls = scenes::wallsOf(kGatherRoom);
     walls.erase(walls.begin() + 1);
     const scenes::Surfaces box(scenes::panels(walls, 32, scenes::plain(glm::vec3(0.5f))));
     const HitLists hits = scenes::hitListsOf(box, 32);
@@ -67,7 +70,7 @@ TEST(Gather, CeilingLightsTheFloorByItsFormFactor)
 {
     const scenes::Surfaces box(brightCeiling());
     const Gathered gathered = gather(scenes::hitListsOf(box, 64), fieldOf(box.radiance));
-    const scenes::Panel ceiling = scenes::wallsOf(kRoom)[1];
+    const scenes::Panel ceiling = scenes::wallsOf(kGatherRoom)[1];
     float sum = 0.0f;
     float expected = 0.0f;
     size_t far = 0;
@@ -85,8 +88,9 @@ TEST(Gather, CeilingLightsTheFloorByItsFormFactor)
 
 TEST(Gather, LampsAreLeftOut)
 {
-    const scenes::Surfaces box(scenes::room(
-        kRoom, 32, [](glm::vec3, glm::vec3 n) { return glm::vec3(n.y < -0.5f ? 1.0f : 0.0f); }));
+    const scenes::Surfaces box(scenes::room(kGatherRoom, 32, [](glm::vec3, glm::vec3 n) {
+        return glm::vec3(n.y < -0.5f ? 1.0f : 0.0f);
+    }));
     const HitLists hits = scenes::hitListsOf(box, 16);
     RadianceField field = fieldOf(box.radiance);
     const uint32_t floor = box.at({1.0f, 0.0f, 1.5f}, kUp);
@@ -113,7 +117,7 @@ TEST(Gather, SomeListsGiveWhatAllGive)
 // Only what is not plain changes while light settles.
 TEST(Gather, SettlingGivesWhatTheWholeGives)
 {
-    std::vector<scenes::Panel> walls = scenes::wallsOf(kRoom);
+    std::vector<scenes::Panel> walls = scenes::wallsOf(kGatherRoom);
     walls.push_back(
         {{0.5f, 0.7f, 0.5f}, {0.0f, 0.0f, 1.0f}, {1.0f, 0.0f, 0.0f}}); // seen from below
     walls.erase(walls.begin() + 2);

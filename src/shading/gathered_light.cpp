@@ -3,6 +3,7 @@
 #include "base/instruction_set.h"
 #include "base/lanes.h"
 #include "base/parallel.h"
+#include "base/pi.shared.h"
 #include "lights/expand.shared.h"
 #include "shading/gathered_light.shared.h"
 
@@ -13,7 +14,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kMatters = 0.2f; // share of all light at a place
 
 /// Surfels around a run of texels, as structure of arrays.

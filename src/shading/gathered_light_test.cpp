@@ -1,5 +1,7 @@
 #include "shading/gathered_light.h"
 
+#include "base/pi.shared.h"
+#include "scenes/axes.h"
 #include "scenes/radiosity.h"
 #include "scenes/surfaces.h"
 #include "shading/lit_sides.h"
@@ -11,8 +13,8 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
-constexpr glm::vec3 kUp(0, 1, 0);
+using scenes::kUp;
+
 constexpr scenes::Panel kFloor{{0, 0, 0}, {0, 0, 2}, {2, 0, 0}};
 
 /// 0.4 m squared, a metre over the floor's middle, facing down.

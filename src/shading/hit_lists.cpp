@@ -14,7 +14,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kOffSurface = 2e-3f; // m; less than things that lie on each other are apart
 constexpr size_t kMoreRays = 4;
 constexpr float kNoisy = 0.25f;        // of the mean; what neighbours average away again
 constexpr float kBlack = 0.01f;        // radiance

@@ -1,6 +1,8 @@
 #include "shading/hit_lists.h"
 
+#include "base/pi.shared.h"
 #include "relamp/threads.h"
+#include "scenes/axes.h"
 #include "scenes/radiosity.h"
 #include "scenes/surfaces.h"
 
@@ -11,10 +13,10 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
-constexpr glm::vec3 kRoom(2.0f, 1.5f, 3.0f);
-constexpr glm::vec3 kUp(0, 1, 0);
-constexpr glm::vec3 kDown(0, -1, 0);
+using scenes::kDown;
+using scenes::kUp;
+
+constexpr glm::vec3 kHitRoom(2.0f, 1.5f, 3.0f);
 
 float missedShare(std::span<const HitTarget> targets)
 {
@@ -25,7 +27,7 @@ float missedShare(std::span<const HitTarget> targets)
 
 std::vector<scenes::Panel> withoutCeiling()
 {
-    std::vector<scenes::Panel> walls = scenes::wallsOf(kRoom);
+    std::vector<scenes::Panel> walls = scenes::wallsOf(kHitRoom);
     walls.erase(walls.begin() + 1);
     return walls;
 }
@@ -49,7 +51,7 @@ std::vector<uint32_t> namesOf(const HitLists& lists)
 
 TEST(HitLists, NothingLeavesAClosedBox)
 {
-    const scenes::Surfaces box(scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f))));
+    const scenes::Surfaces box(scenes::room(kHitRoom, 32, scenes::plain(glm::vec3(0.4f))));
     const HitLists lists = scenes::hitListsOf(box, 32);
     EXPECT_EQ(lists.sideOfList.size(), box.texels.surfels.count()); // fronts alone
     EXPECT_EQ(missedShare(lists.targets), 0.0f);
@@ -61,7 +63,7 @@ TEST(HitLists, RaysLeaveThroughAHoleByItsFormFactor)
     const scenes::Surfaces box(
         scenes::panels(withoutCeiling(), 32, scenes::plain(glm::vec3(0.4f))));
     const HitLists lists = scenes::hitListsOf(box, 64);
-    const scenes::Panel ceiling = scenes::wallsOf(kRoom)[1];
+    const scenes::Panel ceiling = scenes::wallsOf(kHitRoom)[1];
     float missed = 0.0f;
     float expected = 0.0f;
     for (const uint32_t s : box.facing(kUp)) {
@@ -77,7 +79,7 @@ TEST(HitLists, RaysLeaveThroughAHoleByItsFormFactor)
 TEST(HitLists, BurntOutTexelsAreTold)
 {
     const scenes::Surfaces box(scenes::room(
-        kRoom, 32, [](glm::vec3, glm::vec3 n) { return glm::vec3(n.y < -0.5f ? 1.0f : 0.3f); }));
+        kHitRoom, 32, [](glm::vec3, glm::vec3 n) { return glm::vec3(n.y < -0.5f ? 1.0f : 0.3f); }));
     const HitLists lists = scenes::hitListsOf(box, 32);
     for (const uint32_t s : box.facing(kUp))
         for (const HitTarget target : lists.targetsOf(s)) {
@@ -113,11 +115,11 @@ TEST(HitLists, BacksThatAreSeenLookAroundThemselves)
 // A bright spot that one ray in thirty meets is noise; a plain room is none.
 TEST(HitLists, MoreRaysGoWhereTheyDoNotAgree)
 {
-    const scenes::Surfaces even(scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f))));
+    const scenes::Surfaces even(scenes::room(kHitRoom, 32, scenes::plain(glm::vec3(0.4f))));
     const HitLists ofEven = scenes::hitListsOf(even, 16);
     EXPECT_EQ(ofEven.targets.size(), 16 * ofEven.sideOfList.size());
 
-    const scenes::Surfaces spotted(scenes::room(kRoom, 32, [](glm::vec3 p, glm::vec3 n) {
+    const scenes::Surfaces spotted(scenes::room(kHitRoom, 32, [](glm::vec3 p, glm::vec3 n) {
         const bool isSpot = n.y < -0.5f && std::abs(p.x - 1.0f) + std::abs(p.z - 1.5f) < 0.5f;
         return glm::vec3(isSpot ? 0.9f : 0.02f);
     }));

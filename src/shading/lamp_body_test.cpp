@@ -1,5 +1,6 @@
 #include "shading/lamp_body.h"
 
+#include "base/pi.shared.h"
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"
 
@@ -12,9 +13,8 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 const glm::vec3 kAxis(2.0f, 1.2f, 0.6f);
-constexpr float kRadius = 0.2f;
+constexpr float kBodyRadius = 0.2f;
 constexpr float kHeight = 0.3f;
 
 /// Strips of a cylinder about kAxis that face between two angles about the vertical.
@@ -22,7 +22,7 @@ std::vector<scenes::Panel> shade(float from, float to, int strips)
 {
     std::vector<scenes::Panel> panels;
     const auto at = [](float angle) {
-        return kAxis + kRadius * glm::vec3(std::sin(angle), 0.0f, std::cos(angle));
+        return kAxis + kBodyRadius * glm::vec3(std::sin(angle), 0.0f, std::cos(angle));
     };
     for (int i = 0; i < strips; ++i) {
         const float step = (to - from) / static_cast<float>(strips);
@@ -44,7 +44,7 @@ struct RoomWithShade
 
     RoomWithShade(float from, float to)
         : surfaces(scenes::panels(partsOf(from, to), 48, [](glm::vec3 p, glm::vec3) {
-              return glm::vec3(std::hypot(p.x - kAxis.x, p.z - kAxis.z) < 1.1f * kRadius &&
+              return glm::vec3(std::hypot(p.x - kAxis.x, p.z - kAxis.z) < 1.1f * kBodyRadius &&
                                        std::abs(p.y - 1.35f) < 0.2f
                                    ? 1.0f
                                    : 0.3f);
@@ -75,7 +75,7 @@ TEST(LampBody, HalfAShadeIsMirroredToAWholeOne)
     EXPECT_LT(unseen.normal.z, -0.4f);
     for (const ClippedPatch& patch : unseen.patches) {
         const float distance = std::hypot(patch.position.x - kAxis.x, patch.position.z - kAxis.z);
-        EXPECT_NEAR(distance, kRadius, 0.05f);
+        EXPECT_NEAR(distance, kBodyRadius, 0.05f);
         EXPECT_EQ(patch.surfel, Surfels::kNone);
     }
 }

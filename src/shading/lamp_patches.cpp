@@ -1,6 +1,7 @@
 #include "shading/lamp_patches.h"
 
 #include "base/lanes.h"
+#include "base/pi.shared.h"
 #include "shading/lamp_patches.shared.h"
 
 #include <algorithm>
@@ -15,7 +16,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kNear = 3.25f; // radii of a patch from its middle; nearer its parts are asked
 constexpr float kFar = 4.25f;
 constexpr float kFlat = 0.97f;   // length of the mean normal; a cap of 20 degrees

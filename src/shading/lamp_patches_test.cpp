@@ -1,5 +1,7 @@
 #include "shading/lamp_patches.h"
 
+#include "base/pi.shared.h"
+#include "scenes/axes.h"
 #include "scenes/radiosity.h"
 #include "scenes/surfaces.h"
 #include "shading/lamp_patches.shared.h"
@@ -15,8 +17,7 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
-constexpr glm::vec3 kUp(0, 1, 0);
+using scenes::kUp;
 
 /// A pane of a metre squared in the plane z = 0 that looks along z, of patches of 2 cm.
 constexpr scenes::Panel kPane{{-0.5f, -0.5f, 0}, {1, 0, 0}, {0, 1, 0}};

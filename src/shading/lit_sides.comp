@@ -46,7 +46,7 @@ void main()
                       vec3(arguments.mostBurntOut));
     vec3 back = vec3(0.0);
     const int list = arguments.backOf.at[surfel];
-    if (list >= 0) back = albedo * irradianceOf(uint(list)) / 3.14159265;
+    if (list >= 0) back = albedo * irradianceOf(uint(list)) / kPi;
     arguments.field.at[arguments.count + surfel] = packedHalves(vec4(clipped, 0.0));
     arguments.field.at[2 * arguments.count + surfel] = packedHalves(vec4(back, 0.0));
 }

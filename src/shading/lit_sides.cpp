@@ -1,6 +1,7 @@
 #include "shading/lit_sides.h"
 
 #include "base/parallel.h"
+#include "base/pi.shared.h"
 #include "lights/expand.shared.h"
 #include "shading/lamp_patches.h"
 #include "shading/lit_sides.shared.h"
@@ -14,7 +15,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr size_t kOrigins = 4;       // texels of a surfel that a lamp is looked for from
 constexpr size_t kOriginsOfBack = 2; // of which only the mean of many counts
 

@@ -1,7 +1,7 @@
 #ifndef RELAMP_LIT_SIDES_SHARED_H
 #define RELAMP_LIT_SIDES_SHARED_H
 
-#include "base/shared.h"
+#include "base/pi.shared.h"
 #include "image/burnt_out.shared.h"
 
 SHARED_BEGIN
@@ -16,7 +16,7 @@ SHARED_CONST kAlbedoOfTheUnknown = 0.7f; // of a surfel that is burnt out all ov
 // Albedo of what shows `radiance` under this irradiance.
 SHARED_FN vec3 albedoUnder(vec3 irradiance, vec3 radiance)
 {
-    return clamp(3.14159265f * radiance / max(irradiance, vec3(1e-4f)), 0.02f, 0.95f);
+    return clamp(kPi * radiance / max(irradiance, vec3(1e-4f)), 0.02f, 0.95f);
 }
 
 // What a burnt-out wall sends that shows this much, the mean of its burnt-out texels: that in
@@ -25,7 +25,7 @@ SHARED_FN vec3 burntOutRadiance(vec3 albedo, vec3 irradiance, vec3 shown)
 {
     vec3 isOut = clamp((shown - kHardlyOut) / (kBurntOut - kHardlyOut), 0.0f, 1.0f);
     vec3 most = mix(shown, vec3(kMostRadiance), isOut);
-    return clamp(albedo * irradiance / 3.14159265f, shown, most);
+    return clamp(albedo * irradiance / kPi, shown, most);
 }
 
 // How far a value is drawn towards the mean around it: all the way where that may be its noise.

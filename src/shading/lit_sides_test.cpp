@@ -1,5 +1,7 @@
 #include "shading/lit_sides.h"
 
+#include "base/pi.shared.h"
+#include "scenes/axes.h"
 #include "scenes/radiosity.h"
 #include "scenes/surfaces.h"
 
@@ -12,9 +14,9 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
-constexpr glm::vec3 kRoom(2.0f, 1.5f, 3.0f);
-constexpr glm::vec3 kUp(0, 1, 0);
+using scenes::kUp;
+
+constexpr glm::vec3 kSidesRoom(2.0f, 1.5f, 3.0f);
 
 LitSides litBy(const scenes::Surfaces& surfaces, const HitLists& hits,
                std::vector<glm::vec3> direct)
@@ -43,7 +45,7 @@ bool isAtTheRim(const scenes::Surfaces& surfaces, uint32_t s)
 // Walls of 0.4 that see walls of 0.4 and get pi of direct light: albedo is 0.4 / (0.4 + 1).
 TEST(LitSides, AlbedoIsWhatTheWallsSendOfWhatTheyGet)
 {
-    const scenes::Surfaces box(scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f))));
+    const scenes::Surfaces box(scenes::room(kSidesRoom, 32, scenes::plain(glm::vec3(0.4f))));
     const HitLists hits = scenes::hitListsOf(box, 16);
     for (const glm::vec3 albedo : litBy(box, hits, everywhere(hits, kPi)).albedo)
         EXPECT_NEAR(albedo.g, 0.4f / 1.4f, 1e-3f);
@@ -53,7 +55,7 @@ TEST(LitSides, AlbedoIsWhatTheWallsSendOfWhatTheyGet)
 // albedo is that of the floor around.
 TEST(LitSides, BurntOutWallSendsMoreThanTheWhiteThatItShows)
 {
-    const scenes::Surfaces box(scenes::room(kRoom, 64, [](glm::vec3 p, glm::vec3 n) {
+    const scenes::Surfaces box(scenes::room(kSidesRoom, 64, [](glm::vec3 p, glm::vec3 n) {
         const bool isSpot = n.y > 0.5f && glm::distance(p, glm::vec3(1, 0, 1.5f)) < 0.2f;
         return glm::vec3(isSpot ? 1.0f : 0.4f);
     }));
@@ -76,7 +78,7 @@ TEST(LitSides, BurntOutWallSendsMoreThanTheWhiteThatItShows)
 // Warm light on white paint: red is at the top of its range, green and blue are what was there.
 TEST(LitSides, OnlyBurntOutChannelsSendMoreThanTheyShow)
 {
-    const scenes::Surfaces box(scenes::room(kRoom, 64, [](glm::vec3 p, glm::vec3 n) {
+    const scenes::Surfaces box(scenes::room(kSidesRoom, 64, [](glm::vec3 p, glm::vec3 n) {
         const bool isSpot = n.y > 0.5f && glm::distance(p, glm::vec3(1, 0, 1.5f)) < 0.2f;
         return isSpot ? glm::vec3(1.0f, 0.7f, 0.45f) : glm::vec3(0.4f);
     }));
@@ -115,7 +117,7 @@ TEST(LitSides, BacksAreLitByWhatIsBehindThem)
 // A lamp's light on lists is that of its panel: Lambert's formula, with the shadows of a few rays.
 TEST(LitSides, DirectOfListsIsThePanelsFormFactor)
 {
-    const scenes::Surfaces box(scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f))));
+    const scenes::Surfaces box(scenes::room(kSidesRoom, 32, scenes::plain(glm::vec3(0.4f))));
     const HitLists hits = scenes::hitListsOf(box, 16);
     const scenes::Panel panel{{0.8f, 1.4f, 1.3f}, {0.4f, 0, 0}, {0, 0, 0.4f}};
     std::vector<ClippedPatch> patches;
@@ -141,7 +143,7 @@ TEST(LitSides, DirectOfListsIsThePanelsFormFactor)
 // Light of another colour that is as bright as that around it stays; what rays err by goes.
 TEST(LitSides, AnotherColorIsNoNoise)
 {
-    const scenes::Surfaces box(scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f))));
+    const scenes::Surfaces box(scenes::room(kSidesRoom, 32, scenes::plain(glm::vec3(0.4f))));
     const Surfels& surfels = box.texels.surfels;
     std::vector<glm::vec3> light(surfels.count(), glm::vec3(0.3f));
     const size_t blue = surfels.count() / 3;
@@ -157,7 +159,7 @@ TEST(LitSides, AnotherColorIsNoNoise)
 // A few rays that all met the dark by chance agree, and would be sure of it by themselves.
 TEST(LitSides, RaysThatAgreeByChanceAreAsNoisyAsThoseAround)
 {
-    const scenes::Surfaces box(scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f))));
+    const scenes::Surfaces box(scenes::room(kSidesRoom, 32, scenes::plain(glm::vec3(0.4f))));
     const Surfels& surfels = box.texels.surfels;
     std::vector<glm::vec3> light(surfels.count(), glm::vec3(0.3f));
     std::vector<float> noise(surfels.count(), 0.1f);
@@ -169,7 +171,7 @@ TEST(LitSides, RaysThatAgreeByChanceAreAsNoisyAsThoseAround)
 
 TEST(LitSides, WhatIsSureStaysAsItIsBesideWhatIsNot)
 {
-    const scenes::Surfaces box(scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f))));
+    const scenes::Surfaces box(scenes::room(kSidesRoom, 32, scenes::plain(glm::vec3(0.4f))));
     const Surfels& surfels = box.texels.surfels;
     std::vector<glm::vec3> light(surfels.count(), glm::vec3(0.3f));
     std::vector<float> noise(surfels.count(), 1e-3f);
@@ -185,7 +187,7 @@ TEST(LitSides, WhatIsSureStaysAsItIsBesideWhatIsNot)
 
 TEST(LitSides, IndirectOfAFurnaceIsWhatItsWallsSend)
 {
-    const scenes::Surfaces box(scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f))));
+    const scenes::Surfaces box(scenes::room(kSidesRoom, 32, scenes::plain(glm::vec3(0.4f))));
     const HitLists hits = scenes::hitListsOf(box, 16);
     const LitSides sides = litBy(box, hits, everywhere(hits, kPi));
     for (const glm::vec3 irradiance :

@@ -1,7 +1,7 @@
 #ifndef RELAMP_LPV_SHARED_H
 #define RELAMP_LPV_SHARED_H
 
-#include "base/shared.h"
+#include "base/pi.shared.h"
 
 SHARED_BEGIN
 
@@ -9,7 +9,6 @@ SHARED_BEGIN
 // Real-Time Indirect Illumination", I3D 2010. Intensity over direction in two bands of spherical
 // harmonics, Y = (c0, -c1 y, c1 z, -c1 x).
 
-SHARED_CONST kPi = 3.14159265f;
 SHARED_CONST kShC0 = 0.282094792f;   // 1 / (2 sqrt(pi))
 SHARED_CONST kShC1 = 0.488602512f;   // sqrt(3 / (4 pi))
 SHARED_CONST kLobeC0 = 0.886226925f; // sqrt(pi) / 2: the clamped cosine, projected

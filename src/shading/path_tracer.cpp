@@ -1,5 +1,6 @@
 #include "shading/path_tracer.h"
 
+#include "base/pi.shared.h"
 #include "scan/surface_point.h"
 #include "shading/area_direct.shared.h"
 #include "shading/sampling.shared.h"
@@ -11,9 +12,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
-constexpr float kOffSurface = 2e-3f; // m, as hit lists start theirs
-constexpr float kOffLamp = 0.015f;   // m; a lamp's surface is as uneven as any of a scan
 constexpr float kGrazing = 1e-4f;    // cosine that a lamp is seen at, at least
 constexpr int kSureBounces = 2;      // before chance decides whether a path goes on
 constexpr float kMostLikely = 0.95f; // that it does, or it would not end between white walls

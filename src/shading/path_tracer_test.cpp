@@ -1,5 +1,6 @@
 #include "shading/path_tracer.h"
 
+#include "base/pi.shared.h"
 #include "scenes/scenes.h"
 
 #include <cmath>
@@ -11,8 +12,7 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
-constexpr glm::vec3 kSize(4.0f, 2.5f, 5.0f);
+constexpr glm::vec3 kTracedRoom(4.0f, 2.5f, 5.0f);
 
 /// A scan with surfaces of one albedo and no lamps yet.
 struct Stage
@@ -93,7 +93,7 @@ std::vector<LampTexel> disc(glm::vec3 centre, float radius, glm::vec3 radiance)
 // A closed box whose walls emit e and reflect rho shows e / (1 - rho): every bounce adds a power.
 TEST(PathTracer, FurnaceReachesTheGeometricSeries)
 {
-    Stage stage(scenes::room(kSize, 64, scenes::plain(glm::vec3(0.5f))), 0.5f);
+    Stage stage(scenes::room(kTracedRoom, 64, scenes::plain(glm::vec3(0.5f))), 0.5f);
     std::vector<LampTexel> walls =
         lightUp(stage, glm::vec3(1.0f), [](const TexelSite&) { return true; });
     for (LampTexel& texel : walls) texel.isOfScan = false; // they emit, but rays meet walls
@@ -103,7 +103,7 @@ TEST(PathTracer, FurnaceReachesTheGeometricSeries)
     constexpr int kPlaces = 100;
     for (int i = 0; i < kPlaces; ++i) {
         const float t = (static_cast<float>(i) + 0.5f) / kPlaces;
-        const glm::vec3 place(kSize.x * t, 0.0f, kSize.z * std::fmod(7.31f * t, 1.0f));
+        const glm::vec3 place(kTracedRoom.x * t, 0.0f, kTracedRoom.z * std::fmod(7.31f * t, 1.0f));
         // Few paths meet the corners, where walls are near and each path counts much.
         sum += static_cast<double>(stage.shade(place, {0, 1, 0}, 8000).total().g);
     }
@@ -113,10 +113,10 @@ TEST(PathTracer, FurnaceReachesTheGeometricSeries)
 // What a white surface shows of a ceiling of radiance 1 is the share of its view that it fills.
 TEST(PathTracer, CeilingLightsTheFloorByItsFormFactor)
 {
-    Stage stage(scenes::room(kSize, 64, scenes::plain(glm::vec3(0.5f))), 0.0f);
+    Stage stage(scenes::room(kTracedRoom, 64, scenes::plain(glm::vec3(0.5f))), 0.0f);
     stage.room.lamps = LampSurface(lightUp(
         stage, glm::vec3(1.0f), [](const TexelSite& site) { return site.normal.y < -0.5f; }));
-    const glm::vec3 half = 0.5f * kSize / kSize.y;
+    const glm::vec3 half = 0.5f * kTracedRoom / kTracedRoom.y;
     const TracedShading middle = stage.shade({2.0f, 0.0f, 2.5f}, {0, 1, 0}, 20000);
     EXPECT_NEAR(middle.direct.g, 4.0f * cornerFormFactor(half.x, half.z), 0.005f);
     EXPECT_EQ(middle.indirect.g, 0.0f);
@@ -144,9 +144,9 @@ TEST(PathTracer, FindsAPanelByPointsAndByChanceTheSame)
         return site.normal.y < -0.5f && std::abs(site.position.x - 2.0f) < 0.5f &&
                std::abs(site.position.z - 2.5f) < 0.5f;
     };
-    Stage both(scenes::room(kSize, 128, scenes::plain(glm::vec3(0.5f))), 0.6f);
+    Stage both(scenes::room(kTracedRoom, 128, scenes::plain(glm::vec3(0.5f))), 0.6f);
     std::vector<LampTexel> panel = lightUp(both, glm::vec3(9.0f), isPanel);
-    Stage points(scenes::room(kSize, 128, scenes::plain(glm::vec3(0.5f))), 0.6f);
+    Stage points(scenes::room(kTracedRoom, 128, scenes::plain(glm::vec3(0.5f))), 0.6f);
     lightUp(points, glm::vec3(9.0f), isPanel);
     both.room.lamps = LampSurface(panel);
     for (LampTexel& texel : panel) texel.isOfScan = false;

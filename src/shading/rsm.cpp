@@ -12,7 +12,7 @@ namespace relamp
 namespace
 {
 
-constexpr float kOffSurface = 0.02f; // m
+constexpr float kOffLight = 0.02f; // m
 constexpr int kFaces = 6;
 constexpr int kTile = 4; // rays of 4 x 4 pixels go together: one packet
 
@@ -46,7 +46,7 @@ std::vector<MapPixel> pixelsOfCube(int resolution)
 
 glm::vec3 viewpointOf(const PointLight& light)
 {
-    return light.position + kOffSurface * light.normal;
+    return light.position + kOffLight * light.normal;
 }
 
 std::vector<BounceLight> reflectiveShadowMaps(const Texels& texels, const RayScene& scene,

@@ -1,14 +1,14 @@
 #ifndef RELAMP_THESIS_SHARED_H
 #define RELAMP_THESIS_SHARED_H
 
-#include "base/shared.h"
+#include "base/pi.shared.h"
 
 SHARED_BEGIN
 
 // Irradiance of lights to shading, S = E / pi, under the dials power and ambient.
 SHARED_FN vec3 shadingFrom(vec3 irradiance, float power, vec3 ambient)
 {
-    return power / 3.14159265f * irradiance + ambient;
+    return power / kPi * irradiance + ambient;
 }
 
 SHARED_END

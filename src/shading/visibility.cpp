@@ -21,7 +21,7 @@ constexpr auto kAll = static_cast<uint8_t>(kShareOfAll);
 constexpr auto kUnknown = static_cast<uint8_t>(kShareUnknown);
 
 /// Probes around a run of texels.
-struct Taps
+struct ShareTaps
 {
     static constexpr size_t kMost = kMostProbes;
 
@@ -33,7 +33,7 @@ struct Taps
 struct ShareArgs
 {
     const TexelBlock* block;
-    const Taps* taps;
+    const ShareTaps* taps;
     size_t first;
     size_t end;
     float perReachSquared;
@@ -43,7 +43,7 @@ struct ShareArgs
 void shareKernel(const ShareArgs& args)
 {
     const TexelBlock& block = *args.block;
-    const Taps& taps = *args.taps;
+    const ShareTaps& taps = *args.taps;
     for (size_t first = args.first; first < args.end; first += kLanes) {
         float sum[kLanes] = {};
         float weight[kLanes] = {};
@@ -208,12 +208,12 @@ bool Visibility::at(size_t lamp, uint32_t surfel, const TexelBlock& block, size_
     if (state != Seen::some) return state == Seen::all;
     const Surfels& surfels = texels_.surfels;
     const std::vector<uint8_t>& shares = shares_[lamp];
-    Taps taps;
+    ShareTaps taps;
     const float far = surfels.size + reach_[surfel];
     for (const uint32_t n : surfels.neighborsOf(surfel)) {
         if (states_[lamp][n] != Seen::some) continue;
         for (uint32_t probe = firstProbe_[n]; probe < firstProbe_[n + 1]; ++probe) {
-            if (shares[probe] == kUnknown || taps.count == Taps::kMost) continue;
+            if (shares[probe] == kUnknown || taps.count == ShareTaps::kMost) continue;
             const glm::vec3 position(x_[probe], y_[probe], z_[probe]);
             const glm::vec3 way = position - surfels.position[surfel];
             if (n != surfel && glm::dot(way, way) > far * far) continue;

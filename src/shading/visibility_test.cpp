@@ -1,5 +1,6 @@
 #include "shading/visibility.h"
 
+#include "scenes/axes.h"
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"
 #include "shading/lit_sides.h"
@@ -14,9 +15,10 @@ namespace relamp
 namespace
 {
 
-constexpr glm::vec3 kUp(0, 1, 0);
-constexpr float kLamp = 0.5f;   // m, side of the lamp
-constexpr float kHeight = 2.0f; // of the lamp over the floor
+using scenes::kUp;
+
+constexpr float kLampSide = 0.5f;   // m, side of the lamp
+constexpr float kLampHeight = 2.0f; // of the lamp over the floor
 
 /// Every second bit of a number, the lowest first.
 int everySecondBit(int bits)
@@ -35,13 +37,15 @@ AreaLight lampOver(float x, float z)
     for (int i = 0; i < kCells * kCells; ++i) {
         const float u = (static_cast<float>(everySecondBit(i)) + 0.5f) / kCells - 0.5f;
         const float v = (static_cast<float>(everySecondBit(i >> 1)) + 0.5f) / kCells - 0.5f;
-        patches.push_back(
-            {{x + kLamp * u, kHeight, z + kLamp * v}, -kUp, kLamp * kLamp / (kCells * kCells), 0});
+        patches.push_back({{x + kLampSide * u, kLampHeight, z + kLampSide * v},
+                           -kUp,
+                           kLampSide * kLampSide / (kCells * kCells),
+                           0});
     }
     return AreaLight(std::move(patches));
 }
 
-constexpr scenes::Panel kFloor{{0, 0, 0}, {0, 0, 4}, {4, 0, 0}};
+constexpr scenes::Panel kShadedFloor{{0, 0, 0}, {0, 0, 4}, {4, 0, 0}};
 /// Half of the room's width, a metre over the floor, seen from above.
 constexpr scenes::Panel kShelf{{0, 1, 0}, {0, 0, 4}, {2, 0, 0}};
 /// Across the floor at x = 2, without thickness, seen from x < 2.
@@ -135,7 +139,8 @@ float meanBetween(const std::vector<Place>& places, float low, float high)
 // The middle of the floor is known to lie in shade, though nothing stands there.
 TEST(Visibility, MarkedTexelsSeeNothing)
 {
-    const scenes::Surfaces floor(scenes::panels({&kFloor, 1}, 64, scenes::plain(glm::vec3(0.5f))));
+    const scenes::Surfaces floor(
+        scenes::panels({&kShadedFloor, 1}, 64, scenes::plain(glm::vec3(0.5f))));
     const Surfels& surfels = floor.texels.surfels;
     HitLists fronts;
     for (uint32_t s = 0; s < surfels.count(); ++s) fronts.sideOfList.push_back(Side::front(s));
@@ -162,7 +167,7 @@ TEST(Visibility, MarkedTexelsSeeNothing)
 // Half as high as the lamp, the shelf throws a penumbra from x = 1.75 to 2.25.
 TEST(Visibility, RaysGoWhereALampBringsMuchOfTheLight)
 {
-    const std::vector<scenes::Panel> parts{kFloor, kShelf};
+    const std::vector<scenes::Panel> parts{kShadedFloor, kShelf};
     const scenes::Surfaces room(scenes::panels(parts, 64, scenes::plain(glm::vec3(0.5f))));
     HitLists fronts;
     for (uint32_t s = 0; s < room.texels.surfels.count(); ++s)
@@ -175,7 +180,7 @@ TEST(Visibility, RaysGoWhereALampBringsMuchOfTheLight)
         visibility.add(room.rays, lamp, coarse, 8, shares);
         float sum = 0.0f;
         forEachShare(room.texels, visibility, [&](glm::vec3 place, float share) {
-            const float exact = std::clamp((place.x - 1.75f) / kLamp, 0.0f, 1.0f);
+            const float exact = std::clamp((place.x - 1.75f) / kLampSide, 0.0f, 1.0f);
             if (std::abs(place.z - 2.0f) < 1.0f) sum += (share - exact) * (share - exact);
         });
         return sum;
@@ -185,14 +190,14 @@ TEST(Visibility, RaysGoWhereALampBringsMuchOfTheLight)
 
 TEST(Visibility, NothingInTheWayIsAll)
 {
-    for (const Place& place : floorUnder({kFloor}, lampOver(2.0f, 2.0f)))
+    for (const Place& place : floorUnder({kShadedFloor}, lampOver(2.0f, 2.0f)))
         EXPECT_EQ(place.share, 1.0f);
 }
 
 // From the lamp's near edge at x = 1.25 the shelf's shadow ends at 2.75, from the far one at 3.25.
 TEST(Visibility, WhatIsUnderAShelfSeesNothing)
 {
-    for (const Place& place : floorUnder({kFloor, kShelf}, lampOver(1.0f, 2.0f))) {
+    for (const Place& place : floorUnder({kShadedFloor, kShelf}, lampOver(1.0f, 2.0f))) {
         if (place.position.x < 2.5f) {
             EXPECT_EQ(place.share, 0.0f);
         }
@@ -205,11 +210,11 @@ TEST(Visibility, WhatIsUnderAShelfSeesNothing)
 // Half as high as the lamp, the edge throws a penumbra as wide as the lamp; it rises evenly.
 TEST(Visibility, PenumbraRisesFromNothingToAll)
 {
-    const std::vector<Place> places = floorUnder({kFloor, kShelf}, lampOver(2.0f, 2.0f));
+    const std::vector<Place> places = floorUnder({kShadedFloor, kShelf}, lampOver(2.0f, 2.0f));
     float last = 0.0f;
     for (float x = 1.5f; x < 2.5f; x += 0.0625f) {
         const float share = meanBetween(places, x, x + 0.0625f);
-        const float exact = std::clamp((x + 0.03125f - 1.75f) / kLamp, 0.0f, 1.0f);
+        const float exact = std::clamp((x + 0.03125f - 1.75f) / kLampSide, 0.0f, 1.0f);
         EXPECT_NEAR(share, exact, 0.12f) << x;
         EXPECT_GE(share, last - 0.01f) << x;
         last = share;
@@ -220,7 +225,7 @@ TEST(Visibility, PenumbraRisesFromNothingToAll)
 // Behind the screen all is dark to 4.25 m, though its lit side is nearer than a surfel.
 TEST(Visibility, NoLightGoesThroughAThinWall)
 {
-    for (const Place& place : floorUnder({kFloor, kScreen}, lampOver(1.0f, 2.0f))) {
+    for (const Place& place : floorUnder({kShadedFloor, kScreen}, lampOver(1.0f, 2.0f))) {
         if (place.position.x < 1.85f) {
             EXPECT_EQ(place.share, 1.0f) << place.position.x;
         }
@@ -233,7 +238,7 @@ TEST(Visibility, NoLightGoesThroughAThinWall)
 TEST(Visibility, IsTheSameOnAllInstructionSets)
 {
     const auto shares = [](InstructionSet set) {
-        return floorUnder({kFloor, kShelf}, lampOver(2.0f, 2.0f), set);
+        return floorUnder({kShadedFloor, kShelf}, lampOver(2.0f, 2.0f), set);
     };
     const std::vector<Place> narrow = shares(InstructionSet::baseline);
     for (const InstructionSet set : scenes::widerSets()) {

@@ -1,6 +1,7 @@
 #include "solve/by_gather.h"
 
 #include "base/half.h"
+#include "base/pi.shared.h"
 #include "scenes/lit_room.h"
 
 #include <algorithm>
@@ -156,7 +157,7 @@ TEST(ByGather, EditedLightsAreBelieved)
         if (glm::distance(site.position, {3.0f, 0.0f, 4.0f}) < 0.05f)
             below = rgbAt(withDisc.layers.direct, pixel).g;
     });
-    EXPECT_NEAR(below, 50.0f * 0.2f / (2.4f * 2.4f) / 3.14159265f, 0.03f); // A L / (pi d^2)
+    EXPECT_NEAR(below, 50.0f * 0.2f / (2.4f * 2.4f) / kPi, 0.03f); // A L / (pi d^2)
 }
 
 // The sheet is burnt out and no lamp; a person who says that it shines gets it, and no disc before

@@ -2,6 +2,7 @@
 
 #include "albedo/gather_closure.h"
 #include "base/parallel.h"
+#include "base/pi.shared.h"
 
 #include <algorithm>
 #include <memory>
@@ -12,7 +13,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr int kRounds = 3;          // of albedo and light; each takes the error times an albedo
 constexpr size_t kOrigins = 4;      // texels of a surfel that paths start from
 constexpr float kAround = 1.6f;     // surfel sizes

@@ -27,9 +27,9 @@ glm::vec3 paper(glm::vec3 p, glm::vec3 n)
 }
 
 /// The room of this paper as a camera sees it once its panel shines and light has bounced about.
-struct LitRoom
+struct PaperRoom
 {
-    explicit LitRoom(glm::vec3 radiance)
+    explicit PaperRoom(glm::vec3 radiance)
         : scan(scenes::room(kSize, 40, paper)), scene(scan),
           texels(rasterizeAtlas(scan, progress, surfelsOf(Quality::standard)))
     {
@@ -77,7 +77,7 @@ struct Means
     double albedoError = 0.0; // rms of log(albedo / paper), green
 };
 
-Means meansOf(const LitRoom& lit, const PageLayers& layers)
+Means meansOf(const PaperRoom& lit, const PageLayers& layers)
 {
     Means means;
     double count = 0.0;
@@ -105,7 +105,7 @@ Means meansOf(const LitRoom& lit, const PageLayers& layers)
 // say the same of the light in it.
 TEST(ByPathtrace, AgreesWithTheGatherSolverAndWithThePaper)
 {
-    LitRoom lit(kPanel);
+    PaperRoom lit(kPanel);
     const Decomposition gather = delight(lit.scan, {}, lit.progress);
     ASSERT_EQ(gather.lights().fixtures.size(), 1u);
     const Decomposition traced = delight(
@@ -122,7 +122,7 @@ TEST(ByPathtrace, AgreesWithTheGatherSolverAndWithThePaper)
 
 TEST(ByPathtrace, FollowsItsSeedAndNotItsThreads)
 {
-    LitRoom lit(kPanel);
+    PaperRoom lit(kPanel);
     const auto run = [&](int threads, uint32_t seed) {
         const ThreadLimit limit(threads);
         const DelightOptions options{.solver = Solver::pathtrace,

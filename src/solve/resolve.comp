@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
+#include "base/pi.shared.h"
 #include "fit/stray.shared.h"
 #include "lights/expand.shared.h"
 #include "scan/texels.gpu.h"
@@ -28,7 +29,7 @@ vec4 interpolated(uint surfel, vec3 place, vec3 normal)
 
 float keptOf(vec3 irradiance)
 {
-    const float at = amongStrayKnots(luminance(irradiance) / 3.14159265);
+    const float at = amongStrayKnots(luminance(irradiance) / kPi);
     const int knot = min(int(at), kStrayKnots - 2);
     return keptOfStray(arguments.stray.at[knot], arguments.stray.at[knot + 1], at - float(knot));
 }

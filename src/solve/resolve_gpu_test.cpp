@@ -1,5 +1,6 @@
 #include "solve/resolve_gpu.h"
 
+#include "base/pi.shared.h"
 #include "scenes/apart_layers.h"
 #include "scenes/gpu_scene.h"
 #include "scenes/lit_room.h"
@@ -21,8 +22,6 @@ namespace
 
 using scenes::Apart;
 using ::testing::ElementsAre;
-
-constexpr float kPi = 3.14159265f;
 
 /// The lit room, and a table top in it that has a page of its own.
 Scan roomOfTwoPages()
@@ -56,9 +55,9 @@ LampPowers others(LampPowers powers)
 }
 
 /// A room that both engines have solved again under other powers.
-struct Twins
+struct ResolveTwins
 {
-    Twins(const gpu::Device& device, Scan scan)
+    ResolveTwins(const gpu::Device& device, Scan scan)
         : room(std::move(scan)), found(powersOf(room.solved)), powers(others(found)),
           gpu(device, room.texels, room.solved)
     {
@@ -111,51 +110,39 @@ protected:
         scenes::GpuTest::TearDownTestSuite();
     }
 
-    static Twins& twins()
+    static ResolveTwins& twins()
     {
         const std::string name = GetParam();
-        std::unique_ptr<Twins>& room = rooms_[name];
+        std::unique_ptr<ResolveTwins>& room = rooms_[name];
         if (room) return *room;
         Progress progress;
         if (name == "TwoPages")
-            room = std::make_unique<Twins>(device(), roomOfTwoPages());
+            room = std::make_unique<ResolveTwins>(device(), roomOfTwoPages());
         else if (name == "Sun")
-            room = std::make_unique<Twins>(device(), scenes::SunRoom(glm::vec3(3.0f)).scan);
+            room = std::make_unique<ResolveTwins>(device(), scenes::SunRoom(glm::vec3(3.0f)).scan);
         else if (name == "NoLamp")
-            room = std::make_unique<Twins>(device(), roomWithoutLamps());
+            room = std::make_unique<ResolveTwins>(device(), roomWithoutLamps());
         else
-            room = std::make_unique<Twins>(
+            room = std::make_unique<ResolveTwins>(
                 device(), readScan(RELAMP_SAMPLES "/bedroom/scan.glb", {}, progress));
         return *room;
     }
 
 private:
-    static std::map<std::string, std::unique_ptr<Twins>> rooms_;
+    static std::map<std::string, std::unique_ptr<ResolveTwins>> rooms_;
 };
 
-std::map<std::string, std::unique_ptr<Twins>> GpuResolve::rooms_;
+std::map<std::string, std::unique_ptr<ResolveTwins>> GpuResolve::rooms_;
 
 INSTANTIATE_TEST_SUITE_P(Rooms, GpuResolve, testing::Values("TwoPages", "Sun", "NoLamp", "Sample"),
                          [](const auto& room) { return std::string(room.param); });
-
-glm::vec3 at(const RgbBlock& block, size_t i)
-{
-    return {block.r[i], block.g[i], block.b[i]};
-}
-
-std::vector<std::string> ran(const std::vector<gpu::Timing>& timings)
-{
-    std::vector<std::string> names;
-    for (const gpu::Timing& timing : timings) names.push_back(timing.name);
-    return names;
-}
 
 } // namespace
 
 // The whole of the light on surfels, from powers: sums of lamps, four rounds, smoothing.
 TEST_P(GpuResolve, LightsSurfelsAsTheCpuDoes)
 {
-    const Twins& room = twins();
+    const ResolveTwins& room = twins();
     ASSERT_EQ(room.powers.lamps.empty(), GetParam() == std::string("NoLamp"));
     ASSERT_EQ(room.room.solved.found.sun.has_value(), GetParam() == std::string("Sun"));
     const std::vector<glm::vec4> found = room.gpu.indirectOnSurfels();
@@ -172,7 +159,7 @@ TEST_P(GpuResolve, LightsSurfelsAsTheCpuDoes)
 
 TEST_P(GpuResolve, ShadesTexelsAsTheCpuDoes)
 {
-    Twins& room = twins();
+    ResolveTwins& room = twins();
     for (size_t p = 0; p < room.pages(); ++p) {
         room.gpu.shade(p);
         const PageIrradiance irradiance = room.gpu.irradiance();
@@ -181,9 +168,9 @@ TEST_P(GpuResolve, ShadesTexelsAsTheCpuDoes)
         room.forEachShaded(p, [&](const TexelBlock& block, const ShadingBlock& shading, size_t b) {
             for (size_t i = 0; i < block.count; ++i) {
                 apartDirect.add(glm::vec3(halves(irradiance.direct[b + i])) / kPi,
-                                at(shading.direct, i));
+                                scenes::at(shading.direct, i));
                 apartIndirect.add(glm::vec3(halves(irradiance.indirect[b + i])) / kPi,
-                                  at(shading.indirect, i));
+                                  scenes::at(shading.indirect, i));
             }
         });
         EXPECT_LT(apartDirect.beyond(3e-3f), 1e-3);
@@ -196,7 +183,7 @@ TEST_P(GpuResolve, ShadesTexelsAsTheCpuDoes)
 // The whole chain, from powers to finished pages: rims, what is burnt out, doubts and gutters too.
 TEST_P(GpuResolve, EndsInTheLayersOfTheCpu)
 {
-    Twins& room = twins();
+    ResolveTwins& room = twins();
     for (size_t p = 0; p < room.pages(); ++p)
         for (const bool fill : {false, true}) {
             Progress progress;
@@ -212,16 +199,17 @@ TEST_P(GpuResolve, EndsInTheLayersOfTheCpu)
 
 TEST_P(GpuResolve, ComputesAgainOnlyWhatChanged)
 {
-    Twins& room = twins();
+    ResolveTwins& room = twins();
     room.gather(room.powers);
     room.gpu.divide(0, {});
     const PageLayers before = room.gpu.layers();
-    EXPECT_THAT(ran(room.gather(room.powers)), ElementsAre());
-    EXPECT_THAT(ran(room.gpu.divide(0, {})), ElementsAre());
-    EXPECT_THAT(ran(room.gpu.divide(0, {.darkest = 0.1f})), ElementsAre("divide", "dilate"));
+    EXPECT_THAT(scenes::ran(room.gather(room.powers)), ElementsAre());
+    EXPECT_THAT(scenes::ran(room.gpu.divide(0, {})), ElementsAre());
+    EXPECT_THAT(scenes::ran(room.gpu.divide(0, {.darkest = 0.1f})),
+                ElementsAre("divide", "dilate"));
 
-    EXPECT_THAT(ran(room.gather(room.found)), ElementsAre("gather"));
-    EXPECT_THAT(ran(room.gpu.divide(0, {})), ElementsAre("shading", "divide", "dilate"));
+    EXPECT_THAT(scenes::ran(room.gather(room.found)), ElementsAre("gather"));
+    EXPECT_THAT(scenes::ran(room.gpu.divide(0, {})), ElementsAre("shading", "divide", "dilate"));
     EXPECT_NE(room.gpu.layers().albedo, before.albedo);
 
     // And back again, to the same bits.
@@ -235,13 +223,13 @@ using GpuResolvePages = scenes::GpuTest;
 
 TEST_F(GpuResolvePages, TakeTurnsWhereMemoryIsShort)
 {
-    Twins room(device(), roomOfTwoPages());
+    ResolveTwins room(device(), roomOfTwoPages());
     ResolveGpu oneAtATime(device(), room.room.texels, room.room.solved, 1);
     oneAtATime.gather(room.powers, room.room.solved.found.shines);
     oneAtATime.setSurfels(room.said);
     for (const size_t p : {0u, 1u, 0u}) {
         room.gpu.divide(p, {});
-        EXPECT_THAT(ran(oneAtATime.divide(p, {})),
+        EXPECT_THAT(scenes::ran(oneAtATime.divide(p, {})),
                     ElementsAre("lamps", "shading", "divide", "dilate"));
         EXPECT_EQ(oneAtATime.irradiance().direct, room.gpu.irradiance().direct);
         EXPECT_EQ(oneAtATime.irradiance().indirect, room.gpu.irradiance().indirect);

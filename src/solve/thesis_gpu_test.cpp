@@ -57,7 +57,7 @@ Lights twoLamps()
 }
 
 /// A box, and a table top in it that has a page of its own.
-Scan roomOfTwoPages()
+Scan stripedRoomOfTwoPages()
 {
     Scan scan = scenes::room({4.0f, 2.5f, 5.0f}, 64, stripes);
     Scan top = scenes::square(1.2f, 64, stripes);
@@ -100,9 +100,9 @@ Scan roomOfVertices()
 }
 
 /// A room that both engines have worked on.
-struct Twins
+struct ThesisTwins
 {
-    Twins(const gpu::Device& device, Scan theScan, std::optional<Lights> lights)
+    ThesisTwins(const gpu::Device& device, Scan theScan, std::optional<Lights> lights)
         : scan(std::move(theScan)), scene(scan), texels(rasterizeAtlas(scan, progress)),
           gpu(device, texels)
     {
@@ -156,43 +156,30 @@ protected:
         scenes::GpuTest::TearDownTestSuite();
     }
 
-    static Twins& twins()
+    static ThesisTwins& twins()
     {
         const std::string name = GetParam();
-        std::unique_ptr<Twins>& room = rooms_[name];
+        std::unique_ptr<ThesisTwins>& room = rooms_[name];
         if (room) return *room;
         Progress progress;
         if (name == "TwoPages")
-            room = std::make_unique<Twins>(device(), roomOfTwoPages(), twoLamps());
+            room = std::make_unique<ThesisTwins>(device(), stripedRoomOfTwoPages(), twoLamps());
         else if (name == "Vertices")
-            room = std::make_unique<Twins>(device(), roomOfVertices(), twoLamps());
+            room = std::make_unique<ThesisTwins>(device(), roomOfVertices(), twoLamps());
         else
-            room = std::make_unique<Twins>(
+            room = std::make_unique<ThesisTwins>(
                 device(), readScan(RELAMP_SAMPLES "/bedroom/scan.glb", {}, progress), std::nullopt);
         return *room;
     }
 
 private:
-    static std::map<std::string, std::unique_ptr<Twins>> rooms_;
+    static std::map<std::string, std::unique_ptr<ThesisTwins>> rooms_;
 };
 
-std::map<std::string, std::unique_ptr<Twins>> GpuThesis::rooms_;
+std::map<std::string, std::unique_ptr<ThesisTwins>> GpuThesis::rooms_;
 
 INSTANTIATE_TEST_SUITE_P(Rooms, GpuThesis, testing::Values("TwoPages", "Vertices", "Sample"),
                          [](const auto& room) { return std::string(room.param); });
-
-glm::vec3 at(const RgbBlock& block, size_t i)
-{
-    return {block.r[i], block.g[i], block.b[i]};
-}
-
-/// Names of the stages that ran.
-std::vector<std::string> ran(const std::vector<gpu::Timing>& timings)
-{
-    std::vector<std::string> names;
-    for (const gpu::Timing& timing : timings) names.push_back(timing.name);
-    return names;
-}
 
 } // namespace
 
@@ -200,7 +187,7 @@ std::vector<std::string> ran(const std::vector<gpu::Timing>& timings)
 // halves.
 TEST_P(GpuThesis, FlattensAsTheCpuDoes)
 {
-    Twins& room = twins();
+    ThesisTwins& room = twins();
     Progress progress;
     const Flattened expected = flatten(
         room.texels, {room.frame.dials.flattenReach, room.frame.dials.flattenRange}, progress);
@@ -220,7 +207,7 @@ TEST_P(GpuThesis, FlattensAsTheCpuDoes)
 
 TEST_P(GpuThesis, LightsDirectlyAsTheCpuDoes)
 {
-    Twins& room = twins();
+    ThesisTwins& room = twins();
     for (size_t p = 0; p < room.texels.pages.size(); ++p) {
         room.gpu.page(room.frame, p);
         const std::vector<glm::uvec2> found = room.gpu.direct();
@@ -229,7 +216,7 @@ TEST_P(GpuThesis, LightsDirectlyAsTheCpuDoes)
             RgbBlock expected;
             directIrradiance(block, room.cpu.lights, *room.frame.dials.attenuation, expected);
             for (size_t i = 0; i < block.count; ++i)
-                apart.add(rgbOf(found[begin + i]), at(expected, i));
+                apart.add(rgbOf(found[begin + i]), scenes::at(expected, i));
         });
         EXPECT_LT(apart.most(), 2e-3f);
     }
@@ -238,7 +225,7 @@ TEST_P(GpuThesis, LightsDirectlyAsTheCpuDoes)
 // Rays that run along an edge may meet the one side or the other.
 TEST_P(GpuThesis, SeesFromItsLightsWhatTheCpuSees)
 {
-    Twins& room = twins();
+    ThesisTwins& room = twins();
     const std::vector<BounceLight> expected = reflectiveShadowMaps(
         room.texels, room.scene, lightsOfShadowMaps(room.frame.lights, room.frame.dials),
         room.frame.dials.rsmSize);
@@ -264,7 +251,7 @@ TEST_P(GpuThesis, SeesFromItsLightsWhatTheCpuSees)
 // From the same bounce light.
 TEST_P(GpuThesis, SpreadsLightAsTheCpuDoes)
 {
-    Twins& room = twins();
+    ThesisTwins& room = twins();
     std::vector<BounceLight> lights;
     const std::vector<RsmPixel> pixels = room.gpu.maps().pixels().download();
     const std::vector<glm::vec4> leaving = room.gpu.maps().leaving().download();
@@ -288,7 +275,7 @@ TEST_P(GpuThesis, SpreadsLightAsTheCpuDoes)
 // Of the same volume, so that only the look-up is compared.
 TEST_P(GpuThesis, ReadsTheVolumeOutAsTheCpuDoes)
 {
-    Twins& room = twins();
+    ThesisTwins& room = twins();
     const std::shared_ptr<const Lpv> volume = room.gpu.volume();
     for (size_t p = 0; p < room.texels.pages.size(); ++p) {
         room.gpu.page(room.frame, p);
@@ -298,7 +285,7 @@ TEST_P(GpuThesis, ReadsTheVolumeOutAsTheCpuDoes)
             RgbBlock expected;
             volume->irradiance(block, expected);
             for (size_t i = 0; i < block.count; ++i)
-                apart.add(rgbOf(found[begin + i]), at(expected, i));
+                apart.add(rgbOf(found[begin + i]), scenes::at(expected, i));
         });
         EXPECT_LT(apart.most(), 2e-3f);
     }
@@ -307,7 +294,7 @@ TEST_P(GpuThesis, ReadsTheVolumeOutAsTheCpuDoes)
 // Of the same irradiance, so that only the division is compared.
 TEST_P(GpuThesis, DividesAsTheCpuDoes)
 {
-    Twins& room = twins();
+    ThesisTwins& room = twins();
     const float power = *room.frame.dials.power;
     for (size_t p = 0; p < room.texels.pages.size(); ++p) {
         room.gpu.page(room.frame, p);
@@ -334,7 +321,7 @@ TEST_P(GpuThesis, DividesAsTheCpuDoes)
 // other side of a stripe takes its cell's light along.
 TEST_P(GpuThesis, EndsInTheAlbedoOfTheCpu)
 {
-    Twins& room = twins();
+    ThesisTwins& room = twins();
     for (size_t p = 0; p < room.texels.pages.size(); ++p) {
         room.gpu.page(room.frame, p);
         const std::vector<glm::uvec2> found = room.gpu.albedo();
@@ -355,7 +342,7 @@ TEST_P(GpuThesis, EndsInTheAlbedoOfTheCpu)
 
 TEST_P(GpuThesis, FillsGuttersAsTheCpuDoes)
 {
-    Twins& room = twins();
+    ThesisTwins& room = twins();
     room.gpu.page(room.frame, 0);
     const std::vector<glm::uvec2> found = room.gpu.albedo();
     const Image& image = room.scan.pages[0].image;
@@ -378,25 +365,25 @@ TEST_P(GpuThesis, FillsGuttersAsTheCpuDoes)
 
 TEST_P(GpuThesis, ComputesAgainOnlyWhatADialIsFor)
 {
-    Twins& room = twins();
+    ThesisTwins& room = twins();
     room.gpu.bounce(room.frame);
     room.gpu.page(room.frame, 0);
     const std::vector<glm::uvec2> before = room.gpu.albedo();
-    EXPECT_THAT(ran(room.gpu.bounce(room.frame)), ElementsAre());
-    EXPECT_THAT(ran(room.gpu.page(room.frame, 0)), ElementsAre());
+    EXPECT_THAT(scenes::ran(room.gpu.bounce(room.frame)), ElementsAre());
+    EXPECT_THAT(scenes::ran(room.gpu.page(room.frame, 0)), ElementsAre());
 
     ThesisFrame frame = room.frame;
     frame.dials.power = 2.0f;
-    EXPECT_THAT(ran(room.gpu.bounce(frame)), ElementsAre());
-    EXPECT_EQ(ran(room.gpu.page(frame, 0))[0], "divide");
+    EXPECT_THAT(scenes::ran(room.gpu.bounce(frame)), ElementsAre());
+    EXPECT_EQ(scenes::ran(room.gpu.page(frame, 0))[0], "divide");
     frame.dials.lpvSteps = 3;
-    EXPECT_THAT(ran(room.gpu.bounce(frame)), ElementsAre("LPV"));
-    EXPECT_EQ(ran(room.gpu.page(frame, 0))[0], "LPV");
+    EXPECT_THAT(scenes::ran(room.gpu.bounce(frame)), ElementsAre("LPV"));
+    EXPECT_EQ(scenes::ran(room.gpu.page(frame, 0))[0], "LPV");
     frame.dials.attenuation = glm::vec3(0.1f, 0.1f, 1.0f);
-    EXPECT_THAT(ran(room.gpu.bounce(frame)), ElementsAre());
-    EXPECT_EQ(ran(room.gpu.page(frame, 0))[0], "direct");
+    EXPECT_THAT(scenes::ran(room.gpu.bounce(frame)), ElementsAre());
+    EXPECT_EQ(scenes::ran(room.gpu.page(frame, 0))[0], "direct");
     frame.dials.flattenRange = 0.1f;
-    EXPECT_THAT(ran(room.gpu.bounce(frame)), ElementsAre("flatten", "RSM", "LPV"));
+    EXPECT_THAT(scenes::ran(room.gpu.bounce(frame)), ElementsAre("flatten", "RSM", "LPV"));
 
     // And back again, to the same bits.
     room.gpu.bounce(room.frame);
@@ -408,7 +395,7 @@ using GpuPages = scenes::GpuTest;
 
 TEST_F(GpuPages, TakeTurnsWhereMemoryIsShort)
 {
-    Twins room(device(), roomOfTwoPages(), twoLamps());
+    ThesisTwins room(device(), stripedRoomOfTwoPages(), twoLamps());
     ThesisGpu oneAtATime(device(), room.texels, 1);
     oneAtATime.bounce(room.frame);
     for (const size_t p : {0u, 1u, 0u}) {

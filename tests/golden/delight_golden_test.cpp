@@ -1,6 +1,7 @@
 // The real program on the sample room: what it writes, what it says, how well it does.
 
 #include "golden/program.h"
+#include "golden/sample.h"
 #include "golden/score.h"
 
 #include "relamp/lights.h"
@@ -24,7 +25,6 @@ using testing::HasSubstr;
 using testing::UnorderedElementsAre;
 
 const std::filesystem::path kRoom = RELAMP_SAMPLES "/bedroom";
-const std::string kScan = kRoom / "scan.glb";
 
 std::vector<std::string> namesIn(const std::filesystem::path& folder)
 {
@@ -34,12 +34,6 @@ std::vector<std::string> namesIn(const std::filesystem::path& folder)
     return names;
 }
 
-std::string bytesOf(const std::filesystem::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 /// What `relamp delight --quiet` makes of the sample, made once.
 class DelightProgram : public testing::Test
 {
@@ -47,7 +41,7 @@ protected:
     static void SetUpTestSuite()
     {
         shared = new TemporaryFolder;
-        said = runRelamp({"delight", kScan, "-o", out(), "--quiet"});
+        said = runRelamp({"delight", kSampleScan, "-o", out(), "--quiet"});
         ASSERT_EQ(said.exitCode, 0) << said.err;
     }
     static void TearDownTestSuite() { delete shared; }
@@ -69,7 +63,7 @@ TEST_F(DelightProgram, WritesAllThatTheGuidePromises)
     EXPECT_THAT(namesIn(shared->path()),
                 testing::ElementsAre("out")); // and nothing half-written beside it
 
-    const auto report = nlohmann::json::parse(bytesOf(out() / "report.json"));
+    const auto report = nlohmann::json::parse(contentOf(out() / "report.json"));
     EXPECT_EQ(report["scan"]["triangles"], 39855);
     EXPECT_LT(report["closedLoop"]["rmsError"], 0.1);
     double share = report["confidence"]["good"];
@@ -83,9 +77,9 @@ TEST_F(DelightProgram, WritesAllThatTheGuidePromises)
 TEST_F(DelightProgram, ThesisSolverTakesSomeShadingOffTheSample)
 {
     const TemporaryFolder folder;
-    ASSERT_EQ(
-        runRelamp({"delight", kScan, "-o", folder / "out", "--solver", "thesis", "-q"}).exitCode,
-        0);
+    ASSERT_EQ(runRelamp({"delight", kSampleScan, "-o", folder / "out", "--solver", "thesis", "-q"})
+                  .exitCode,
+              0);
     const Score input = scoreAlbedo(readPicture(kRoom / "scan_recon.jpg"), kRoom);
     EXPECT_NEAR(input.psnr, 11.88, 0.05);
     EXPECT_NEAR(input.leakSlope, 1.0, 0.01);
@@ -105,13 +99,15 @@ TEST_F(DelightProgram, GatherSolverTakesTheShadingOffTheSample)
 TEST_F(DelightProgram, WritesTheSameBytesOnOneThreadAndOnEight)
 {
     const TemporaryFolder folder;
-    ASSERT_EQ(runRelamp({"delight", kScan, "-o", folder / "one", "--threads", "1", "-q"}).exitCode,
-              0);
     ASSERT_EQ(
-        runRelamp({"delight", kScan, "-o", folder / "eight", "--threads", "8", "-q"}).exitCode, 0);
+        runRelamp({"delight", kSampleScan, "-o", folder / "one", "--threads", "1", "-q"}).exitCode,
+        0);
+    ASSERT_EQ(runRelamp({"delight", kSampleScan, "-o", folder / "eight", "--threads", "8", "-q"})
+                  .exitCode,
+              0);
     for (const std::string& name : namesIn(folder / "one")) {
         if (name == "report.json") continue; // it tells the seconds
-        EXPECT_TRUE(bytesOf(folder / ("one/" + name)) == bytesOf(folder / ("eight/" + name)))
+        EXPECT_TRUE(contentOf(folder / ("one/" + name)) == contentOf(folder / ("eight/" + name)))
             << name;
     }
 }
@@ -119,7 +115,7 @@ TEST_F(DelightProgram, WritesTheSameBytesOnOneThreadAndOnEight)
 TEST_F(DelightProgram, JsonIsAllThatJsonPrints)
 {
     const TemporaryFolder folder;
-    const Outcome run = runRelamp({"delight", kScan, "-o", folder / "out", "--json"});
+    const Outcome run = runRelamp({"delight", kSampleScan, "-o", folder / "out", "--json"});
     ASSERT_EQ(run.exitCode, 0);
     EXPECT_EQ(run.err, "");
     const auto report = nlohmann::json::parse(run.out);
@@ -139,14 +135,14 @@ TEST_F(DelightProgram, QuietIsQuiet)
 TEST_F(DelightProgram, GlbIsTheScanWithAlbedoAndLights)
 {
     Progress progress;
-    const Scan before = readScan(kScan, {}, progress);
+    const Scan before = readScan(kSampleScan, {}, progress);
     const Scan after = readScan(out() / "scan.glb", {}, progress);
     ASSERT_EQ(after.meshes.size(), before.meshes.size());
     EXPECT_EQ(after.meshes[0].positions, before.meshes[0].positions);
     EXPECT_EQ(after.meshes[0].name, before.meshes[0].name);
     EXPECT_EQ(after.pages[0].image.width, before.pages[0].image.width);
     EXPECT_NE(after.pages[0].image.encoded, before.pages[0].image.encoded);
-    EXPECT_THAT(bytesOf(out() / "scan.glb"), HasSubstr("KHR_lights_punctual"));
+    EXPECT_THAT(contentOf(out() / "scan.glb"), HasSubstr("KHR_lights_punctual"));
 }
 
 TEST_F(DelightProgram, ItsLightsCanBeReadAgain)
@@ -156,8 +152,8 @@ TEST_F(DelightProgram, ItsLightsCanBeReadAgain)
     const Lights lights = readLights(out() / "lights.json", warnings);
     EXPECT_TRUE(warnings.empty());
     EXPECT_GE(lights.fixtures.size(), 3u);
-    const Outcome again =
-        runRelamp({"delight", kScan, "-o", folder / "again", "--lights", out() / "lights.json"});
+    const Outcome again = runRelamp(
+        {"delight", kSampleScan, "-o", folder / "again", "--lights", out() / "lights.json"});
     EXPECT_EQ(again.exitCode, 0) << again.err;
 }
 
@@ -166,7 +162,7 @@ TEST_F(DelightProgram, CtrlCEndsItWithinASecondAndLeavesNothing)
     for (const double seconds : {0.05, 0.4, 0.8}) {
         const TemporaryFolder folder;
         const auto start = std::chrono::steady_clock::now();
-        const Outcome run = runRelamp({"delight", kScan, "-o", folder / "out"}, seconds);
+        const Outcome run = runRelamp({"delight", kSampleScan, "-o", folder / "out"}, seconds);
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         if (run.exitCode == 0) continue; // it was faster than the finger
         EXPECT_EQ(run.exitCode, 130) << run.err;
@@ -177,14 +173,14 @@ TEST_F(DelightProgram, CtrlCEndsItWithinASecondAndLeavesNothing)
 
 TEST(InfoProgram, TellsWhatTheSampleIs)
 {
-    const Outcome run = runRelamp({"info", kScan, "--json"});
+    const Outcome run = runRelamp({"info", kSampleScan, "--json"});
     ASSERT_EQ(run.exitCode, 0);
     const auto info = nlohmann::json::parse(run.out);
     EXPECT_EQ(info["triangles"], 39855);
     EXPECT_EQ(info["pages"][0]["width"], 1024);
     EXPECT_NEAR(info["pages"][0]["coverage"].get<double>(), 0.52, 0.01);
     EXPECT_GT(info["pages"][0]["charts"], 500);
-    EXPECT_THAT(runRelamp({"info", kScan}).out, HasSubstr("39855 triangles"));
+    EXPECT_THAT(runRelamp({"info", kSampleScan}).out, HasSubstr("39855 triangles"));
 }
 
 TEST(Program, HelpHasExamplesAndMistakesExitWithTwo)
@@ -193,8 +189,8 @@ TEST(Program, HelpHasExamplesAndMistakesExitWithTwo)
     EXPECT_THAT(runRelamp({"delight", "--help"}).out, HasSubstr("Examples:"));
     EXPECT_EQ(runRelamp({}).exitCode, 2);
     EXPECT_EQ(runRelamp({"delight"}).exitCode, 2);
-    EXPECT_EQ(runRelamp({"delight", kScan, "-o", "/tmp/x", "--lpv-size", "7"}).exitCode, 2);
-    EXPECT_EQ(runRelamp({"paint", kScan}).exitCode, 2);
+    EXPECT_EQ(runRelamp({"delight", kSampleScan, "-o", "/tmp/x", "--lpv-size", "7"}).exitCode, 2);
+    EXPECT_EQ(runRelamp({"paint", kSampleScan}).exitCode, 2);
 }
 
 } // namespace relamp::golden

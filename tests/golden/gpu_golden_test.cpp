@@ -1,6 +1,7 @@
 // The GPU engine in the real program, on whatever device there is: Mesa's lavapipe will do.
 
 #include "golden/program.h"
+#include "golden/sample.h"
 #include "golden/score.h"
 #include "scenes/temporary_folder.h"
 
@@ -19,13 +20,11 @@ namespace
 using scenes::TemporaryFolder;
 using testing::HasSubstr;
 
-const std::string kScan = RELAMP_SAMPLES "/bedroom/scan.glb";
-
 /// Takes the light out of the sample into folder / engine.
 void delightOn(const std::string& engine, const std::string& solver, const TemporaryFolder& folder)
 {
-    const Outcome run = runRelamp(
-        {"delight", kScan, "-o", folder / engine, "--solver", solver, "--engine", engine, "-q"});
+    const Outcome run = runRelamp({"delight", kSampleScan, "-o", folder / engine, "--solver",
+                                   solver, "--engine", engine, "-q"});
     EXPECT_EQ(run.exitCode, 0) << run.err;
 }
 
@@ -78,7 +77,7 @@ TEST(GpuProgram, GivesTheLayersThatTheCpuGives)
 // Two tables: a frame of the thesis, and the gather solver after a lamp's power changed.
 TEST(GpuProgram, TimesBothSolversStageByStage)
 {
-    const Outcome run = runRelamp({"bench", kScan, "--engine", "gpu", "--rounds", "1"});
+    const Outcome run = runRelamp({"bench", kSampleScan, "--engine", "gpu", "--rounds", "1"});
     EXPECT_EQ(run.exitCode, 0) << run.err;
     for (const char* row : {"\nflatten ", "\ndirect ", "\nRSM ", "\nLPV ", "\ndivide ", "\ntotal ",
                             "\ngather ", "\nshading "})
@@ -89,7 +88,7 @@ TEST(GpuProgram, SaysWhatIsMissingAndTheWayOut)
 {
     const TemporaryFolder folder;
     const Outcome unknown = runRelamp(
-        {"delight", kScan, "-o", folder / "out", "--solver", "thesis", "--gpu", "abacus"});
+        {"delight", kSampleScan, "-o", folder / "out", "--solver", "thesis", "--gpu", "abacus"});
     EXPECT_EQ(unknown.exitCode, 1);
     EXPECT_THAT(unknown.err,
                 HasSubstr("no device is called \"abacus\" (relamp devices lists them)"));
@@ -99,7 +98,7 @@ TEST(GpuProgram, SaysWhatIsMissingAndTheWayOut)
         EXPECT_THAT(runRelamp(line).err, HasSubstr("abacus"));
     }
     const Outcome other = runRelamp(
-        {"delight", kScan, "-o", folder / "out", "--solver", "pathtrace", "--engine", "gpu"});
+        {"delight", kSampleScan, "-o", folder / "out", "--solver", "pathtrace", "--engine", "gpu"});
     EXPECT_EQ(other.exitCode, 1);
     EXPECT_THAT(other.err, HasSubstr("take another solver"));
     EXPECT_FALSE(std::filesystem::exists(folder / "out"));

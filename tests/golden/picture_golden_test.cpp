@@ -1,6 +1,7 @@
 // Pictures and films of relamp relight: the real program on the sample room.
 
 #include "golden/program.h"
+#include "golden/sample.h"
 #include "relamp/image.h"
 #include "scenes/temporary_folder.h"
 
@@ -20,17 +21,10 @@ namespace
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string kScan = RELAMP_SAMPLES "/bedroom/scan.glb";
 const std::string kCamera =
     R"({"position": [0.35, 1.65, -0.45], "target": [3.0, 0.8, -2.9], "fieldOfView": 80})";
 const std::string kLamp = R"({"lights": [{"type": "sphere", "position": [0.9, 1.45, -2.6],
     "radius": 0.12, "lumens": 1200, "kelvin": 3000}]})";
-
-std::string contentOf(const std::filesystem::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// Mean of a picture's green.
 double brightness(const std::filesystem::path& file)
@@ -51,7 +45,8 @@ protected:
         shared = new scenes::TemporaryFolder;
         shared->write("camera.json", kCamera);
         shared->write("lamp.json", kLamp);
-        const Outcome run = runRelamp({"delight", kScan, "-o", room(), "--quality", "draft", "-q"});
+        const Outcome run =
+            runRelamp({"delight", kSampleScan, "-o", room(), "--quality", "draft", "-q"});
         ASSERT_EQ(run.exitCode, 0) << run.err;
     }
     static void TearDownTestSuite() { delete shared; }

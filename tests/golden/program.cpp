@@ -19,12 +19,6 @@ namespace relamp::golden
 namespace
 {
 
-std::string contentOf(const std::filesystem::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 [[noreturn]] void become(const std::vector<std::string>& arguments, const std::string& out,
                          const std::string& err)
 {
@@ -56,6 +50,12 @@ Outcome runRelamp(const std::vector<std::string>& arguments, double interruptAft
     waitpid(child, &status, 0);
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return {code, contentOf(out), contentOf(err)};
+}
+
+std::string contentOf(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 } // namespace relamp::golden

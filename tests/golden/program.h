@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,5 +17,8 @@ struct Outcome
 
 /// Runs relamp with `arguments`. With `interruptAfter` > 0 seconds it gets a Ctrl-C then.
 Outcome runRelamp(const std::vector<std::string>& arguments, double interruptAfter = 0.0);
+
+/// A file's bytes; none where it cannot be read.
+std::string contentOf(const std::filesystem::path& file);
 
 } // namespace relamp::golden

@@ -1,6 +1,7 @@
 // relamp relight --bake on what relamp delight writes of the sample room.
 
 #include "golden/program.h"
+#include "golden/sample.h"
 #include "golden/score.h"
 #include "relamp/lights.h"
 #include "scenes/temporary_folder.h"
@@ -23,13 +24,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 const std::filesystem::path kSample = RELAMP_SAMPLES "/bedroom";
-const std::string kScan = kSample / "scan.glb";
-
-std::string bytesOf(const std::filesystem::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// dB, peak 1, over the pixels that `counts(i)` chooses; both clamped to 1.
 template<class Counts>
@@ -54,7 +48,7 @@ protected:
     static void SetUpTestSuite()
     {
         shared = new scenes::TemporaryFolder;
-        const Outcome run = runRelamp({"delight", kScan, "-o", room(), "-q"});
+        const Outcome run = runRelamp({"delight", kSampleScan, "-o", room(), "-q"});
         ASSERT_EQ(run.exitCode, 0) << run.err;
     }
     static void TearDownTestSuite() { delete shared; }
@@ -84,7 +78,7 @@ TEST_F(RelightProgram, NewLightsAreNearAnIndependentRenderers)
     for (const auto& [name, own, exact] :
          {std::tuple{"relit_A", 25.5, 27.5}, std::tuple{"relit_B", 23.0, 23.8}}) {
         const std::string lights = kSample / (std::string(name) + ".json");
-        const float gain = nlohmann::json::parse(bytesOf(lights))["display_gain"];
+        const float gain = nlohmann::json::parse(contentOf(lights))["display_gain"];
         const Picture truth = readPicture(kSample / (std::string(name) + ".exr"));
         ASSERT_EQ(bake(out("a.exr"), {"--lights", lights}).exitCode, 0);
         EXPECT_GT(psnr(readPicture(out("a.exr")), truth, gain, isScored), own) << name;
@@ -115,13 +109,13 @@ TEST_F(RelightProgram, WritesTheSameBytesOnAnyNumberOfThreadsAndFromAnOldTranspo
     auto one = lights;
     one.insert(one.end(), {"--threads", "1"});
     ASSERT_EQ(bake(out("2.exr"), one).exitCode, 0);
-    EXPECT_EQ(bytesOf(out("1.exr")), bytesOf(out("2.exr")));
+    EXPECT_EQ(contentOf(out("1.exr")), contentOf(out("2.exr")));
     one.emplace_back("--no-transport");
     ASSERT_EQ(bake(out("3.exr"), one).exitCode, 0);
-    EXPECT_EQ(bytesOf(out("1.exr")), bytesOf(out("3.exr")));
+    EXPECT_EQ(contentOf(out("1.exr")), contentOf(out("3.exr")));
     std::ofstream(room() + "/transport.bin") << "broken";
     ASSERT_EQ(bake(out("4.exr"), lights).exitCode, 0);
-    EXPECT_EQ(bytesOf(out("1.exr")), bytesOf(out("4.exr")));
+    EXPECT_EQ(contentOf(out("1.exr")), contentOf(out("4.exr")));
     EXPECT_GT(std::filesystem::file_size(room() + "/transport.bin"), 1000000u);
 }
 
@@ -131,7 +125,7 @@ TEST_F(RelightProgram, BakesAModelThatNeedsNoLight)
     ASSERT_EQ(run.exitCode, 0) << run.err;
     const Outcome info = runRelamp({"info", out("baked.glb")});
     EXPECT_EQ(info.exitCode, 0) << info.err;
-    EXPECT_THAT(bytesOf(out("baked.glb")), HasSubstr("KHR_materials_unlit"));
+    EXPECT_THAT(contentOf(out("baked.glb")), HasSubstr("KHR_materials_unlit"));
     // And a model whose texture is an albedo can be relit as it is.
     const Outcome again = runRelamp({"relight", room() + "/scan.glb", "-q", "--bake", "-o",
                                      out("glb.exr"), "--lights", kSample / "relit_A.json"});

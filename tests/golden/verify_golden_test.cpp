@@ -1,6 +1,7 @@
 // relamp verify on what relamp delight writes of the sample room.
 
 #include "golden/program.h"
+#include "golden/sample.h"
 #include "scenes/temporary_folder.h"
 
 #include <fstream>
@@ -15,8 +16,6 @@ namespace
 
 using scenes::TemporaryFolder;
 using testing::HasSubstr;
-
-const std::string kScan = RELAMP_SAMPLES "/bedroom/scan.glb";
 
 nlohmann::json verified(const std::vector<std::string>& arguments)
 {
@@ -35,7 +34,7 @@ nlohmann::json verified(const std::vector<std::string>& arguments)
 TEST(VerifyProgram, GatherSolverClosesTheLoopOnTheSample)
 {
     const TemporaryFolder folder;
-    ASSERT_EQ(runRelamp({"delight", kScan, "-o", folder / "out", "-q"}).exitCode, 0);
+    ASSERT_EQ(runRelamp({"delight", kSampleScan, "-o", folder / "out", "-q"}).exitCode, 0);
     const nlohmann::json found = verified({folder / "out"});
     EXPECT_GT(found["places"], 1500);
     EXPECT_NEAR(found["rmsOfScan"].get<double>(), 0.378, 0.02);
@@ -51,7 +50,7 @@ TEST(VerifyProgram, SaysWhatIsMissingAndTheWayOut)
                 HasSubstr("name a folder that relamp delight has written"));
 
     const std::string scan = folder / "room.glb";
-    std::filesystem::copy_file(kScan, scan);
+    std::filesystem::copy_file(kSampleScan, scan);
     ASSERT_EQ(
         runRelamp({"delight", scan, "-o", folder / "out", "--solver", "thesis", "-q"}).exitCode, 0);
     std::filesystem::rename(scan, folder / "moved.glb");

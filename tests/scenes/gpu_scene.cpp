@@ -23,4 +23,11 @@ void GpuTest::TearDown()
     for (; heard_ < complaints.size(); ++heard_) ADD_FAILURE() << complaints[heard_];
 }
 
+std::vector<std::string> ran(const std::vector<gpu::Timing>& timings)
+{
+    std::vector<std::string> names;
+    for (const gpu::Timing& timing : timings) names.push_back(timing.name);
+    return names;
+}
+
 } // namespace relamp::scenes

@@ -1,8 +1,12 @@
 #pragma once
 
+#include "gpu/commands.h"
 #include "gpu/device.h"
+#include "scan/texels.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -24,5 +28,13 @@ private:
     static std::unique_ptr<gpu::Device> device_; // a suite's
     static size_t heard_;
 };
+
+/// Names of the stages that ran.
+std::vector<std::string> ran(const std::vector<gpu::Timing>& timings);
+
+inline glm::vec3 at(const RgbBlock& block, size_t i)
+{
+    return {block.r[i], block.g[i], block.b[i]};
+}
 
 } // namespace relamp::scenes

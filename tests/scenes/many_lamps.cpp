@@ -7,7 +7,7 @@ namespace relamp::scenes
 namespace
 {
 
-constexpr int kPixels = 200;
+constexpr int kPanelPixels = 200;
 
 std::vector<ShiningPanel> grid(int alongX, int alongZ, glm::vec3 radiance)
 {
@@ -38,7 +38,7 @@ glm::vec3 albedo(glm::vec3 place, glm::vec3 normal)
 ManyLamps::ManyLamps(int alongX, int alongZ)
     : lampRadiance(kRadianceOf300 * 300.0f / static_cast<float>(alongX * alongZ)),
       box(kSize, grid(alongX, alongZ, lampRadiance), albedo),
-      scan(room(kSize, kPixels, [this](glm::vec3 p, glm::vec3 n) { return box.photo(p, n); }))
+      scan(room(kSize, kPanelPixels, [this](glm::vec3 p, glm::vec3 n) { return box.photo(p, n); }))
 {}
 
 } // namespace relamp::scenes

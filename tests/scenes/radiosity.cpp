@@ -1,6 +1,7 @@
 #include "scenes/radiosity.h"
 
 #include "base/parallel.h"
+#include "base/pi.shared.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +14,6 @@ namespace relamp::scenes
 namespace
 {
 
-constexpr float kPi = 3.14159265f;
 constexpr int kBounces = 12;
 constexpr int kCells = 16; // patches along a wall
 

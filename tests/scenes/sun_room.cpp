@@ -1,17 +1,18 @@
 #include "scenes/sun_room.h"
+#include "base/pi.shared.h"
 
 namespace relamp::scenes
 {
 namespace
 {
 
-constexpr int kPixels = 128;
+constexpr int kSunPixels = 128;
 constexpr float kLow = 1.0f; // of the window
 constexpr float kHigh = 2.2f;
 constexpr float kLeft = 2.2f;
 constexpr float kWidth = 1.2f;
 
-Panel ceilingPanel()
+Panel panelOverhead()
 {
     return {{0.9f, SunRoom::kSize.y, 2.2f}, {0.8f, 0, 0}, {0, 0, 0.6f}};
 }
@@ -24,7 +25,7 @@ glm::vec3 onFloor(float y, float z, glm::vec3 towardsSun)
 
 std::vector<ShiningPanel> lampsOf(glm::vec3 patch, float pane, glm::vec3 towardsSun)
 {
-    std::vector<ShiningPanel> lamps{{ceilingPanel(), {16.0f, 15.0f, 14.0f}}};
+    std::vector<ShiningPanel> lamps{{panelOverhead(), {16.0f, 15.0f, 14.0f}}};
     if (patch.g > 0.0f) lamps.push_back({SunRoom::patchPanel(towardsSun), patch});
     if (pane > 0.0f) lamps.push_back({SunRoom::window(), glm::vec3(pane)});
     return lamps;
@@ -69,8 +70,8 @@ glm::vec3 SunRoom::albedo(glm::vec3 place, glm::vec3 normal)
 }
 
 SunRoom::SunRoom(glm::vec3 sun, float paneRadiance, glm::vec3 towardsSun)
-    : box(kSize, lampsOf(kFloor * sun / 3.14159265f, paneRadiance, towardsSun), albedo),
-      scan(panels(panelsOf(paneRadiance > 0.0f), kPixels,
+    : box(kSize, lampsOf(kFloor * sun / kPi, paneRadiance, towardsSun), albedo),
+      scan(panels(panelsOf(paneRadiance > 0.0f), kSunPixels,
                   [this](glm::vec3 p, glm::vec3 n) { return box.photo(p, n); }))
 {}
 
