@@ -21,12 +21,12 @@ enum class ErrorCode {
 /// The world is not as it must be: a file, an option, a disk.
 ///
 /// `what()` is a sentence for the person at the keyboard. It names the file, the thing in it, and
-/// the way out. Mistakes of the programmer are assertions, never an Error.
+/// the way out, and may be printed whatever the file has in its names (relamp/printable.h).
+/// Mistakes of the programmer are assertions, never an Error.
 class RELAMP_API Error : public std::runtime_error
 {
 public:
-    Error(ErrorCode code, const std::string& sentence) : std::runtime_error(sentence), code_(code)
-    {}
+    Error(ErrorCode code, const std::string& sentence);
 
     [[nodiscard]] ErrorCode code() const { return code_; }
 
