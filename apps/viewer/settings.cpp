@@ -14,6 +14,14 @@ namespace
 
 constexpr size_t kRecent = 8;
 
+/// A side of the window; a number that is no side at all becomes one.
+int pixelsFrom(const nlohmann::json& json, const char* key, int otherwise, int least)
+{
+    constexpr double kMost = 16384.0;
+    return static_cast<int>(std::clamp(json.value(key, static_cast<double>(otherwise)),
+                                       static_cast<double>(least), kMost));
+}
+
 } // namespace
 
 std::filesystem::path settingsFile()
@@ -34,8 +42,8 @@ Settings readSettings(const std::filesystem::path& file)
     try {
         const nlohmann::json json = nlohmann::json::parse(textFrom(file));
         Settings settings;
-        settings.width = std::clamp(json.value("width", settings.width), 320, 16384);
-        settings.height = std::clamp(json.value("height", settings.height), 240, 16384);
+        settings.width = pixelsFrom(json, "width", settings.width, 320);
+        settings.height = pixelsFrom(json, "height", settings.height, 240);
         settings.panels = json.value("panels", settings.panels);
         settings.walks = json.value("walks", settings.walks);
         settings.quality = json.value("quality", settings.quality);

@@ -1,6 +1,7 @@
 #include "base/json.h"
 
 #include "base/fail.h"
+#include "relamp/printable.h"
 
 #include <cstdlib>
 
@@ -41,10 +42,15 @@ nlohmann::json parseJson(std::string_view text, const std::string& name)
     } catch (const json::exception& failure) {
         std::string why = failure.what();
         if (const size_t end = why.find("] "); end != std::string::npos) why.erase(0, end + 2);
-        malformed(name, fmt::format("its JSON cannot be read: {}", why));
+        malformed(name, fmt::format("its JSON cannot be read: {}", printableName(why)));
     }
     if (!document.is_object()) malformed(name, "its JSON is not an object");
     return document;
+}
+
+std::string textOf(const nlohmann::ordered_json& document)
+{
+    return document.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::string dumpJson(const nlohmann::json& document)

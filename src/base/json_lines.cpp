@@ -41,11 +41,13 @@ private:
     int* line_;
 };
 
-/// Notes the line of every key and of every item of a list.
-class LineNotes : public nlohmann::json_sax<json>
+/// Finds the line of a path, or of the nearest part around it: the last that is met on the way.
+class LineSearch : public nlohmann::json_sax<json>
 {
 public:
-    LineNotes(const int& line, std::map<std::string, int>& lineOf) : line_(line), lineOf_(lineOf) {}
+    LineSearch(const int& line, const std::string& wanted) : line_(line), wanted_(wanted + "/") {}
+
+    [[nodiscard]] int found() const { return found_; }
 
     bool null() override { return item(); }
     bool boolean(bool) override { return item(); }
@@ -61,7 +63,7 @@ public:
     bool key(string_t& name) override
     {
         parts_.back().path = parts_.back().base + "/" + name;
-        lineOf_.emplace(parts_.back().path, line_);
+        note(parts_.back().path);
         return true;
     }
     bool parse_error(size_t, const std::string&, const nlohmann::detail::exception&) override
@@ -83,7 +85,7 @@ private:
         if (parts_.empty() || !parts_.back().isList) return true;
         Part& list = parts_.back();
         list.path = list.base + "/" + std::to_string(list.next++);
-        lineOf_.emplace(list.path, line_);
+        note(list.path);
         return true;
     }
     bool open(bool isList)
@@ -99,30 +101,30 @@ private:
         return true;
     }
 
+    /// Paths on the way to the one that is looked for get longer.
+    void note(const std::string& path)
+    {
+        if (path.size() <= length_ || !wanted_.starts_with(path + "/")) return;
+        length_ = path.size();
+        found_ = line_;
+    }
+
     const int& line_;
-    std::map<std::string, int>& lineOf_;
+    std::string wanted_;
+    size_t length_ = 0;
+    int found_ = 1;
     std::vector<Part> parts_;
 };
 
 } // namespace
 
-JsonLines::JsonLines(std::string_view text)
+int JsonLines::at(const std::string& path) const
 {
     int line = 1;
-    LineNotes notes(line, lineOf_);
-    json::sax_parse(CountingIterator(text.data(), &line),
-                    CountingIterator(text.data() + text.size(), nullptr), &notes);
-}
-
-int JsonLines::at(std::string path) const
-{
-    while (true) {
-        const auto found = lineOf_.find(path);
-        if (found != lineOf_.end()) return found->second;
-        const size_t slash = path.rfind('/');
-        if (slash == std::string::npos) return 1;
-        path.erase(slash);
-    }
+    LineSearch search(line, path);
+    json::sax_parse(CountingIterator(text_.data(), &line),
+                    CountingIterator(text_.data() + text_.size(), nullptr), &search);
+    return search.found();
 }
 
 } // namespace relamp

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <map>
 #include <string>
-#include <string_view>
+#include <utility>
 
 namespace relamp
 {
@@ -12,14 +11,15 @@ class JsonLines
 {
 public:
     /// `text` is JSON that can be parsed.
-    explicit JsonLines(std::string_view text);
+    explicit JsonLines(std::string text) : text_(std::move(text)) {}
 
     /// Line of what a path of keys and indices leads to, say "/lights/1/position": where its key
-    /// or itself begins, from 1; where there is none, that of the nearest part around it.
-    [[nodiscard]] int at(std::string path) const;
+    /// or itself begins, from 1; where there is none, that of the nearest part around it. Goes
+    /// through the whole text, for most texts are never asked about.
+    [[nodiscard]] int at(const std::string& path) const;
 
 private:
-    std::map<std::string, int> lineOf_;
+    std::string text_;
 };
 
 } // namespace relamp

@@ -27,6 +27,7 @@ JsonDocument::JsonDocument(std::string name, const std::string& text, const char
     : name_(std::move(name)), document_(parseJson(text, name_)), lines_(text)
 {
     const JsonItem all = top();
+    if (format == nullptr) return;
     if (const nlohmann::json* found = all.find("format"); found != nullptr && *found != format)
         all.refuse(
             fmt::format("its format is {}, this version reads \"{}\"", printable(*found), format),

@@ -16,8 +16,8 @@ constexpr const char* kLightsFormat = "relamp lights 1";
 class JsonDocument
 {
 public:
-    /// `format` is what the key "format" must say, if it is there. Throws Error(cannotRead |
-    /// malformed).
+    /// `format` is what the key "format" must say, if it is there; null where that is no matter.
+    /// Throws Error(cannotRead | malformed).
     JsonDocument(const std::filesystem::path& file, const char* format);
 
     /// The same of a text; `name` is what it is called in errors. Throws Error(malformed).

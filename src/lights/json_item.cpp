@@ -2,6 +2,7 @@
 
 #include "base/fail.h"
 #include "base/json.h"
+#include "relamp/printable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +18,30 @@ using nlohmann::json;
 
 constexpr double kLargestNumber = 1e9; // of any unit; its square is still a float
 
-float numberFrom(const json& value, const JsonItem& item, const char* key)
+/// A bound as a person writes it: 1e9, not 1e+09.
+std::string asWritten(double bound)
+{
+    std::string text = fmt::format("{:g}", bound);
+    for (const char* padding : {"+0", "+"})
+        if (const size_t at = text.find(padding); at != std::string::npos)
+            text.erase(at, std::string_view(padding).size());
+    return text;
+}
+
+double numberFrom(const json& value, const JsonItem& item, const char* key, double low, double high)
 {
     if (!value.is_number()) item.refuse(fmt::format("\"{}\": must be a number", key), key);
     const auto number = value.get<double>();
-    if (!(std::abs(number) <= kLargestNumber))
-        item.refuse(fmt::format("\"{}\": must be a number between -1e9 and 1e9", key), key);
-    return static_cast<float>(number);
+    if (!(number >= low && number <= high))
+        item.refuse(fmt::format("\"{}\": must be a number between {} and {}", key, asWritten(low),
+                                asWritten(high)),
+                    key);
+    return number;
+}
+
+float numberFrom(const json& value, const JsonItem& item, const char* key)
+{
+    return static_cast<float>(numberFrom(value, item, key, -kLargestNumber, kLargestNumber));
 }
 
 glm::vec3 vectorFrom(const json& value, const JsonItem& item, const char* key)
@@ -34,6 +52,12 @@ glm::vec3 vectorFrom(const json& value, const JsonItem& item, const char* key)
             numberFrom(value[2], item, key)};
 }
 
+std::string textFrom(const json& value, const JsonItem& item, const char* key)
+{
+    if (!value.is_string()) item.refuse(fmt::format("\"{}\" must be a text in \" \"", key), key);
+    return value.get<std::string>();
+}
+
 const json& required(const JsonItem& item, const char* key)
 {
     const json* value = item.find(key);
@@ -41,11 +65,23 @@ const json& required(const JsonItem& item, const char* key)
     return *value;
 }
 
+/// What `take(value)` makes of every value of a list that may be there.
+template<class Take>
+auto listFrom(const JsonItem& item, const char* key, const Take& take)
+{
+    std::vector<decltype(take(item.object))> list;
+    const json* values = item.find(key);
+    if (values == nullptr) return list;
+    if (!values->is_array()) item.refuse(fmt::format("\"{}\" must be a list", key), key);
+    for (const json& value : *values) list.push_back(take(value));
+    return list;
+}
+
 } // namespace
 
 std::string printable(const json& value)
 {
-    return dumpJson(value).substr(0, 40);
+    return printableName(dumpJson(value), 40);
 }
 
 const json* JsonItem::find(const char* key) const
@@ -78,6 +114,30 @@ glm::vec3 JsonItem::lightAt(const char* key) const
     return rgb;
 }
 
+glm::vec2 JsonItem::pairAt(const char* key) const
+{
+    const json& value = required(*this, key);
+    if (!value.is_array() || value.size() != 2)
+        refuse(fmt::format("\"{}\": must be a list of two numbers", key), key);
+    return {numberFrom(value[0], *this, key), numberFrom(value[1], *this, key)};
+}
+
+double JsonItem::numberAt(const char* key, double low, double high) const
+{
+    return numberFrom(required(*this, key), *this, key, low, high);
+}
+
+std::string JsonItem::textAt(const char* key) const
+{
+    return textFrom(required(*this, key), *this, key);
+}
+
+JsonItem JsonItem::objectAt(const char* key) const
+{
+    static_cast<void>(required(*this, key));
+    return *objectIn(key);
+}
+
 glm::vec3 JsonItem::facing(const char* key) const
 {
     const json* value = find(key);
@@ -105,10 +165,40 @@ bool JsonItem::flag(const char* key, bool otherwise) const
 
 std::string JsonItem::text(const char* key, const std::string& otherwise) const
 {
+    return has(key) ? textAt(key) : otherwise;
+}
+
+std::int64_t JsonItem::whole(const char* key, std::int64_t low, std::int64_t high,
+                             std::int64_t otherwise) const
+{
+    if (!has(key)) return otherwise;
+    const json& value = *find(key);
+    const double number = value.is_number() ? value.get<double>() : std::nan("");
+    if (!(number >= static_cast<double>(low) && number <= static_cast<double>(high)) ||
+        number != std::floor(number))
+        refuse(fmt::format("\"{}\" is {}; it must be a whole number between {} and {}", key,
+                           printable(value), low, high),
+               key);
+    return value.get<std::int64_t>();
+}
+
+std::optional<JsonItem> JsonItem::objectIn(const char* key) const
+{
     const json* value = find(key);
-    if (value == nullptr) return otherwise;
-    if (!value->is_string()) refuse(fmt::format("\"{}\" must be a text in \" \"", key), key);
-    return value->get<std::string>();
+    if (value == nullptr) return {};
+    if (!value->is_object()) refuse(fmt::format("\"{}\" must be an object in {{ }}", key), key);
+    return JsonItem{*value, fmt::format("{}: {}", what, key), lines,
+                    fmt::format("{}/{}", path, key)};
+}
+
+std::vector<glm::vec3> JsonItem::vectors(const char* key) const
+{
+    return listFrom(*this, key, [&](const json& value) { return vectorFrom(value, *this, key); });
+}
+
+std::vector<std::string> JsonItem::texts(const char* key) const
+{
+    return listFrom(*this, key, [&](const json& value) { return textFrom(value, *this, key); });
 }
 
 void JsonItem::warnOfUnknown(std::initializer_list<const char*> known,
@@ -117,8 +207,8 @@ void JsonItem::warnOfUnknown(std::initializer_list<const char*> known,
     for (const auto& [key, value] : object.items()) {
         const auto isKey = [&, name = key](const char* k) { return name == k; };
         if (std::none_of(known.begin(), known.end(), isKey))
-            warnings.push_back(
-                fmt::format("{}: \"{}\" is not known and was passed over", what, key));
+            warnings.push_back(fmt::format("{}: \"{}\" is not known and was passed over", what,
+                                           printableName(key)));
     }
 }
 

@@ -2,11 +2,14 @@
 
 #include "base/json_lines.h"
 
+#include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 
@@ -33,11 +36,20 @@ struct JsonItem
     [[nodiscard]] float numberAt(const char* key) const;     // -1e9..1e9
     [[nodiscard]] glm::vec3 vectorAt(const char* key) const; // three of these
     [[nodiscard]] glm::vec3 lightAt(const char* key) const;  // none of them negative
+    [[nodiscard]] glm::vec2 pairAt(const char* key) const;   // two of these
+    [[nodiscard]] double numberAt(const char* key, double low, double high) const;
+    [[nodiscard]] std::string textAt(const char* key) const;
+    [[nodiscard]] JsonItem objectAt(const char* key) const;
     // A value that may be there:
     [[nodiscard]] glm::vec3 facing(const char* key) const; // unit; zero for "omni" or none
     [[nodiscard]] float size(const char* key, float otherwise = 0.0f) const; // not negative
     [[nodiscard]] bool flag(const char* key, bool otherwise) const;
     [[nodiscard]] std::string text(const char* key, const std::string& otherwise) const;
+    [[nodiscard]] std::int64_t whole(const char* key, std::int64_t low, std::int64_t high,
+                                     std::int64_t otherwise) const;
+    [[nodiscard]] std::optional<JsonItem> objectIn(const char* key) const;
+    [[nodiscard]] std::vector<glm::vec3> vectors(const char* key) const; // as of vectorAt
+    [[nodiscard]] std::vector<std::string> texts(const char* key) const;
 
     /// Adds a sentence for every key but these.
     void warnOfUnknown(std::initializer_list<const char*> known,

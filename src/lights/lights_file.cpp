@@ -185,7 +185,7 @@ std::string lightsAsJson(const Lights& lights)
         document["lights"].push_back(toJson(light, lights.fixtures));
     document["ambient"] = toJson(lights.ambient);
     if (lights.sun) document["sun"] = toJson(*lights.sun);
-    return document.dump(1, '\t') + "\n";
+    return textOf(document);
 }
 
 Lights readLights(const std::filesystem::path& file, std::vector<std::string>& warnings)

@@ -60,7 +60,7 @@ TEST(LightsFile, SunComesBack)
 
 TEST(LightsFile, SunWithoutASenseIsRefused)
 {
-    EXPECT_THAT(refusal(R"({"sun": [1, 2, 3]})"), HasSubstr("sun: must be an object"));
+    EXPECT_THAT(refusal(R"({"sun": [1, 2, 3]})"), HasSubstr("\"sun\" must be an object"));
     EXPECT_THAT(refusal(R"({"sun": {"irradiance": [1, 1, 1]}})"),
                 HasSubstr("sun: \"direction\" is missing"));
     EXPECT_THAT(refusal(R"({"sun": {"direction": [0, 0, 0], "irradiance": [1, 1, 1]}})"),

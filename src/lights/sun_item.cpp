@@ -7,9 +7,9 @@ namespace relamp
 
 std::optional<Sun> sunOf(const JsonItem& top, std::vector<std::string>& warnings)
 {
-    if (!top.has("sun")) return {};
-    const JsonItem item{*top.find("sun"), top.what + ": sun", top.lines, top.path + "/sun"};
-    if (!item.object.is_object()) item.refuse("must be an object in { }");
+    const std::optional<JsonItem> found = top.objectIn("sun");
+    if (!found) return {};
+    const JsonItem& item = *found;
     item.warnOfUnknown({"direction", "irradiance", "error", "determined"}, warnings);
     const glm::vec3 way = item.vectorAt("direction");
     const float length = glm::length(way);

@@ -198,8 +198,7 @@ std::string reportAsJson(const Scan& scan, const Decomposition& result, const Wr
                               {"confidence", confidenceAsJson(written.area)},
                               {"warnings", warnings},
                               {"files", written.files}};
-    using Handler = nlohmann::json::error_handler_t;
-    return report.dump(1, '\t', false, Handler::replace) + "\n";
+    return textOf(report);
 }
 
 std::vector<std::string> filesOfFormerReport(const std::filesystem::path& folder)

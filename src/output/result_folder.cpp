@@ -1,26 +1,12 @@
 #include "output/result_folder.h"
 
 #include "base/fail.h"
-#include "base/file.h"
-#include "base/json.h"
+#include "lights/json_document.h"
 
 namespace relamp
 {
 namespace
 {
-
-using nlohmann::json;
-
-constexpr size_t kLargestReport = size_t{16} << 20; // bytes
-
-std::vector<glm::vec3> placesFrom(const json& list)
-{
-    std::vector<glm::vec3> places;
-    for (const json& place : list)
-        places.emplace_back(place.at(0).get<float>(), place.at(1).get<float>(),
-                            place.at(2).get<float>());
-    return places;
-}
 
 Transfer transferNamed(const std::string& name)
 {
@@ -29,23 +15,27 @@ Transfer transferNamed(const std::string& name)
                               : Transfer::automatic;
 }
 
-FormerRun runFrom(const json& report)
+FormerRun runFrom(const JsonItem& report)
 {
-    const json& scan = report.at("scan");
-    const json& options = report.at("options");
+    constexpr std::int64_t kMostTriangles = std::int64_t{1} << 40;
+    constexpr int kMostRays = 1024;
+    constexpr int kLongestSide = 1 << 20;
+
+    const JsonItem scan = report.objectAt("scan");
+    const JsonItem options = report.objectAt("options");
     FormerRun run;
-    run.scanFile = scan.at("file").get<std::string>();
-    run.triangles = scan.at("triangles").get<size_t>();
-    run.scan.up = scan.at("up") == "z" ? UpAxis::z : UpAxis::y;
-    run.scan.scale = scan.at("scale").get<double>();
-    run.scan.transfer = transferNamed(scan.at("transfer").get<std::string>());
-    run.scan.longestSide = std::max(scan.value("longestSide", 0), 0);
-    run.scan.skipMeshes = scan.at("skippedMeshes").get<std::vector<std::string>>();
+    run.scanFile = scan.textAt("file");
+    run.triangles = static_cast<size_t>(scan.whole("triangles", 0, kMostTriangles, 0));
+    run.scan.up = scan.textAt("up") == "z" ? UpAxis::z : UpAxis::y;
+    run.scan.scale = scan.numberAt("scale", 1e-6, 1e6);
+    run.scan.transfer = transferNamed(scan.textAt("transfer"));
+    run.scan.longestSide = static_cast<int>(scan.whole("longestSide", 0, kLongestSide, 0));
+    run.scan.skipMeshes = scan.texts("skippedMeshes");
     // Lamps are found on surfels as they were then, and so are the same.
-    if (options.value("quality", "standard") == "draft") run.gather.quality = Quality::draft;
-    run.gather.rays = options.value("rays", run.gather.rays);
-    run.gather.lights = placesFrom(options.value("lights", json::array()));
-    run.gather.notLights = placesFrom(options.value("notLights", json::array()));
+    if (options.text("quality", "standard") == "draft") run.gather.quality = Quality::draft;
+    run.gather.rays = static_cast<int>(options.whole("rays", 0, kMostRays, run.gather.rays));
+    run.gather.lights = options.vectors("lights");
+    run.gather.notLights = options.vectors("notLights");
     return run;
 }
 
@@ -63,14 +53,13 @@ FormerRun readFormerRun(const std::filesystem::path& folder)
     if (!std::filesystem::exists(file))
         fail(ErrorCode::cannotRead, folder.string(),
              "holds no report.json; name a folder that relamp delight has written");
-    const auto bytes = readFile(file, kLargestReport);
-    const json report =
-        parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file.string());
     try {
-        return runFrom(report);
-    } catch (const json::exception&) {
-        malformed(file.string(), "does not say how the scan was read; let this version's relamp "
-                                 "delight write the folder anew");
+        const JsonDocument document(file, nullptr);
+        return runFrom(document.top());
+    } catch (const Error& error) {
+        throw Error(error.code(), fmt::format("{}.\nIt was edited, or is of another version; let "
+                                              "relamp delight write the folder anew",
+                                              error.what()));
     }
 }
 

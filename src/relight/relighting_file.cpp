@@ -7,8 +7,11 @@
 #include "relight/fixture_settings.h"
 #include "relight/light_emission.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -20,6 +23,7 @@ namespace
 using nlohmann::json;
 
 constexpr float kPerDegree = kPi / 180.0f;
+constexpr std::int64_t kMostFixtures = 1'000'000;
 
 /// A lights file being read.
 class LightsReader
@@ -69,6 +73,20 @@ LightType typeOf(const JsonItem& item)
         "type");
 }
 
+/// For people and for the viewer, which shows it.
+void checkName(const JsonItem& item)
+{
+    static_cast<void>(item.text("name", ""));
+}
+
+/// Numbers that are fine each may multiply to what no float holds.
+void checkBrightness(const JsonItem& item, glm::vec3 emission)
+{
+    constexpr float kBrightest = 1e18f; // its square is still a float
+    if (!(std::max({emission.r, emission.g, emission.b}) <= kBrightest))
+        item.refuse("is brighter than can be computed; look at its numbers and at \"white\"");
+}
+
 float positive(const JsonItem& item, const char* key)
 {
     const float value = item.numberAt(key);
@@ -94,12 +112,7 @@ glm::vec3 directionOf(const JsonItem& item)
 
 glm::vec2 sizeOf(const JsonItem& item)
 {
-    const json* value = item.find("size");
-    if (value == nullptr || !value->is_array() || value->size() != 2 || !(*value)[0].is_number() ||
-        !(*value)[1].is_number())
-        item.refuse("\"size\" must be there: a list of two numbers, width and height in metres",
-                    "size");
-    const glm::vec2 size((*value)[0].get<float>(), (*value)[1].get<float>());
+    const glm::vec2 size = item.pairAt("size"); // width and height
     if (!(size.x > 0.0f) || !(size.y > 0.0f) || size.x > 1e4f || size.y > 1e4f)
         item.refuse("\"size\" must be greater than 0 and no more than 10000 m", "size");
     return size;
@@ -135,6 +148,7 @@ void LightsReader::readLight(const JsonItem& item)
                         "radiance", "irradiance", "lumens",    "watts",  "candela", "nits",
                         "lux",      "kelvin",     "colour",    "on",     "dim",     "name"},
                        warnings_);
+    checkName(item);
     NewLight light;
     light.type = typeOf(item);
     readShape(item, light);
@@ -150,6 +164,7 @@ void LightsReader::readLight(const JsonItem& item)
         light.emission = emissionOf(item, light, white_);
     }
     light.emission *= item.flag("on", true) ? item.size("dim", 1.0f) : 0.0f;
+    checkBrightness(item, light.emission);
     lighting_.lights.push_back(std::move(light));
 }
 
@@ -166,9 +181,11 @@ void LightsReader::readFixture(const JsonItem& item)
                         "determined", "on", "dim", "lumens", "watts", "kelvin", "colour", "window",
                         "name"},
                        warnings_);
+    checkName(item);
     LitFixture lit;
     size_t place = captured_.fixtures.size();
     if (item.has("centre")) {
+        static_cast<void>(item.whole("id", 0, kMostFixtures, 0)); // not read, but by the viewer
         lit.fixture.centre = item.vectorAt("centre");
         lit.fixture.normal = item.facing("normal");
         lit.fixture.area = item.size("area");
@@ -190,6 +207,7 @@ void LightsReader::readFixture(const JsonItem& item)
     if (wish.lumens || wish.kelvin || wish.colour)
         lit.fixture.radiance = radianceUnder(wish, lit.fixture, white_);
     lit.fixture.radiance *= item.flag("on", true) ? item.size("dim", 1.0f) : 0.0f;
+    checkBrightness(item, lit.fixture.radiance);
     if (place < captured_.fixtures.size())
         lighting_.fixtures[place] = lit;
     else
@@ -218,10 +236,9 @@ void LightsReader::readSky(const JsonItem& top)
     if (const auto sun = sunOf(top, warnings_)) // as delight writes it: where it stands
         lighting_.lights.push_back(
             {.type = LightType::sun, .emission = sun->irradiance, .direction = -sun->direction});
-    const json* object = top.find("sky");
-    if (object == nullptr) return;
-    if (!object->is_object()) top.refuse("\"sky\" must be an object in { }", "sky");
-    const JsonItem item{*object, top.what + ": sky", top.lines, top.path + "/sky"};
+    const std::optional<JsonItem> found = top.objectIn("sky");
+    if (!found) return;
+    const JsonItem& item = *found;
     item.warnOfUnknown({"radiance", "nits", "kelvin", "colour", "environment", "turn"}, warnings_);
     Sky& sky = lighting_.sky;
     const EmissionWish wish = emissionWishOf(item);
@@ -230,6 +247,7 @@ void LightsReader::readSky(const JsonItem& top)
             radiometric(item.size("nits"), wish.colourOr(glm::vec3(1.0f), white_), white_);
     else
         sky.radiance = item.has("radiance") ? item.lightAt("radiance") : glm::vec3(1.0f);
+    checkBrightness(item, sky.radiance);
     sky.turn = degrees(item, "turn", 0.0f, 360.0f);
     if (!item.has("environment")) return;
     const std::filesystem::path file = besideFile(item, "environment");
@@ -240,10 +258,9 @@ void LightsReader::readSky(const JsonItem& top)
 
 void LightsReader::readWhite(const JsonItem& top)
 {
-    const json* object = top.find("white");
-    if (object == nullptr) return;
-    if (!object->is_object()) top.refuse("\"white\" must be an object in { }", "white");
-    const JsonItem item{*object, top.what + ": white", top.lines, top.path + "/white"};
+    const std::optional<JsonItem> found = top.objectIn("white");
+    if (!found) return;
+    const JsonItem& item = *found;
     item.warnOfUnknown({"nits", "kelvin"}, warnings_);
     if (item.has("nits")) white_.luminance = positive(item, "nits");
     if (const EmissionWish wish = emissionWishOf(item); wish.kelvin) white_.kelvin = *wish.kelvin;

@@ -118,6 +118,14 @@ TEST(LightDocument, WhatIsWrongIsSaidByTheLibrary)
                                                 twoFixtures(), notes)),
                  relamp::Error);
     EXPECT_THROW(static_cast<void>(lightTypeNamed("candle")), relamp::Error);
+    // What relight does not read the viewer does, and so the library looks at it, too.
+    for (const char* text :
+         {R"({"lights": [{"position": [1, 1, 1], "intensity": [1, 1, 1], "name": 5}]})",
+          R"({"fixtures": [{"id": "x", "centre": [0, 2, 0], "radiance": [1, 1, 1]}]})",
+          R"({"fixtures": [{"id": 0, "name": []}]})"})
+        EXPECT_THROW(static_cast<void>(documentFrom(text, "a.json", twoFixtures(), notes)),
+                     relamp::Error)
+            << text;
 }
 
 TEST(LightDocument, SwitchesAllFixturesByAWord)

@@ -28,6 +28,8 @@ TEST(Settings, WhatIsBrokenIsAsIfItWereNotThere)
     const relamp::scenes::TemporaryFolder folder;
     for (const char* text : {"", "{", "[]", "{\"width\": \"wide\"}"})
         EXPECT_EQ(readSettings(folder.write("viewer.json", text)).width, Settings{}.width) << text;
+    EXPECT_EQ(readSettings(folder.write("viewer.json", R"({"width": 1e300})")).width, 16384);
+    EXPECT_EQ(readSettings(folder.write("viewer.json", R"({"width": -1e300})")).width, 320);
     EXPECT_FALSE(writeSettings(folder.write("file", "") / "viewer.json", {}));
 }
 
