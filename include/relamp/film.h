@@ -20,13 +20,19 @@ struct Film
     double framesPerSecond = 24.0;      // of a video, 1..240
 };
 
-/// Throws Error(cannotWrite) where writeFilm could not write `target`: no ffmpeg for a video, odd
-/// sizes, no permission. Worth asking before work that takes long.
+/// Whether a film of this name is a video: its name ends in .mp4. Else it is a folder of pictures:
+/// a name without an ending or with a slash behind it, or a folder that is there. Throws
+/// Error(unsupported) where it is neither.
+RELAMP_API bool isVideo(const std::filesystem::path& target);
+
+/// Throws Error(cannotWrite | unsupported) where writeFilm could not write `target`: no ffmpeg for
+/// a video, odd sizes, no permission. Worth asking before work that takes long.
 RELAMP_API void checkFilm(const Film& film, const std::filesystem::path& target);
 
-/// Writes a film: a video through the program ffmpeg where `target` ends in .mp4, else a folder of
+/// Writes a film: a video through the program ffmpeg where `isVideo(target)`, else a folder of
 /// frame_0001.png and so on, in which no frame of a longer film stays. Whole or not at all. Throws
-/// Error(cannotWrite | cancelled); the former where ffmpeg is not there or does not do its work.
+/// Error(cannotWrite | unsupported | cancelled); the first where ffmpeg is not there or does not do
+/// its work. `progress` is told of "frame 3 of 192" as a part.
 RELAMP_API void writeFilm(Relighter& relighter, const Photographer& photographer, const Film& film,
                           const std::filesystem::path& target, Progress& progress);
 

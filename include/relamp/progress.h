@@ -23,6 +23,7 @@ public:
     {
         std::string_view stage; // name of the stage, as in the report
         double fraction;        // of that stage, 0..1
+        std::string_view part;  // that it works on, "frame 3 of 192"; empty: the whole
     };
     struct StageTime
     {
@@ -44,6 +45,9 @@ public:
     void removeIfAbandoned(const std::filesystem::path& path);
     /// Removes these, for a process that has to end without waiting for the computation.
     void abandon();
+
+    /// Says which part of the whole all stages from here on work on: "frame 3 of 192", or nothing.
+    void setPart(std::string part);
 
     /// Seconds spent in each stage that has ended, in the order of their first end; a stage that
     /// ran several times is listed once, with the sum. No second counts twice: while a stage runs
@@ -87,6 +91,7 @@ private:
     mutable std::mutex mutex_;
     std::vector<StageTime> times_;
     std::vector<std::filesystem::path> unfinished_;
+    std::string part_;
 };
 
 } // namespace relamp

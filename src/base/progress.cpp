@@ -3,6 +3,7 @@
 #include "relamp/error.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace relamp
 {
@@ -43,6 +44,12 @@ void Progress::abandon()
                                         ignored); // again: someone may still be writing into it
 }
 
+void Progress::setPart(std::string part)
+{
+    const std::lock_guard lock(mutex_);
+    part_ = std::move(part);
+}
+
 std::vector<Progress::StageTime> Progress::times() const
 {
     const std::lock_guard lock(mutex_);
@@ -53,7 +60,7 @@ void Progress::report(std::string_view stage, double fraction)
 {
     if (!sink_) return;
     const std::lock_guard lock(mutex_);
-    sink_({stage, fraction});
+    sink_({stage, fraction, part_});
 }
 
 void Progress::ended(const std::string& stage, double seconds)

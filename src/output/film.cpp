@@ -1,8 +1,10 @@
 #include "relamp/film.h"
 
+#include "base/fail.h"
 #include "base/file.h"
 #include "output/staged_folder.h"
 #include "output/video_file.h"
+#include "relamp/printable.h"
 
 #include <algorithm>
 #include <functional>
@@ -16,11 +18,6 @@ namespace
 
 /// Calls `take(frame)` for one after the other; what it gives is sRGB.
 using TakeFrame = std::function<std::vector<uint8_t>(int frame)>;
-
-bool isVideo(const std::filesystem::path& target)
-{
-    return target.extension() == ".mp4";
-}
 
 Size sizeOf(const Film& film)
 {
@@ -72,6 +69,19 @@ void writeVideo(const std::filesystem::path& file, const Film& film, const TakeF
 
 } // namespace
 
+bool isVideo(const std::filesystem::path& target)
+{
+    const std::filesystem::path ending = target.extension();
+    std::error_code ignored;
+    if (ending.empty() || std::filesystem::is_directory(target, ignored)) return false;
+    if (ending != ".mp4")
+        fail(ErrorCode::unsupported, target.string(),
+             fmt::format("a film ends in .mp4 or is a folder of pictures; {} is not known. Let the "
+                         "name end in .mp4, or say {}/ for a folder of that name",
+                         printableName(ending.string()), target.string()));
+    return true;
+}
+
 void checkFilm(const Film& film, const std::filesystem::path& target)
 {
     Progress nobody;
@@ -88,6 +98,7 @@ void writeFilm(Relighter& relighter, const Photographer& photographer, const Fil
     PictureOptions picture = film.picture;
     std::vector<Image> pages;
     const auto take = [&](int frame) {
+        progress.setPart(fmt::format("frame {} of {}", frame + 1, film.frames));
         const auto last = static_cast<double>(std::max(film.frames - 1, 1));
         if (film.timeline != nullptr) {
             const Relighting lighting = film.timeline->at(frame / last);
@@ -107,6 +118,7 @@ void writeFilm(Relighter& relighter, const Photographer& photographer, const Fil
         writeVideo(target, film, take, progress);
     else
         writeFolder(target, film, take, progress);
+    progress.setPart({});
 }
 
 } // namespace relamp

@@ -150,6 +150,33 @@ TEST_F(FilmOfABox, ACancelledFilmLeavesNothing)
     EXPECT_THAT(names(), ElementsAre("bin"));
 }
 
+// A folder of pictures by the name of day.gif is not what was meant.
+TEST_F(FilmOfABox, NamesThatAreNoVideoAndNoFolderAreRefusedBeforeAnyWork)
+{
+    for (const char* name : {"day.gif", "day.MP4", "day.webm", "day.png"}) {
+        EXPECT_THAT(refusal(name), HasSubstr("a film ends in .mp4 or is a folder")) << name;
+        EXPECT_THROW(checkFilm(film, folder / name), Error) << name;
+    }
+    EXPECT_THAT(names(), IsEmpty());
+    EXPECT_FALSE(isVideo(folder / "day"));
+    EXPECT_FALSE(isVideo(folder / "day.gif/"));
+    EXPECT_TRUE(isVideo(folder / "day.mp4"));
+    std::filesystem::create_directory(folder / "day 1.2");
+    EXPECT_FALSE(isVideo(folder / "day 1.2"));
+}
+
+// What a person waits for is frames; the stages of each go by too fast to be read.
+TEST_F(FilmOfABox, ProgressTellsWhichFrameItIs)
+{
+    std::vector<std::string> parts;
+    Progress watched([&](const Progress::Event& event) {
+        if (parts.empty() || parts.back() != event.part) parts.emplace_back(event.part);
+    });
+    film.turns = true;
+    writeFilm(relighter(), photographer, film, folder / "frames", watched);
+    EXPECT_THAT(parts, ElementsAre("", "frame 1 of 3", "frame 2 of 3", "frame 3 of 3"));
+}
+
 // Inside, a turntable turns the camera where it stands; outside, it goes around the room.
 TEST_F(FilmOfABox, ATurnLeadsBackToWhereItBegan)
 {
