@@ -62,7 +62,9 @@ Transport transportOfRoom(const DelitRoom& room, const SurfaceOfRoom& surface,
     const uint64_t key =
         options.transport.empty() ? 0 : keyOfTransport(texels, room.captured.fixtures, rays);
     if (!options.transport.empty())
-        if (auto kept = loadTransport(options.transport, key, texels)) return std::move(*kept);
+        if (auto kept = loadTransport(options.transport, key, texels);
+            kept && kept->fixtures.size() == room.captured.fixtures.size())
+            return std::move(*kept);
 
     std::vector<std::vector<ClippedPatch>> fixtures =
         surfacesOfFixtures(room, texels, surface.scene, progress);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <type_traits>
 
@@ -113,7 +114,19 @@ bool isSound(const SightLists& lists, size_t receivers, size_t radiances)
                        [&](uint32_t target) { return target < radiances; });
 }
 
-/// Whether every index points at something.
+/// Whether rays may begin there.
+bool isSound(const ClippedPatch& patch, size_t surfels)
+{
+    constexpr float kFarthest = 1e7f;               // m
+    const auto isIn = [](glm::vec3 v, float most) { // never of NaN
+        return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;
+    };
+    return (patch.surfel == Surfels::kNone || patch.surfel < surfels) &&
+           isIn(patch.position, kFarthest) && isIn(patch.normal, 2.0f) && patch.area >= 0.0f &&
+           patch.area <= kFarthest * kFarthest;
+}
+
+/// Whether every index points at something, and every number is one.
 bool isSound(const Transport& transport, const Texels& texels)
 {
     const size_t surfels = texels.surfels.count();
@@ -129,9 +142,12 @@ bool isSound(const Transport& transport, const Texels& texels)
             transport.clusterOf[i] >= transport.clusters() ||
             (i < surfels && transport.sides[i].index != 2 * i))
             return false;
+    if (!std::all_of(transport.weight.begin(), transport.weight.end(),
+                     [](float share) { return share >= 0.0f && share <= 1.001f; })) // as rounded
+        return false;
     for (const auto& fixture : transport.fixtures)
         for (const ClippedPatch& patch : fixture)
-            if (patch.surfel != Surfels::kNone && patch.surfel >= surfels) return false;
+            if (!isSound(patch, surfels)) return false;
     return true;
 }
 

@@ -6,6 +6,8 @@
 #include "scenes/surfaces.h"
 #include "scenes/temporary_folder.h"
 
+#include <limits>
+
 #include <gmock/gmock.h>
 
 namespace relamp
@@ -83,8 +85,8 @@ TEST(TransportFile, CutOrChangedAnywhereIsNone)
     EXPECT_TRUE(kept.load());
 }
 
-// Even with the right checksum no index leads astray.
-TEST(TransportFile, IndicesBeyondTheRoomAreNone)
+// Even with the right checksum no index leads astray and no number spoils the rest.
+TEST(TransportFile, IndicesBeyondTheRoomAndWhatIsNoNumberAreNone)
 {
     Kept kept;
     const Transport good = kept.transport;
@@ -101,6 +103,13 @@ TEST(TransportFile, IndicesBeyondTheRoomAreNone)
     EXPECT_TRUE(isRefused([](Transport& t) { t.ofFronts.first[5] = t.ofFronts.first[4]; }));
     EXPECT_TRUE(isRefused([](Transport& t) { t.fixtures[0][0].surfel = 1u << 30; }));
     EXPECT_TRUE(isRefused([](Transport& t) { t.weight.pop_back(); }));
+    // A NaN that reaches a ray ends the process.
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_TRUE(isRefused([](Transport& t) { t.weight[5] = kNan; }));
+    EXPECT_TRUE(isRefused([](Transport& t) { t.weight[5] = 1e30f; }));
+    EXPECT_TRUE(isRefused([](Transport& t) { t.fixtures[0][0].position.y = kNan; }));
+    EXPECT_TRUE(isRefused([](Transport& t) { t.fixtures[0][0].normal.x = kNan; }));
+    EXPECT_TRUE(isRefused([](Transport& t) { t.fixtures[0][0].area = kNan; }));
     EXPECT_FALSE(isRefused([](Transport&) {}));
 }
 
