@@ -29,7 +29,7 @@ void print(const relamp::StageTimes& times)
 {
     const auto row = [](const std::string& a, const std::string& b, const std::string& c,
                         const std::string& d) {
-        fmt::print("{:<9}{:>11}{:>11}{:>11}\n", a, b, c, d);
+        printOut("{:<9}{:>11}{:>11}{:>11}\n", a, b, c, d);
     };
     row("", "gpu, ms", "floor, ms", "cpu, ms");
     for (const relamp::StageTime& stage : times.stages)
@@ -41,23 +41,23 @@ void print(const relamp::StageTimes& times)
 void print(const relamp::BenchReport& report)
 {
     if (!report.gpu.empty())
-        fmt::print("gpu  {}: copies {:.1f} GB/s, computes {:.0f} GFLOP/s\n", report.gpu,
-                   1e-9 * report.bytesPerSecond, 1e-9 * report.flopsPerSecond);
-    fmt::print("cpu  {}\n", report.cpu);
+        printOut("gpu  {}: copies {:.1f} GB/s, computes {:.0f} GFLOP/s\n", report.gpu,
+                 1e-9 * report.bytesPerSecond, 1e-9 * report.flopsPerSecond);
+    printOut("cpu  {}\n", report.cpu);
 
-    fmt::print("\nA frame of the thesis: {} texels, {} lights, {} shadow maps\n",
-               report.frame.texels, report.frame.lights, report.frame.shadowMaps);
+    printOut("\nA frame of the thesis: {} texels, {} lights, {} shadow maps\n", report.frame.texels,
+             report.frame.lights, report.frame.shadowMaps);
     print(report.frame);
-    fmt::print("Choi 2018, table 1: 36.06 ms on a GTX 1080 Ti\n");
+    printOut("Choi 2018, table 1: 36.06 ms on a GTX 1080 Ti\n");
 
     const relamp::ResolveTimes& resolve = report.resolve;
-    fmt::print("\nThe gather solver after a lamp's power changed: {} texels, {} lamps, {} surfels, "
-               "{} rays\n",
-               resolve.texels, resolve.lamps, resolve.surfels, resolve.rays);
+    printOut("\nThe gather solver after a lamp's power changed: {} texels, {} lamps, {} surfels, "
+             "{} rays\n",
+             resolve.texels, resolve.lamps, resolve.surfels, resolve.rays);
     print(resolve);
     if (resolve.once > 0.0)
-        fmt::print("Before, once: {:.2f} ms on the GPU for each lamp on each texel\n",
-                   1e3 * resolve.once);
+        printOut("Before, once: {:.2f} ms on the GPU for each lamp on each texel\n",
+                 1e3 * resolve.once);
 }
 
 int run(const BenchArguments& arguments)

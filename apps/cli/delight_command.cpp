@@ -94,7 +94,7 @@ void addDials(CLI::App& command, DelightArguments& arguments)
         ->group(group);
     command
         .add_option("--flatten-reach", dials.flattenReach,
-                    "Reach of the bilateral filter in surfel sizes [1.5]")
+                    "Reach of the bilateral filter, in pieces of surface [1.5]")
         ->check(between(1.0, 2.0))
         ->type_name("X")
         ->group(group);
@@ -135,8 +135,8 @@ void addGatherDials(CLI::App& command, DelightArguments& arguments)
     command
         .add_option(
             "--quality", gather.quality,
-            "draft for a first look, on textures of 512 pixels; standard; or high: four times "
-            "the rays [standard]")
+            "draft for a first look, on textures of 512 pixels, where a small lamp may be missed; "
+            "standard; or high: four times the rays [standard]")
         ->transform(oneOf(qualities))
         ->type_name("NAME")
         ->group(kGatherGroup);
@@ -145,14 +145,15 @@ void addGatherDials(CLI::App& command, DelightArguments& arguments)
     addPlaces(command, "--not-a-light", arguments.notLightsAt,
               "What is burnt out at this place is no lamp (repeatable)");
     command
-        .add_option("--rays", gather.rays,
-                    "Rays of a surfel that look for bounce light [by quality]")
+        .add_option(
+            "--rays", gather.rays,
+            "Rays from every small piece of surface that look for bounce light [by quality]")
         ->check(between(4, 1024))
         ->type_name("N")
         ->group(kGatherGroup);
     command
         .add_option("--shadow-rays", gather.shadowRays,
-                    "Rays of a place in a penumbra to each lamp [by quality]")
+                    "Rays of a place in a half shadow (penumbra) to each lamp [by quality]")
         ->check(between(1, 1024))
         ->type_name("N")
         ->group(kGatherGroup);
@@ -183,12 +184,13 @@ void printSummary(const DelightArguments& arguments, const relamp::Scan& scan,
                   const relamp::Decomposition& result, double seconds)
 {
     const relamp::Lights& lights = result.lights();
-    fmt::print("{}: {} fixtures, {} point lights, {} texels in {:.1f} s\n",
-               arguments.scan.file.string(), lights.fixtures.size(), lights.points.size(),
-               result.texelCount(), seconds);
-    fmt::print("{}/{}.glb is the room without its light; preview.png shows it as scanned, albedo, "
-               "shading\n",
-               arguments.folder.string(), scan.name);
+    printOut("{}: {} lamps and windows (fixtures in lights.json), {} point lights in the GLB, {} "
+             "texels in {:.1f} s\n",
+             arguments.scan.file.string(), lights.fixtures.size(), lights.points.size(),
+             result.texelCount(), seconds);
+    printOut("{}/{}.glb is the room without its light; preview.png shows it as scanned, albedo, "
+             "shading\n",
+             arguments.folder.string(), scan.name);
     for (const std::string& warning : scan.warnings) printProblem("note: " + warning);
     for (const std::string& warning : result.warnings()) printProblem("note: " + warning);
 }
@@ -222,7 +224,7 @@ int run(DelightArguments& arguments)
         relamp::writeResult(scan, result, arguments.scan.file, arguments.folder, progress);
     endProgressDisplay(talk);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    if (arguments.json) fmt::print("{}", report);
+    if (arguments.json) printExactly(report);
     if (talk == Talk::normal) printSummary(arguments, scan, result, elapsed.count());
     return 0;
 }

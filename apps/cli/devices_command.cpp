@@ -1,4 +1,5 @@
 #include "command.h"
+#include "terminal.h"
 
 #include "relamp/devices.h"
 
@@ -28,11 +29,11 @@ const char* nameOf(relamp::GpuDevice::Type type)
 int printDevices()
 {
     const std::vector<relamp::GpuDevice> devices = relamp::gpuDevices();
-    fmt::print("cpu  {}\n", relamp::cpuDevice());
+    printOut("cpu  {}\n", relamp::cpuDevice());
     for (size_t i = 0; i < devices.size(); ++i)
-        fmt::print("{:<4} {}, {}, {:.1f} GB, {}\n", i, devices[i].name, nameOf(devices[i].type),
-                   1e-9 * static_cast<double>(devices[i].memory), devices[i].driver);
-    if (devices.empty()) fmt::print("No device that does Vulkan 1.2: the CPU does everything.\n");
+        printOut("{:<4} {}, {}, {:.1f} GB, {}\n", i, devices[i].name, nameOf(devices[i].type),
+                 1e-9 * static_cast<double>(devices[i].memory), devices[i].driver);
+    if (devices.empty()) printOut("No device that does Vulkan 1.2: the CPU does everything.\n");
     return 0;
 }
 

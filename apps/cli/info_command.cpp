@@ -47,26 +47,24 @@ nlohmann::ordered_json asJson(const relamp::Inspection& found)
 void print(const std::string& file, const relamp::Inspection& found)
 {
     const glm::vec3 extent = found.bounds.extent();
-    fmt::print("{}\n", file);
-    fmt::print("  surface   {} triangles in {} meshes, {:.1f} m^2\n", found.triangles, found.meshes,
-               found.squareMetres);
-    fmt::print("  size      {:.2f} x {:.2f} x {:.2f} m (x, y up, z)\n", extent.x, extent.y,
-               extent.z);
-    fmt::print("  texels    {} covered, {:.1f} mm each, {:.2f} % overlapping\n", found.texels,
-               found.millimetresPerTexel, 100.0 * found.overlapShare);
+    printOut("{}\n", file);
+    printOut("  surface   {} triangles in {} meshes, {:.1f} m^2\n", found.triangles, found.meshes,
+             found.squareMetres);
+    printOut("  size      {:.2f} x {:.2f} x {:.2f} m (x, y up, z)\n", extent.x, extent.y, extent.z);
+    printOut("  texels    {} covered, {:.1f} mm each, {:.2f} % overlapping\n", found.texels,
+             found.millimetresPerTexel, 100.0 * found.overlapShare);
     for (size_t i = 0; i < found.pages.size(); ++i) {
         const relamp::PageInspection& page = found.pages[i];
         if (page.ofVertices)
-            fmt::print("  page {}    vertex colours, {:.1f} % burnt out\n", i,
-                       100.0 * page.clipped);
+            printOut("  texture {} vertex colours, {:.1f} % burnt out\n", i, 100.0 * page.clipped);
         else
-            fmt::print(
-                "  page {}    {} x {} \"{}\", {:.0f} % covered by {} charts, {:.1f} % burnt out\n",
-                i, page.width, page.height, page.name, 100.0 * page.coverage, page.charts,
-                100.0 * page.clipped);
+            printOut(
+                "  texture {} {} x {} \"{}\", {:.0f} % covered in {} pieces, {:.1f} % burnt out\n",
+                i, page.width, page.height, relamp::printableName(page.name), 100.0 * page.coverage,
+                page.charts, 100.0 * page.clipped);
     }
-    for (const std::string& problem : found.problems) fmt::print("  note      {}\n", problem);
-    if (found.problems.empty()) fmt::print("  fine      nothing stands in the way of delight\n");
+    for (const std::string& problem : found.problems) printOut("  note      {}\n", problem);
+    if (found.problems.empty()) printOut("  fine      nothing stands in the way of delight\n");
 }
 
 int run(const InfoArguments& arguments)
@@ -80,8 +78,8 @@ int run(const InfoArguments& arguments)
     const relamp::Inspection found = relamp::inspect(scan, progress);
     endProgressDisplay(talk);
     if (arguments.json)
-        fmt::print("{}\n",
-                   asJson(found).dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
+        printExactly(asJson(found).dump(1, '\t', false, nlohmann::json::error_handler_t::replace) +
+                     "\n");
     else
         print(arguments.scan.file.string(), found);
     return 0;

@@ -1,17 +1,24 @@
 #include "command.h"
+#include "command_words.h"
 #include "interrupt.h"
+#include "scan_arguments.h"
 #include "terminal.h"
+#include "unexpected.h"
 
 #include "relamp/error.h"
 #include "relamp/version.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <limits>
-#include <new>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <malloc.h>
@@ -38,6 +45,20 @@ void keepMemory()
     mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 }
 
+/// Help, or what is wrong with the command line, which names what somebody's files are called.
+int answer(const CLI::ParseError& error, const CLI::App& app)
+{
+    std::ostringstream help;
+    std::ostringstream complaint;
+    const bool isHelp = app.exit(error, help, complaint) == 0;
+    printExactly(help.str());
+    if (isHelp) return endOutput(0);
+    std::string sentences = complaint.str();
+    if (sentences.ends_with('\n')) sentences.pop_back();
+    printProblem(sentences);
+    return kUsage;
+}
+
 int report(const relamp::Error& error)
 {
     endProgressDisplay(Talk::normal);
@@ -53,9 +74,10 @@ int main(int argc, char** argv)
     std::signal(SIGXFSZ, SIG_IGN); // to report, not a reason to vanish
     keepMemory();
 
-    CLI::App app(
-        "Takes the light out of a scanned room: albedo, lights, and a room that can be relit.",
-        "relamp");
+    CLI::App app("Takes the light out of a scanned room. What is left is the colour of its "
+                 "surfaces (albedo), "
+                 "the lights, and a room that can be lit anew.",
+                 "relamp");
     app.set_version_flag("--version", std::string("relamp ") + relamp::version());
     app.require_subcommand(0, 1); // none is told of last, behind what was mistyped
     app.get_formatter()->column_width(34);
@@ -66,7 +88,7 @@ int main(int argc, char** argv)
                "  relamp relight kitchen --lights lamp.json -o lamp.png\n"
                "  relamp verify kitchen\n"
                "  relamp view kitchen.glb\n"
-               "relamp COMMAND --help tells more.");
+               "relamp help COMMAND tells more.");
     Run run;
     addBenchCommand(app, run);
     addDelightCommand(app, run);
@@ -75,22 +97,27 @@ int main(int argc, char** argv)
     addRelightCommand(app, run);
     addVerifyCommand(app, run);
     addViewCommand(app, run);
+    refuseEmptyValues(app);
+    std::vector<std::string> words = commandWords(argc, argv);
+    if (const std::string advice = adviceOnCommand(words, app); !advice.empty()) {
+        printProblem(advice);
+        return kUsage;
+    }
     try {
-        app.parse(argc, argv);
+        std::reverse(words.begin(), words.end()); // as CLI11 takes them
+        app.parse(std::move(words));
         if (!run) throw CLI::RequiredError("A subcommand");
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : kUsage;
+        return answer(error, app);
     }
     try {
         return endOutput(run());
     } catch (const relamp::Error& error) {
         return report(error);
-    } catch (const std::bad_alloc&) {
-        printProblem("this machine has not enough memory for the scan; scale its textures down");
-        return kWorldIsWrong;
     } catch (const std::exception& error) {
         // Nobody expected it; still, what was half-written went as the stack was unwound.
-        printProblem(error.what());
+        endProgressDisplay(Talk::normal);
+        printProblem(sentenceOf(error));
         return kWorldIsWrong;
     }
 }

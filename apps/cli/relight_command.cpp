@@ -145,7 +145,7 @@ void write(RelightArguments& arguments, const relamp::DelitRoom& room,
 void checkPlace(const RelightArguments& arguments)
 {
     const std::filesystem::path& output = arguments.output;
-    const bool isFolder = arguments.picture.isFilm() && output.extension() != ".mp4";
+    const bool isFolder = arguments.picture.isFilm() && !relamp::isVideo(output);
     std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
     std::error_code error;
     while (isFolder && !std::filesystem::exists(folder, error) && folder != folder.parent_path())
@@ -176,8 +176,8 @@ int run(RelightArguments& arguments)
     endProgressDisplay(talk);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (talk == Talk::quiet) return 0;
-    fmt::print("{}: {} in {:.1f} s\n", arguments.room.file.string(), arguments.output.string(),
-               elapsed.count());
+    printOut("{}: {} in {:.1f} s\n", arguments.room.file.string(), arguments.output.string(),
+             elapsed.count());
     for (const std::string& note : notes) printProblem("note: " + note);
     return 0;
 }
@@ -193,8 +193,11 @@ std::string complaintOfOutput(const RelightArguments& arguments)
     if (arguments.bake && ending != ".exr" && ending != ".glb")
         return "with --bake, the name after -o must end in .exr or .glb";
     if (picture.isFilm() && picture.show != Show::relit) return "--show goes with single pictures";
-    if (picture.isFilm() && (isPicture || ending == ".glb"))
-        return "a film is a folder of pictures or ends in .mp4; name one with -o";
+    try {
+        if (picture.isFilm()) relamp::isVideo(arguments.output);
+    } catch (const relamp::Error& error) {
+        return error.what();
+    }
     if (!arguments.bake && !picture.isFilm() && !isPicture)
         return "the name after -o must end in .png or .exr; or add --bake, --turntable or "
                "--timeline";
@@ -213,13 +216,14 @@ void addSolverOptions(CLI::App& command, relamp::RelightOptions& options)
         ->transform(oneOf(solvers))
         ->type_name("NAME");
     command
-        .add_option("--rays", options.rays,
-                    "Rays of a surfel that look for bounce light [by their number]")
+        .add_option(
+            "--rays", options.rays,
+            "Rays from every small piece of surface that look for bounce light [by their number]")
         ->check(between(4, 1024))
         ->type_name("N");
     command
         .add_option("--shadow-rays", options.shadowRays,
-                    "Rays of a texel in a penumbra to each light [16]")
+                    "Rays of a place in a half shadow (penumbra) to each light [16]")
         ->check(between(1, 1024))
         ->type_name("N");
     command.add_option("--samples", options.pathtrace.samples, "Paths from every texel [64]")
@@ -237,14 +241,15 @@ void addLightOptions(CLI::App& command, RelightArguments& arguments)
                     "The new light: a lights file (docs/guide/lights.md)")
         ->type_name("FILE");
     command
-        .add_option("--fixture", arguments.fixtures,
-                    "N=on, N=off, N=50%, N=2700K,800lm, N=window, for fixture N of lights.json or "
-                    "all; they are off otherwise (repeatable)")
+        .add_option(
+            "--fixture", arguments.fixtures,
+            "A lamp or window that delight found, by its number in lights.json, or all of them: "
+            "N=on, N=off, N=50%, N=2700K,800lm, N=window; off otherwise (repeatable)")
         ->type_name("N=WHAT")
         ->allow_extra_args(false);
     command
         .add_option("--albedo", arguments.delit.albedo,
-                    "Pictures to take for the room's albedo, one a page")
+                    "Pictures to take for the room's albedo, one for each of its textures")
         ->type_name("FILE");
     command.add_option("--scan", arguments.delit.scan, "Where the scan is, if it was moved")
         ->type_name("FILE");
@@ -263,7 +268,7 @@ void addRelightCommand(CLI::App& app, Run& run)
     command
         .add_option("-o,--output", arguments->output,
                     "A picture, .png or .exr; of films a folder, or .mp4; with --bake "
-                    "radiance.exr, one a page, or a model, baked.glb")
+                    "radiance.exr, one for each texture, or a model, baked.glb")
         ->required()
         ->type_name("FILE");
     command.add_flag("--bake", arguments->bake, "Bake the light into textures");
@@ -271,8 +276,10 @@ void addRelightCommand(CLI::App& app, Run& run)
     addPictureArguments(command, arguments->picture);
     addSolverOptions(command, arguments->options);
     addEngineArguments(command, arguments->options.engine, "bounces");
-    command.add_flag("--no-transport", arguments->keepNothing,
-                     "Neither read nor write DIR/transport.bin");
+    command.add_flag(
+        "--no-transport", arguments->keepNothing,
+        "Neither read nor write DIR/transport.bin, which keeps where bounce light goes, so "
+        "that the next run is faster");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
     command.footer("Examples:\n"
                    "  relamp relight kitchen --lights lamp.json -o frame.png --view agx\n"

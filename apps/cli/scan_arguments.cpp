@@ -11,6 +11,18 @@ CLI::Validator between(double low, double high)
     return {check, ""};
 }
 
+void refuseEmptyValues(CLI::App& app)
+{
+    const auto check = [](const std::string& text) {
+        return text.empty() ? std::string("is empty; name something, or leave the option out") : "";
+    };
+    for (CLI::Option* option : app.get_options())
+        if (option->get_expected_min() > 0 &&
+            !option->check_name("--skip-mesh")) // may have no name
+            option->check(CLI::Validator(check, ""));
+    for (CLI::App* command : app.get_subcommands({})) refuseEmptyValues(*command);
+}
+
 void addScanArguments(CLI::App& command, ScanArguments& arguments)
 {
     using relamp::Transfer;

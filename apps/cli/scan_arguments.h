@@ -38,6 +38,10 @@ CLI::Validator oneOf(const std::map<std::string, Value>& values)
     return {take, ""};
 }
 
+/// Refuses the empty text for every option of `app` and its commands: a name that a script has
+/// lost, which would else be as if the option were not there.
+void refuseEmptyValues(CLI::App& app);
+
 /// --engine and --gpu, which compute `what`.
 void addEngineArguments(CLI::App& command, relamp::EngineOptions& engine, const std::string& what);
 

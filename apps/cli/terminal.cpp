@@ -1,11 +1,14 @@
 #include "terminal.h"
 
+#include "progress_line.h"
+
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <string_view>
 
-#include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace
@@ -13,8 +16,8 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kBarWidth = 30;
 constexpr auto kRedrawEvery = std::chrono::milliseconds(50);
+constexpr auto kTellEvery = std::chrono::seconds(1);
 
 /// Never throws: where nobody can be told, the work goes on.
 void say(const std::string& text)
@@ -22,17 +25,51 @@ void say(const std::string& text)
     std::fputs(text.c_str(), stderr);
 }
 
+/// Whether somebody looks, at something that knows how to clear a line.
 bool isTerminal()
 {
-    return isatty(fileno(stderr)) != 0;
+    const char* kind = std::getenv("TERM");
+    return isatty(fileno(stderr)) != 0 && (kind == nullptr || std::string_view(kind) != "dumb");
 }
 
-void drawBar(std::string_view stage, double fraction)
+int columnsOfTerminal()
 {
-    const int done = static_cast<int>(fraction * kBarWidth);
-    say(fmt::format("\r  {:<12} [{:<{}}] {:3.0f} %", stage,
-                    std::string(static_cast<size_t>(done), '#'), kBarWidth, 100.0 * fraction));
+    winsize size{};
+    return ioctl(fileno(stderr), TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+/// "bounce"; "frame 3 of 192, bounce".
+std::string nameOf(const relamp::Progress::Event& event)
+{
+    return fmt::format("{}{}{}", event.part, event.part.empty() ? "" : ", ", event.stage);
+}
+
+struct Shown
+{
+    std::string name;
+    Clock::time_point when;
+};
+
+/// A bar that is drawn over the one before.
+void draw(const relamp::Progress::Event& event, Shown& shown)
+{
+    const auto now = Clock::now();
+    const std::string name = nameOf(event);
+    if (name == shown.name && event.fraction < 1.0 && now - shown.when < kRedrawEvery) return;
+    shown = {name, now};
+    say("\r" + progressLine(name, event.fraction, columnsOfTerminal()) + "\x1b[K");
     std::fflush(stderr);
+}
+
+/// A line for every stage; of parts, which may be thousands with all stages each, no more than one
+/// a second.
+void tell(const relamp::Progress::Event& event, Shown& shown)
+{
+    const std::string_view name = event.part.empty() ? event.stage : event.part;
+    const auto now = Clock::now();
+    if (name == shown.name || (!event.part.empty() && now - shown.when < kTellEvery)) return;
+    shown = {std::string(name), event.part.empty() ? Clock::time_point() : now};
+    say(fmt::format("  {}{}\n", name, event.part.empty() ? " ..." : ""));
 }
 
 } // namespace
@@ -40,36 +77,24 @@ void drawBar(std::string_view stage, double fraction)
 relamp::Progress::Sink progressDisplay(Talk talk)
 {
     if (talk == Talk::quiet) return {};
-    struct State
-    {
-        std::string stage;
-        Clock::time_point drawn;
-    };
-    const auto state = std::make_shared<State>();
-    if (isTerminal())
-        return [state](const relamp::Progress::Event& event) {
-            const auto now = Clock::now();
-            if (event.stage == state->stage && event.fraction < 1.0 &&
-                now - state->drawn < kRedrawEvery)
-                return;
-            *state = {std::string(event.stage), now};
-            drawBar(event.stage, event.fraction);
-        };
-    return [state](const relamp::Progress::Event& event) {
-        if (event.stage == state->stage) return;
-        state->stage = event.stage;
-        say(fmt::format("  {} ...\n", event.stage));
-    };
+    const auto shown = std::make_shared<Shown>();
+    const auto show = isTerminal() ? draw : tell;
+    return [shown, show](const relamp::Progress::Event& event) { show(event, *shown); };
 }
 
 void endProgressDisplay(Talk talk)
 {
-    if (talk == Talk::normal && isTerminal()) say(fmt::format("\r{:60}\r", ""));
+    if (talk == Talk::normal && isTerminal()) say("\r\x1b[K");
+}
+
+void printExactly(const std::string& text)
+{
+    std::fputs(text.c_str(), stdout);
 }
 
 void printProblem(const std::string& sentence)
 {
-    std::string text = "relamp: " + sentence;
+    std::string text = "relamp: " + relamp::printableText(sentence);
     for (size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1))
         text.insert(at + 1, "        ");
     say(text + "\n");

@@ -47,22 +47,22 @@ nlohmann::ordered_json asJson(const VerifyArguments& arguments, const relamp::Ve
 
 void print(const VerifyArguments& arguments, const relamp::Verification& found)
 {
-    fmt::print("{}: albedo x light against {}\n", arguments.folder.string(),
-               found.scanFile.string());
-    fmt::print("  places    {} that are not burnt out, {} paths each\n", found.places,
-               arguments.options.samples);
-    fmt::print("  error     {:.4f} +- {:.4f} rms, {:.1f} dB; the scan's own rms is {:.3f}\n",
-               found.rmsError, found.standardError, found.psnr, found.rmsOfScan);
-    fmt::print(
-        "  paper     {:.1f} % of the area is as white as paper and may lack light; elsewhere "
-        "{:.4f} rms\n",
+    printOut("{}: albedo x light against {}\n", arguments.folder.string(), found.scanFile.string());
+    printOut("  places    {} that are not burnt out, {} paths each\n", found.places,
+             arguments.options.samples);
+    printOut("  error     {:.4f} +- {:.4f} rms, {:.1f} dB; the scan's own rms is {:.3f}\n",
+             found.rmsError, found.standardError, found.psnr, found.rmsOfScan);
+    printOut(
+        "  too white {:.1f} % of the area is as white as paint can be (0.9): of the light found, "
+        "too little comes there; elsewhere the error is {:.4f} rms\n",
         100.0f * found.asWhiteAsPaper, found.rmsErrorElsewhere);
-    fmt::print("  ratio     {:.3f} {:.3f} {:.3f} of what the scan shows (r g b)\n", found.ratio.r,
-               found.ratio.g, found.ratio.b);
-    fmt::print("  fifths    from dark to bright\n");
+    printOut("  ratio     {:.3f} {:.3f} {:.3f} of what the scan shows (r g b)\n", found.ratio.r,
+             found.ratio.g, found.ratio.b);
+    printOut(
+        "  by light  the compared area in five parts, from where little light falls to much\n");
     for (const relamp::VerifiedBin& bin : found.bins)
-        fmt::print("            shading {:.3f}: ratio {:.3f}, error {:.4f} rms\n", bin.shading,
-                   bin.ratio, bin.rmsError);
+        printOut("            shading {:.3f}: ratio {:.3f}, error {:.4f} rms\n", bin.shading,
+                 bin.ratio, bin.rmsError);
     for (const std::string& warning : found.warnings) printProblem("note: " + warning);
 }
 
@@ -76,8 +76,9 @@ int run(const VerifyArguments& arguments)
         relamp::verify(arguments.folder, arguments.options, progress);
     endProgressDisplay(talk);
     if (arguments.json)
-        fmt::print("{}\n", asJson(arguments, found)
-                               .dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
+        printExactly(asJson(arguments, found)
+                         .dump(1, '\t', false, nlohmann::json::error_handler_t::replace) +
+                     "\n");
     else
         print(arguments, found);
     return 0;

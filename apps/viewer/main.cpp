@@ -1,14 +1,17 @@
 #include "scan_arguments.h"
+#include "unexpected.h"
 #include "viewer.h"
 
 #include "relamp/error.h"
+#include "relamp/printable.h"
 #include "relamp/version.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <map>
-#include <new>
+#include <sstream>
 #include <string>
 
 #include "relamp/threads.h"
@@ -23,7 +26,7 @@ constexpr int kUsage = 2;
 
 int sayWhatIsWrong(const std::string& sentence)
 {
-    std::fprintf(stderr, "relamp: %s\n", sentence.c_str());
+    std::fprintf(stderr, "relamp: %s\n", relamp::printableText(sentence).c_str());
     return kWorldIsWrong;
 }
 
@@ -75,10 +78,14 @@ int main(int argc, char** argv)
                "  relamp view kitchen.glb\n"
                "  relamp view kitchen\n"
                "  xvfb-run relamp view kitchen.glb --script pictures.txt");
+    refuseEmptyValues(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : kUsage;
+        std::ostringstream complaint;
+        if (app.exit(error, std::cout, complaint) == 0) return 0;
+        sayWhatIsWrong(complaint.str());
+        return kUsage;
     }
     options.path = scan.file;
     options.scan = scan.options;
@@ -92,9 +99,7 @@ int main(int argc, char** argv)
         return 0;
     } catch (const relamp::Error& error) {
         return sayWhatIsWrong(error.what());
-    } catch (const std::bad_alloc&) {
-        return sayWhatIsWrong("this machine has not enough memory for the scan");
     } catch (const std::exception& error) {
-        return sayWhatIsWrong(error.what());
+        return sayWhatIsWrong(sentenceOf(error));
     }
 }

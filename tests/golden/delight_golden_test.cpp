@@ -21,7 +21,9 @@ namespace
 {
 
 using scenes::TemporaryFolder;
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::UnorderedElementsAre;
 
 const std::filesystem::path kRoom = RELAMP_SAMPLES "/bedroom";
@@ -187,10 +189,91 @@ TEST(Program, HelpHasExamplesAndMistakesExitWithTwo)
 {
     EXPECT_THAT(runRelamp({"--help"}).out, HasSubstr("relamp delight kitchen.glb -o kitchen"));
     EXPECT_THAT(runRelamp({"delight", "--help"}).out, HasSubstr("Examples:"));
-    EXPECT_EQ(runRelamp({}).exitCode, 2);
     EXPECT_EQ(runRelamp({"delight"}).exitCode, 2);
     EXPECT_EQ(runRelamp({"delight", kSampleScan, "-o", "/tmp/x", "--lpv-size", "7"}).exitCode, 2);
     EXPECT_EQ(runRelamp({"paint", kSampleScan}).exitCode, 2);
+}
+
+TEST(Program, HelpIsThereHoweverItIsAskedFor)
+{
+    const std::string help = runRelamp({"--help"}).out;
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{}, {"help"}, {"help", "help"}}) {
+        const Outcome run = runRelamp(words);
+        EXPECT_EQ(run.exitCode, 0);
+        EXPECT_EQ(run.out, help);
+    }
+    const Outcome run = runRelamp({"help", "delight"});
+    EXPECT_EQ(run.exitCode, 0);
+    EXPECT_EQ(run.out, runRelamp({"delight", "--help"}).out);
+}
+
+TEST(Program, SaysWhichCommandIsMeant)
+{
+    const Outcome scan = runRelamp({kScan});
+    EXPECT_EQ(scan.exitCode, 2);
+    EXPECT_THAT(scan.err, HasSubstr("relamp delight " + kScan + " -o scan\n"));
+    EXPECT_THAT(scan.err, HasSubstr("relamp info " + kScan + "\n"));
+    EXPECT_THAT(runRelamp({"it's mine.glb"}).err, HasSubstr("relamp info 'it'\\''s mine.glb'\n"));
+    EXPECT_THAT(runRelamp({"delihgt", kScan}).err, HasSubstr("Did you mean relamp delight?"));
+    EXPECT_THAT(runRelamp({"photograph"}).err, HasSubstr("There are bench, delight, "));
+
+    const TemporaryFolder folder;
+    std::ofstream(folder / "report.json") << "{}";
+    const Outcome room = runRelamp({folder.path()});
+    EXPECT_EQ(room.exitCode, 2);
+    EXPECT_THAT(room.err, HasSubstr("relamp verify " + folder.path().string() + "\n"));
+}
+
+TEST(Program, EmptyNamesAreRefused)
+{
+    const TemporaryFolder folder;
+    const std::string out = folder / "out";
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"delight", kScan, "-o", ""},
+                                               {"delight", kScan, "-o", out, "--lights", ""},
+                                               {"relight", out, "-o", out + ".png", "--camera", ""},
+                                               {"relight", out, "-o", out, "--timeline", ""}}) {
+        const Outcome run = runRelamp(words);
+        EXPECT_EQ(run.exitCode, 2) << testing::PrintToString(words);
+        EXPECT_THAT(run.err, HasSubstr("is empty"));
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+// A GIF that nobody can write is refused before the room is even looked for.
+TEST(Program, FilmsOfUnknownKindsAreRefusedBeforeAnyWork)
+{
+    const Outcome run = runRelamp({"relight", "no such room", "--turntable", "9", "-o", "day.gif"});
+    EXPECT_EQ(run.exitCode, 2);
+    EXPECT_THAT(run.err, HasSubstr("a film ends in .mp4 or is a folder"));
+}
+
+// An escape character begins a command to the terminal: a new title, another colour, a cleared
+// screen.
+TEST(Program, NoTerminalObeysTheNamesOfAFile)
+{
+    const TemporaryFolder folder;
+    const std::string scan = folder.write("a\x1b]0;mine\x07.gltf", R"({"asset": {"version": "2.0"},
+        "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "name": "\u001b[2J"}],
+        "meshes": [{"name": "\u001b[31m\n", "primitives": [{"attributes": {"POSITION": 0}}]}],
+        "buffers": [{"byteLength": 36, "uri": "\u001b]0;yours\u0007\u202e.bin"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}], "accessors": [{"bufferView": 0,
+        "componentType": 5126, "count": 3, "type": "VEC3"}]})");
+    const std::vector<std::vector<std::string>> lines{{"info", scan},
+                                                      {"delight", scan, "-o", folder / "out"},
+                                                      {"relight", scan, "-o", folder / "out.png"},
+                                                      {"verify", scan},
+                                                      {"\x1b[2J"},
+                                                      {"info", scan, "\x1b[2J"}};
+    for (const auto& line : lines) {
+        const Outcome run = runRelamp(line);
+        EXPECT_NE(run.exitCode, 0);
+        EXPECT_THAT(run.err, HasSubstr("\\x1b"));
+        for (const std::string& said : {run.out, run.err})
+            EXPECT_THAT(said, AllOf(Not(HasSubstr("\x1b")), Not(HasSubstr("\x07")),
+                                    Not(HasSubstr("\u202e"))));
+    }
 }
 
 } // namespace relamp::golden

@@ -53,13 +53,33 @@ TEST_F(Usage, WhatIsNotKnownIsNamed)
 
 TEST_F(Usage, WhatIsMissingIsNamed)
 {
-    expectUsageError({}, "subcommand");
+    expectUsageError({"help", "paint"}, "paint");
     expectUsageError({"delight"}, "scan");
     expectUsageError({"delight", folder / "room.ply"}, "--output");
     expectUsageError({"delight", folder / "room.ply", "-o"}, "--output");
     expectUsageError({"info"}, "scan");
     expectUsageError({"delight", folder / "room.ply", "-o", folder / "out", "--attenuation", "1"},
                      "--attenuation");
+}
+
+// A script whose variable is empty must not delight a scan without the lights that it meant.
+TEST_F(Usage, EmptyNamesAreNoNames)
+{
+    const std::string scan = folder / "room.ply";
+    const std::string out = folder / "out";
+    for (const std::vector<std::string>& line : std::vector<std::vector<std::string>>{
+             {"delight", scan, "-o", ""},
+             {"delight", scan, "-o", out, "--lights", ""},
+             {"delight", "", "-o", out},
+             {"info", ""},
+             {"verify", ""},
+             {"verify", folder.path(), "--scan", ""},
+             {"relight", scan, "-o", ""},
+             {"relight", scan, "-o", out + ".png", "--camera", ""},
+             {"relight", scan, "-o", out, "--timeline", ""},
+             {"relight", scan, "-o", out + ".png", "--albedo", ""}})
+        expectUsageError(line, "is empty");
+    expectUsageError({"delight", scan, "-o", out, "--lights="}, "--lights");
 }
 
 TEST_F(Usage, ValuesOutOfRangeAreNamed)

@@ -128,7 +128,8 @@ TEST_F(Pictures, PlacesThatCannotBeWrittenAreSaid)
     expectSentence({"--lights", at("lights.json")}, "No such file or directory", "none/out.png");
     std::filesystem::create_directory(at("folder.png"));
     expectSentence({"--lights", at("lights.json")}, "is no file", "folder.png");
-    expectSentence({"--timeline", at("day.json")}, "is a file", "camera.json");
+    write("taken", kCamera);
+    expectSentence({"--timeline", at("day.json")}, "is a file", "taken");
 }
 
 TEST_F(Pictures, WhatIsTypedWrongIsNamed)
@@ -143,7 +144,8 @@ TEST_F(Pictures, WhatIsTypedWrongIsNamed)
     expectUsageError({"--show", "all"}, "--show");
     expectUsageError({}, ".png or .exr", "out.gif");
     expectUsageError({"--bake"}, ".exr or .glb");
-    expectUsageError({"--turntable", "4"}, ".mp4", "out.png");
+    for (const char* output : {"out.png", "out.gif", "out.webm"})
+        expectUsageError({"--turntable", "4"}, ".mp4", output);
     expectUsageError({"--turntable", "4", "--show", "scan"}, "--show", "out");
     expectUsageError({"--bake", "--turntable", "4"}, "--bake", "out.exr");
 }
