@@ -19,7 +19,7 @@ std::vector<Image> imagesOf(const std::vector<std::filesystem::path>& files, con
     if (files.size() != scan.pages.size())
         throw Error(
             ErrorCode::sizeMismatch,
-            fmt::format("--albedo names {} pictures, the scan has {} pages; name one a page",
+            fmt::format("--albedo names {} pictures, the scan has {} textures; name one for each",
                         files.size(), scan.pages.size()));
     std::vector<Image> images;
     for (size_t p = 0; p < files.size(); ++p) {
@@ -27,9 +27,10 @@ std::vector<Image> imagesOf(const std::vector<std::filesystem::path>& files, con
         const Image& wanted = scan.pages[p].image;
         if (images[p].width != wanted.width || images[p].height != wanted.height)
             fail(ErrorCode::sizeMismatch, files[p].string(),
-                 fmt::format("is {} x {}, the scan's page is {} x {}; an albedo has the layout of "
-                             "the scan's texture",
-                             images[p].width, images[p].height, wanted.width, wanted.height));
+                 fmt::format(
+                     "is {} x {}, the scan's texture is {} x {}; an albedo has the layout of "
+                     "the scan's texture",
+                     images[p].width, images[p].height, wanted.width, wanted.height));
     }
     return images;
 }

@@ -9,6 +9,7 @@
 #include "output/room_view.h"
 #include "output/staged_file.h"
 #include "output/viewpoints.h"
+#include "relamp/printable.h"
 #include "relight/relighter_state.h"
 #include "relight/sky_bins.h"
 
@@ -49,7 +50,8 @@ Camera cameraOfFile(const Scan& scan, int index)
     std::string has;
     for (const ScanCamera& camera : scan.cameras) {
         if (camera.index == index) return camera.camera;
-        has += fmt::format("{}{} \"{}\"", has.empty() ? "" : ", ", camera.index, camera.name);
+        has += fmt::format("{}{} \"{}\"", has.empty() ? "" : ", ", camera.index,
+                           printableName(camera.name));
     }
     fail(ErrorCode::unsupported, scan.name,
          has.empty() ? fmt::format("has no camera {}, and no other; use --camera auto, or name a "

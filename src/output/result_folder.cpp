@@ -89,9 +89,10 @@ std::vector<Image> readAlbedo(const std::filesystem::path& folder, const Scan& s
         pages.push_back(readImage(file));
         const Image& wanted = scan.pages[p].image;
         if (pages[p].width != wanted.width || pages[p].height != wanted.height)
-            fail(ErrorCode::sizeMismatch, file.string(),
-                 fmt::format("is {} x {}, the scan's page is {} x {}; it belongs to another scan",
-                             pages[p].width, pages[p].height, wanted.width, wanted.height));
+            fail(
+                ErrorCode::sizeMismatch, file.string(),
+                fmt::format("is {} x {}, the scan's texture is {} x {}; it belongs to another scan",
+                            pages[p].width, pages[p].height, wanted.width, wanted.height));
     }
     return pages;
 }

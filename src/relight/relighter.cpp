@@ -39,7 +39,7 @@ void checkSizes(const Scan& scan, std::span<const Image> albedo, std::span<const
         };
         if (!isSame(albedo) || (!confidence.empty() && !isSame(confidence)))
             throw Error(ErrorCode::sizeMismatch,
-                        fmt::format("page {} of the scan is {} x {}, its albedo is not; it "
+                        fmt::format("texture {} of the scan is {} x {}, its albedo is not; it "
                                     "belongs to another scan",
                                     p, page.width, page.height));
     }

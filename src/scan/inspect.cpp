@@ -1,6 +1,7 @@
 #include "relamp/inspect.h"
 
 #include "image/burnt_out.shared.h"
+#include "relamp/printable.h"
 #include "scan/charts.h"
 #include "scan/texels.h"
 
@@ -89,13 +90,13 @@ void findProblems(const Scan& scan, Inspection& result)
         clipped = std::max(clipped, page.clipped);
         if (!page.ofVertices && page.coverage < kFewTexels)
             problems.push_back(
-                fmt::format("only {:.0f} % of page \"{}\" shows a surface; the rest of the "
+                fmt::format("only {:.0f} % of texture \"{}\" shows a surface; the rest of the "
                             "texture is wasted",
-                            100.0 * page.coverage, page.name));
+                            100.0 * page.coverage, printableName(page.name)));
     }
     if (clipped > kMuchClipped)
         problems.push_back(fmt::format(
-            "{:.0f} % of a page is burnt out. Albedo cannot be recovered there; scan with "
+            "{:.0f} % of a texture is burnt out. Albedo cannot be recovered there; scan with "
             "a shorter exposure",
             100.0 * clipped));
     const auto clips = [](const Page& page) { return page.image.clipsAtWhite; };
