@@ -42,3 +42,25 @@ triangles=$("$work/consumer/consumer" "$scan")
     echo "the consumer counts $triangles triangles, not 2"
     exit 1
 }
+
+# What README shows is a program that builds as it stands, says what is wrong, and does what it is for.
+readonly readme=$work/readme
+mkdir "$readme"
+block() { awk -v fence="\`\`\`$1" '$0 == fence { inside = 1; next } /^```/ { inside = 0 } inside' "$source/README.md"; }
+block cpp >"$readme/main.cpp"
+block cmake >"$readme/CMakeLists.txt"
+cmake -S "$readme" -B "$readme/build" -G Ninja -DCMAKE_PREFIX_PATH="$prefix"
+cmake --build "$readme/build"
+
+cd "$readme"
+said=$(build/mine 2>&1) && status=0 || status=$?
+[[ $status == 1 && $said == "kitchen.glb: no such file" ]] || {
+    echo "without a scan README's program ends with $status and says: $said"
+    exit 1
+}
+cp "$source/samples/bedroom/scan.glb" kitchen.glb
+build/mine
+[[ -s kitchen/kitchen.glb && -s kitchen/report.json ]] || {
+    echo "README's program wrote no room"
+    exit 1
+}
