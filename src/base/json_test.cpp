@@ -28,4 +28,14 @@ TEST(Json, LongListsTakeNoLongerThanTheyAreLong)
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(4));
 }
 
+// nlohmann throws where a text is no UTF-8, unless it is told what to do.
+TEST(Json, WhatIsWrittenIsValidWhateverNamesAreInIt)
+{
+    const nlohmann::ordered_json document{{"name", "a\xff\xc0\x1b"}};
+    for (const std::string& text : {textOf(document), dumpJson(document)}) {
+        EXPECT_EQ(nlohmann::json::parse(text)["name"], "a\ufffd\ufffd\x1b");
+        EXPECT_EQ(text.find('\x1b'), std::string::npos);
+    }
+}
+
 } // namespace relamp
