@@ -182,7 +182,8 @@ TEST(InfoProgram, TellsWhatTheSampleIs)
     EXPECT_EQ(info["pages"][0]["width"], 1024);
     EXPECT_NEAR(info["pages"][0]["coverage"].get<double>(), 0.52, 0.01);
     EXPECT_GT(info["pages"][0]["charts"], 500);
-    EXPECT_THAT(runRelamp({"info", kSampleScan}).out, HasSubstr("39855 triangles"));
+    EXPECT_THAT(runRelamp({"info", kSampleScan}).out,
+                AllOf(HasSubstr("39855 triangles"), HasSubstr("texture 0 1024 x 1024")));
 }
 
 TEST(Program, HelpHasExamplesAndMistakesExitWithTwo)
@@ -206,6 +207,18 @@ TEST(Program, HelpIsThereHoweverItIsAskedFor)
     const Outcome run = runRelamp({"help", "delight"});
     EXPECT_EQ(run.exitCode, 0);
     EXPECT_EQ(run.out, runRelamp({"delight", "--help"}).out);
+}
+
+// Whoever has not read the guide: words of the house are said in plain ones beside them.
+TEST(Program, HelpExplainsItsWords)
+{
+    EXPECT_THAT(runRelamp({"--help"}).out, HasSubstr("colour of its surfaces (albedo)"));
+    const std::string delight = runRelamp({"delight", "--help"}).out;
+    EXPECT_THAT(delight, AllOf(HasSubstr("small lamp may be missed"), Not(HasSubstr("surfel"))));
+    const std::string relight = runRelamp({"relight", "--help"}).out;
+    EXPECT_THAT(relight,
+                AllOf(HasSubstr("lamp or window that delight found"), Not(HasSubstr(" page")),
+                      HasSubstr("which keeps where bounce light goes")));
 }
 
 TEST(Program, SaysWhichCommandIsMeant)
