@@ -223,12 +223,12 @@ TEST(Program, HelpExplainsItsWords)
 
 TEST(Program, SaysWhichCommandIsMeant)
 {
-    const Outcome scan = runRelamp({kScan});
+    const Outcome scan = runRelamp({kSampleScan});
     EXPECT_EQ(scan.exitCode, 2);
-    EXPECT_THAT(scan.err, HasSubstr("relamp delight " + kScan + " -o scan\n"));
-    EXPECT_THAT(scan.err, HasSubstr("relamp info " + kScan + "\n"));
+    EXPECT_THAT(scan.err, HasSubstr("relamp delight " + kSampleScan + " -o scan\n"));
+    EXPECT_THAT(scan.err, HasSubstr("relamp info " + kSampleScan + "\n"));
     EXPECT_THAT(runRelamp({"it's mine.glb"}).err, HasSubstr("relamp info 'it'\\''s mine.glb'\n"));
-    EXPECT_THAT(runRelamp({"delihgt", kScan}).err, HasSubstr("Did you mean relamp delight?"));
+    EXPECT_THAT(runRelamp({"delihgt", kSampleScan}).err, HasSubstr("Did you mean relamp delight?"));
     EXPECT_THAT(runRelamp({"photograph"}).err, HasSubstr("There are bench, delight, "));
 
     const TemporaryFolder folder;
@@ -243,8 +243,8 @@ TEST(Program, EmptyNamesAreRefused)
     const TemporaryFolder folder;
     const std::string out = folder / "out";
     for (const std::vector<std::string>& words :
-         std::vector<std::vector<std::string>>{{"delight", kScan, "-o", ""},
-                                               {"delight", kScan, "-o", out, "--lights", ""},
+         std::vector<std::vector<std::string>>{{"delight", kSampleScan, "-o", ""},
+                                               {"delight", kSampleScan, "-o", out, "--lights", ""},
                                                {"relight", out, "-o", out + ".png", "--camera", ""},
                                                {"relight", out, "-o", out, "--timeline", ""}}) {
         const Outcome run = runRelamp(words);
