@@ -3,6 +3,7 @@
 #include "base/child_process.h"
 #include "base/fail.h"
 
+#include <cmath>
 #include <cstring>
 #include <span>
 #include <type_traits>
@@ -127,18 +128,20 @@ void SceneReader::takeMesh(const aiMesh& source, const std::string& nodeName,
     Import::Mesh mesh;
     mesh.name = source.mName.length > 0 ? source.mName.C_Str() : nodeName;
     mesh.material = source.mMaterialIndex;
+    const float volume = glm::determinant(glm::mat3(fileFromLocal));      // of the unit cube
+    const bool hasNormals = source.HasNormals() && std::isnormal(volume); // flattened, it has none
     const glm::mat3 normalFromLocal = glm::transpose(glm::inverse(glm::mat3(fileFromLocal)));
     const unsigned uvSet = uvSetOfMaterial_.at(source.mMaterialIndex);
     const bool hasUvs = uvSet < AI_MAX_NUMBER_OF_TEXTURECOORDS && source.HasTextureCoords(uvSet);
     for (unsigned i = 0; i < source.mNumVertices; ++i) {
         mesh.positions.emplace_back(fileFromLocal * glm::vec4(from(source.mVertices[i]), 1.0f));
-        if (source.HasNormals()) mesh.normals.push_back(normalFromLocal * from(source.mNormals[i]));
+        if (hasNormals) mesh.normals.push_back(normalFromLocal * from(source.mNormals[i]));
         if (hasUvs) mesh.uvs.emplace_back(from(source.mTextureCoords[uvSet][i]));
         if (!source.HasVertexColors(0)) continue;
         const aiColor4D& color = source.mColors[0][i];
         mesh.colors.emplace_back(color.r, color.g, color.b);
     }
-    const bool mirrored = glm::determinant(glm::mat3(fileFromLocal)) < 0.0f;
+    const bool mirrored = volume < 0.0f;
     for (unsigned i = 0; i < source.mNumFaces; ++i) {
         const aiFace& face = source.mFaces[i];
         if (face.mNumIndices != 3) continue;

@@ -1,16 +1,17 @@
 #include "scan/assimp_read.h"
 
 #include "base/fail.h"
-#include "base/file.h"
 #include "scan/assimp_import.h"
 #include "scan/finish_mesh.h"
 #include "scan/page_builder.h"
 #include "scan/scan_frame.h"
 #include "scan/scan_textures.h"
+#include "scan/take_number.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <limits>
+#include <span>
 #include <string_view>
 
 #include <glm/matrix.hpp>
@@ -20,38 +21,68 @@ namespace relamp
 namespace
 {
 
-glm::vec3 finiteColor(const glm::vec3& color)
+/// Calls `take` with what stands behind `keyword` in each line of a text that begins so.
+template<class Take>
+void forEachLine(std::span<const std::byte> bytes, std::string_view keyword, const Take& take)
 {
-    const auto finite = [](float v) { return std::isfinite(v) ? std::max(v, 0.0f) : 0.0f; };
-    return {finite(color.r), finite(color.g), finite(color.b)};
+    std::string_view rest(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    while (!rest.empty()) {
+        const std::string_view line = rest.substr(0, rest.find_first_of("\r\n"));
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+        if (line.starts_with(keyword)) take(line.substr(keyword.size()));
+    }
+}
+
+bool holdsFiniteNumbers(std::string_view words)
+{
+    constexpr std::string_view kSpace = " \t";
+    while (!words.empty()) {
+        words.remove_prefix(std::min(words.find_first_not_of(kSpace), words.size()));
+        const auto number = takeNumber(words);
+        if (number && !(std::abs(*number) <= std::numeric_limits<float>::max())) return false;
+        words.remove_prefix(std::min(words.find_first_of(kSpace), words.size()));
+    }
+    return true;
+}
+
+/// Refuses texture coordinates of an OBJ that are no finite floats: Assimp takes 0 for them without
+/// a word, and so hides them from checkNumbers.
+void checkCoordinates(std::span<const std::byte> bytes, const std::string& file)
+{
+    size_t all = 0;
+    size_t bad = 0;
+    forEachLine(bytes, "vt ", [&](std::string_view words) {
+        ++all;
+        if (!holdsFiniteNumbers(words)) ++bad;
+    });
+    if (bad > 0)
+        malformed(file, fmt::format("{} of its {} texture coordinates are not finite numbers.\n"
+                                    "Unwrap it again, or export it again.",
+                                    bad, all));
 }
 
 /// The material file that an OBJ names and that is not there; "" where there is none.
 ///
 /// Assimp passes over it without a word. It also takes the one of the OBJ's own name instead.
-std::string missingMaterialFile(const std::filesystem::path& obj)
+std::string missingMaterialFile(std::span<const std::byte> bytes, const std::filesystem::path& obj)
 {
-    const std::vector<std::byte> bytes = readFile(obj);
-    std::istringstream lines({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    constexpr std::string_view kKeyword = "mtllib ";
-    for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with(kKeyword)) continue;
-        const std::string name =
-            line.substr(kKeyword.size(), line.find_last_not_of(" \t\r") + 1 - kKeyword.size());
-        std::error_code ignored;
-        const bool isThere =
-            std::filesystem::exists(obj.parent_path() / name, ignored) ||
-            std::filesystem::exists(std::filesystem::path(obj).replace_extension(".mtl"), ignored);
-        return isThere ? "" : name;
-    }
-    return "";
+    std::string name; // in the first such line
+    forEachLine(bytes, "mtllib ", [&](std::string_view words) {
+        if (name.empty()) name = words.substr(0, words.find_last_not_of(" \t") + 1);
+    });
+    std::error_code ignored;
+    const bool isThere =
+        std::filesystem::exists(obj.parent_path() / name, ignored) ||
+        std::filesystem::exists(std::filesystem::path(obj).replace_extension(".mtl"), ignored);
+    return isThere ? "" : name;
 }
 
 class AssimpReader
 {
 public:
-    AssimpReader(const std::filesystem::path& file, const ScanOptions& options)
-        : file_(file), options_(options), skipped_(options), textures_(file)
+    AssimpReader(std::span<const std::byte> bytes, const std::filesystem::path& file,
+                 const ScanOptions& options)
+        : bytes_(bytes), file_(file), options_(options), skipped_(options), textures_(file)
     {
         scan_.name = file.stem().string();
         scan_.worldFromFile = worldFromFile(options);
@@ -64,6 +95,7 @@ private:
     void takeMesh(Import::Mesh& source, const Import::Material& material);
     void takeColor(Import::Mesh& source, const Import::Material& material, Mesh& mesh);
 
+    std::span<const std::byte> bytes_;
     std::filesystem::path file_;
     const ScanOptions& options_;
     SkippedMeshes skipped_;
@@ -78,7 +110,7 @@ void AssimpReader::checkMaterials(const Import& import)
     };
     const auto hasColors = [](const Import::Mesh& mesh) { return !mesh.colors.empty(); };
     if (std::any_of(import.materials.begin(), import.materials.end(), hasTexture)) return;
-    const std::string missing = missingMaterialFile(file_);
+    const std::string missing = missingMaterialFile(bytes_, file_);
     if (missing.empty()) return;
     const std::string sentence = fmt::format(
         "names the material file \"{}\", which is not there, and so has no texture", missing);
@@ -91,8 +123,8 @@ void AssimpReader::checkMaterials(const Import& import)
 void AssimpReader::takeColor(Import::Mesh& source, const Import::Material& material, Mesh& mesh)
 {
     if (material.texture.empty()) {
-        for (const glm::vec3& color : source.colors) mesh.colors.push_back(finiteColor(color));
-        if (mesh.colors.empty()) mesh.factor = finiteColor(material.diffuse);
+        mesh.colors = std::move(source.colors);
+        if (mesh.colors.empty()) mesh.factor = material.diffuse;
         return;
     }
     if (source.uvs.empty())
@@ -125,6 +157,7 @@ void AssimpReader::takeMesh(Import::Mesh& source, const Import::Material& materi
 Scan AssimpReader::read(Progress& progress)
 {
     Import import = importWithAssimp(file_, progress);
+    checkCoordinates(bytes_, file_.string());
     checkMaterials(import);
     for (Import::Mesh& mesh : import.meshes) {
         progress.check();
@@ -145,10 +178,10 @@ Scan AssimpReader::read(Progress& progress)
 
 } // namespace
 
-Scan readWithAssimp(const std::filesystem::path& file, const ScanOptions& options,
-                    Progress& progress)
+Scan readWithAssimp(std::span<const std::byte> bytes, const std::filesystem::path& file,
+                    const ScanOptions& options, Progress& progress)
 {
-    return AssimpReader(file, options).read(progress);
+    return AssimpReader(bytes, file, options).read(progress);
 }
 
 } // namespace relamp

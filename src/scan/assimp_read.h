@@ -2,11 +2,14 @@
 
 #include "relamp/scan.h"
 
+#include <cstddef>
+#include <span>
+
 namespace relamp
 {
 
-/// Reads OBJ, PLY and the other formats that Assimp knows.
-Scan readWithAssimp(const std::filesystem::path& file, const ScanOptions& options,
-                    Progress& progress);
+/// Reads OBJ and the other formats that Assimp knows. `bytes` is the content of `file`.
+Scan readWithAssimp(std::span<const std::byte> bytes, const std::filesystem::path& file,
+                    const ScanOptions& options, Progress& progress);
 
 } // namespace relamp

@@ -177,6 +177,26 @@ TEST_F(AssimpRead, BrokenNumbersAndIndicesEndInASentence)
     }
 }
 
+TEST_F(AssimpRead, TextureCoordinatesThatTellNoPixelAreRefused)
+{
+    for (const char* bad : {"1e37", "1e19", "1e15", "nan", "-inf", "1e99", "1e999"}) {
+        writeSquare("newmtl paint\nmap_Kd four colors.png\n");
+        folder.write("room.obj",
+                     "mtllib room.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 " +
+                         std::string(bad) + "\nusemtl paint\nf 1/1 2/2 3/3\n");
+        EXPECT_THAT(refusal(),
+                    testing::ContainsRegex("1 of its 3 (vertices have )?texture coordinates"))
+            << bad;
+    }
+}
+
+TEST_F(AssimpRead, AMaterialThatIsNoColourIsRefused)
+{
+    folder.write("room.obj", std::string("mtllib room.mtl\n") + kSquare);
+    folder.write("room.mtl", std::string("newmtl paint\nKd -1 1 1\n"));
+    EXPECT_THAT(refusal(), HasSubstr("the colour of its material is not from 0"));
+}
+
 // Other formats that Assimp knows go the same way; this one holds everything in one text file.
 TEST_F(AssimpRead, FormatsThatNobodyKnowsAreNamedAsSuch)
 {

@@ -2,6 +2,7 @@
 
 #include "base/fail.h"
 #include "base/parallel.h"
+#include "scan/check_numbers.h"
 #include "scan/even_normals.h"
 
 #include <algorithm>
@@ -16,28 +17,12 @@ namespace
 {
 
 constexpr float kCosOfCrease = 0.7071f;
-constexpr float kNoise = 0.01f;            // rad; no model leans by as much, and any scan by more
-constexpr float kLargestCoordinate = 1e6f; // metres; beyond, floats cannot hold a room's detail
-
-bool isUsable(const glm::vec3& p)
-{
-    const auto inRange = [](float v) { return std::abs(v) < kLargestCoordinate; }; // false for NaN
-    return inRange(p.x) && inRange(p.y) && inRange(p.z);
-}
+constexpr float kNoise = 0.01f; // rad; no model leans by as much, and any scan by more
 
 glm::vec3 areaVector(const Mesh& mesh, const glm::uvec3& triangle)
 {
     const glm::vec3& a = mesh.positions[triangle.x];
     return 0.5f * glm::cross(mesh.positions[triangle.y] - a, mesh.positions[triangle.z] - a);
-}
-
-/// Keeps the triangles for which `keep` holds; returns how many went.
-template<class Keep>
-size_t keepTriangles(Mesh& mesh, const Keep& keep)
-{
-    const size_t before = mesh.triangles.size();
-    std::erase_if(mesh.triangles, [&](const glm::uvec3& t) { return !keep(t); });
-    return before - mesh.triangles.size();
 }
 
 void checkCounts(const Mesh& mesh, const std::string& what)
@@ -56,31 +41,12 @@ void checkCounts(const Mesh& mesh, const std::string& what)
                     last, count));
 }
 
-void dropUnusable(Mesh& mesh, std::vector<std::string>& warnings)
+void dropFlat(Mesh& mesh, std::vector<std::string>& warnings)
 {
-    const size_t count = mesh.positions.size();
-    std::vector<uint8_t> usable(count);
-    for (size_t i = 0; i < count; ++i)
-        usable[i] =
-            isUsable(mesh.positions[i]) &&
-            (mesh.uvs.empty() || (std::isfinite(mesh.uvs[i].x) && std::isfinite(mesh.uvs[i].y)));
-    const size_t broken = keepTriangles(
-        mesh, [&](const glm::uvec3& t) { return usable[t.x] && usable[t.y] && usable[t.z]; });
-    const size_t flat = keepTriangles(mesh, [&](const glm::uvec3& t) {
+    const size_t flat = std::erase_if(mesh.triangles, [&](const glm::uvec3& t) {
         const glm::vec3 area = areaVector(mesh, t);
-        return glm::dot(area, area) > 1e-24f; // (1e-6 mm^2)^2: nothing to see, no normal to trust
+        return !(glm::dot(area, area) > 1e-24f); // (1e-6 mm^2)^2: no normal to trust
     });
-    // Nothing refers to them any more, but no NaN may be found by accident.
-    for (size_t i = 0; i < count; ++i) {
-        if (usable[i]) continue;
-        mesh.positions[i] = glm::vec3(0.0f);
-        if (!mesh.uvs.empty()) mesh.uvs[i] = glm::vec2(0.0f);
-    }
-    if (broken > 0)
-        warnings.push_back(
-            fmt::format("mesh \"{}\": {} triangles have a vertex that is not a finite "
-                        "number or lies beyond 1000 km, and were left out",
-                        mesh.name, broken));
     if (flat > 0)
         warnings.push_back(
             fmt::format("mesh \"{}\": {} triangles without area were left out", mesh.name, flat));
@@ -143,8 +109,8 @@ std::vector<glm::vec3> smoothed(std::span<const glm::vec3> normals, std::span<co
     return corners;
 }
 
-/// Of the file, where they are on the near side of the surface; zero and NaN are not, and there the
-/// face knows better.
+/// Of the file, where they are on the near side of the surface; zero is not, and there the face
+/// knows better.
 void takeNormals(Mesh& mesh, std::span<const glm::vec3> vertexNormals,
                  std::span<const glm::vec3> faces)
 {
@@ -203,8 +169,9 @@ void finishMesh(Mesh& mesh, std::vector<glm::vec3> vertexNormals, const std::str
                 std::vector<std::string>& warnings)
 {
     checkCounts(mesh, fmt::format("{}: mesh \"{}\"", file, mesh.name));
-    dropUnusable(mesh, warnings);
     if (vertexNormals.size() != mesh.positions.size()) vertexNormals.clear();
+    checkNumbers(mesh, vertexNormals, file);
+    dropFlat(mesh, warnings);
     if (mesh.page >= 0) dropUnusedVertices(mesh, vertexNormals);
     findNormals(mesh, vertexNormals);
 }

@@ -19,8 +19,10 @@ using testing::Each;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
+using testing::StartsWith;
 
-constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// Two triangles that share an edge along z; the second is turned up by `degrees` about it.
 Mesh hinge(float degrees)
@@ -118,11 +120,11 @@ TEST(FinishMesh, GivenNormalsAreTakenUnlessTheyAreNoneOrPointIntoTheSurface)
 {
     Mesh mesh = hinge(0.0f);
     const glm::vec3 slanted = glm::normalize(glm::vec3(1, 2, 0));
-    finish(mesh, {slanted * 3.0f, {kNotANumber, 0, 0}, {0, -1, 0}, {0, 0, 0}});
+    finish(mesh, {slanted * 3.0f, {0, 0, 0}, {0, -1, 0}, {1, 0, 0}});
     EXPECT_NEAR(glm::length(mesh.normals[0] - slanted), 0.0f, 1e-6f);
     EXPECT_EQ(mesh.normals[1], glm::vec3(0, 1, 0)); // of vertex 2: against the face
-    EXPECT_EQ(mesh.normals[2], glm::vec3(0, 1, 0)); // of vertex 1: not a number
-    EXPECT_EQ(mesh.normals[5], glm::vec3(0, 1, 0)); // of vertex 3: nothing
+    EXPECT_EQ(mesh.normals[2], glm::vec3(0, 1, 0)); // of vertex 1: nothing
+    EXPECT_EQ(mesh.normals[5], glm::vec3(0, 1, 0)); // of vertex 3: along it
 }
 
 TEST(FinishMesh, NormalsThatAreNotOneAVertexAreNotTaken)
@@ -132,21 +134,77 @@ TEST(FinishMesh, NormalsThatAreNotOneAVertexAreNotTaken)
     EXPECT_THAT(mesh.normals, Each(glm::vec3(0, 1, 0)));
 }
 
-TEST(FinishMesh, CoordinatesBeyondAThousandKilometresAreNoRoom)
+TEST(FinishMesh, PositionsThatAreNoPlaceAreCountedAndRefused)
 {
-    Mesh mesh = hinge(0.0f);
-    mesh.positions[3].x = 2e6f;
-    EXPECT_THAT(finish(mesh), testing::ElementsAre(HasSubstr("1 triangles have a vertex")));
-    EXPECT_THAT(mesh.triangles, SizeIs(1));
+    for (const float bad : {kNan, kInfinity, -3e38f, 1.1e5f}) {
+        Mesh mesh = hinge(0.0f);
+        mesh.positions[3].x = bad;
+        EXPECT_THAT(refusal(mesh), StartsWith("room.obj: mesh \"hinge\": 1 of its 4 vertices lie "
+                                              "at no place"))
+            << bad;
+        mesh.positions[0].z = bad;
+        EXPECT_THAT(refusal(mesh), HasSubstr("2 of its 4 vertices lie at no place")) << bad;
+        EXPECT_THAT(refusal(mesh), HasSubstr("beyond 100 km")) << bad;
+        EXPECT_THAT(refusal(mesh), HasSubstr("--skip-mesh \"hinge\"")) << bad;
+    }
+    Mesh far = hinge(0.0f);
+    for (glm::vec3& p : far.positions) p.x += 9.9e4f;
+    EXPECT_EQ(refusal(far), "");
 }
 
-TEST(FinishMesh, TextureCoordinatesThatAreNotNumbersTakeTheirTrianglesAlong)
+TEST(FinishMesh, TextureCoordinatesThatTellNoPixelAreCountedAndRefused)
+{
+    for (const float bad : {kNan, -kInfinity, 1e37f, 1e19f, 1e15f, -1001.0f}) {
+        Mesh mesh = hinge(0.0f);
+        mesh.uvs = {{0, 0}, {0, 1}, {1, 0}, {bad, 0}};
+        EXPECT_THAT(refusal(mesh), HasSubstr("1 of its 4 vertices have texture coordinates"))
+            << bad;
+    }
+    Mesh tiled = hinge(0.0f);
+    tiled.uvs = {{0, 0}, {0, 1}, {1, 0}, {-999, 0}};
+    EXPECT_EQ(refusal(tiled), "");
+}
+
+TEST(FinishMesh, NormalsWithoutLengthOrEndAreCountedAndRefused)
+{
+    for (const float bad : {kNan, kInfinity, 1e19f}) {
+        Mesh mesh = hinge(0.0f);
+        const std::vector<glm::vec3> normals{{0, 1, 0}, {0, 1, 0}, {bad, 1, 0}, {0, bad, 0}};
+        EXPECT_THAT(scenes::refusalOf([&] { finish(mesh, normals); }),
+                    HasSubstr("2 of its 4 vertices have normals"))
+            << bad;
+    }
+}
+
+TEST(FinishMesh, ColoursThatAreNoLightAreCountedAndRefused)
+{
+    for (const float bad : {kNan, kInfinity, -1.0f, 7e4f}) {
+        Mesh mesh = hinge(0.0f);
+        mesh.colors = {{0, 1, 0}, {0, 1, 0}, {bad, 1, 0}, {0, 1, 0}};
+        EXPECT_THAT(refusal(mesh), HasSubstr("1 of its 4 vertices have colours that are no light"))
+            << bad;
+        mesh = hinge(0.0f);
+        mesh.factor.g = bad;
+        EXPECT_THAT(refusal(mesh), HasSubstr("the colour of its material is not from 0")) << bad;
+    }
+    Mesh rounded = hinge(0.0f);
+    rounded.colors.assign(4, glm::vec3(-1e-6f, 0.0f, 2.0f)); // a filter was at work
+    finish(rounded);
+    EXPECT_THAT(rounded.colors, Each(glm::vec3(0.0f, 0.0f, 2.0f)));
+}
+
+TEST(FinishMesh, VerticesThatNoTriangleUsesMayBeAnythingAndComeOutAsNumbers)
 {
     Mesh mesh = hinge(0.0f);
-    mesh.uvs = {{0, 0}, {0, 1}, {1, 0}, {kNotANumber, 0}};
+    mesh.positions.emplace_back(kNan, 1.0f, 1.0f);
+    mesh.uvs = {{0, 0}, {0, 1}, {1, 0}, {1, 1}, {kNan, 0}};
+    mesh.colors.assign(5, glm::vec3(1.0f));
+    mesh.colors[4].g = kInfinity;
     finish(mesh);
-    EXPECT_THAT(mesh.triangles, SizeIs(1));
-    EXPECT_EQ(mesh.uvs[3], glm::vec2(0.0f));
+    EXPECT_EQ(mesh.positions[4], glm::vec3(0.0f));
+    EXPECT_EQ(mesh.uvs[4], glm::vec2(0.0f));
+    EXPECT_EQ(mesh.colors[4], glm::vec3(0.0f));
+    EXPECT_THAT(mesh.triangles, SizeIs(2));
 }
 
 TEST(FinishMesh, VerticesThatNobodyUsesGoFromTexturedMeshesAlone)

@@ -159,7 +159,8 @@ void GltfReader::takeVertices(const tinygltf::Primitive& primitive, const glm::m
             worldFromLocal *
             glm::vec4(glm::make_vec3(&positions.values[i * positions.components]), 1.0f);
 
-    if (attribute("NORMAL") >= 0) {
+    const float volume = glm::determinant(glm::mat3(worldFromLocal)); // of the unit cube
+    if (attribute("NORMAL") >= 0 && std::isnormal(volume)) {          // flattened, it has none
         const AccessorFloats read = readFloats(model_, attribute("NORMAL"), 3, what);
         const glm::mat3 normalFromLocal = glm::transpose(glm::inverse(glm::mat3(worldFromLocal)));
         normals.resize(read.count());
@@ -170,10 +171,7 @@ void GltfReader::takeVertices(const tinygltf::Primitive& primitive, const glm::m
         const AccessorFloats read = readFloats(model_, attribute("COLOR_0"), 3, what);
         mesh.colors.resize(read.count());
         for (size_t i = 0; i < mesh.colors.size(); ++i)
-            for (int c = 0; c < 3; ++c) {
-                const float v = read.values[i * read.components + static_cast<size_t>(c)];
-                mesh.colors[i][c] = std::isfinite(v) ? std::max(v, 0.0f) : 0.0f;
-            }
+            mesh.colors[i] = glm::make_vec3(&read.values[i * read.components]);
     }
     std::vector<uint32_t> indices;
     if (primitive.indices >= 0) {
@@ -183,8 +181,7 @@ void GltfReader::takeVertices(const tinygltf::Primitive& primitive, const glm::m
         for (uint32_t i = 0; i < indices.size(); ++i) indices[i] = i;
     }
     mesh.triangles = trianglesFrom(indices, primitive.mode);
-    if (glm::determinant(glm::mat3(worldFromLocal)) <
-        0.0f) // a mirrored mesh is wound the other way
+    if (volume < 0.0f) // a mirrored mesh is wound the other way
         for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
 }
 

@@ -456,26 +456,32 @@ TEST(GltfRead, TrianglesWithoutAreaAreLeftOutAndCounted)
     EXPECT_THAT(scan.warnings, ElementsAre(HasSubstr("2 triangles without area")));
 }
 
-TEST(GltfRead, NothingThatIsNotANumberComesThrough)
+TEST(GltfRead, NumbersThatMeanNothingAreRefusedInEveryAttribute)
 {
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-    constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    GltfFile file = scenes::coloredSquare();
-    file.primitive()["attributes"]["POSITION"] = file.addAccessor(
-        bytesOf(std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {kNan, 1, 0}}), 4, {});
-    file.primitive()["attributes"]["COLOR_0"] = file.addAccessor(
-        bytesOf(std::vector<glm::vec3>{{kNan, 1, -1}, {kInfinity, 0, 0}, {0, 0, 0}, {1, 1, 1}}), 4,
-        {});
-    file.primitive()["attributes"]["NORMAL"] = file.addAccessor(
-        bytesOf(std::vector<glm::vec3>{{kNan, 0, 1}, {0, 0, 0}, {0, 0, -1}, {0, 0, 1}}), 4, {});
-    const Scan scan = scenes::read(file.glb());
-    EXPECT_THAT(scan.meshes[0].triangles, SizeIs(1));
-    EXPECT_EQ(scan.meshes[0].positions[3], glm::vec3(0.0f));
-    EXPECT_THAT(scan.meshes[0].normals, testing::Each(glm::vec3(0, 0, 1)));
-    EXPECT_EQ(pixel(scan.pages[0], 0), glm::vec3(0, 1, 0));
-    EXPECT_EQ(pixel(scan.pages[0], 1), glm::vec3(0, 0, 0));
-    EXPECT_THAT(scan.warnings,
-                ElementsAre(HasSubstr("1 triangles have a vertex that is not a finite number")));
+    const std::vector<glm::vec3> broken{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {kNan, 1, 0}};
+    for (const char* attribute : {"POSITION", "COLOR_0", "NORMAL"}) {
+        GltfFile file = scenes::coloredSquare();
+        file.primitive()["attributes"][attribute] = file.addAccessor(bytesOf(broken), 4, {});
+        EXPECT_THAT(scenes::refusal(file.glb()),
+                    HasSubstr("room.glb: mesh \"square\": 1 of its 4 vertices "))
+            << attribute;
+    }
+    GltfFile file = scenes::texturedSquare();
+    file.primitive()["attributes"]["TEXCOORD_0"] =
+        file.addAccessor(bytesOf(std::vector<glm::vec2>{{0, 0}, {1e37f, 0}, {0, -1e37f}, {1, 1}}),
+                         4, {.type = "VEC2"});
+    EXPECT_THAT(scenes::refusal(file.glb()), HasSubstr("2 of its 4 vertices have texture"));
+}
+
+// Nothing along one axis, it has no inverse to turn normals by.
+TEST(GltfRead, AFlattenedMeshTakesTheNormalsOfItsFaces)
+{
+    GltfFile file = scenes::texturedSquare();
+    file.primitive()["attributes"]["NORMAL"] =
+        file.addAccessor(bytesOf(std::vector<glm::vec3>(4, {0, 0, 1})), 4, {});
+    file.document["nodes"][0]["scale"] = {1, 1, 0};
+    EXPECT_THAT(scenes::read(file.glb()).meshes[0].normals, testing::Each(glm::vec3(0, 0, 1)));
 }
 
 TEST(GltfRead, AMeshThatIsSkippedMayBeAsBrokenAsItLikes)

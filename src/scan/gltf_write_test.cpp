@@ -396,17 +396,20 @@ TEST(GltfWrite, NoNumberIsNanOrInfinite)
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     GltfFile file = scenes::coloredSquare();
-    const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {kNan, -kInfinity, 1}};
-    const std::vector<glm::vec3> normals{{0, 0, 2}, {kNan, 0, 0}, {0, 0, 0}, {0, 3, 4}};
-    file.primitive()["attributes"]["POSITION"] = file.addAccessor(bytesOf(positions), 4, {});
-    file.primitive()["attributes"]["NORMAL"] = file.addAccessor(bytesOf(normals), 4, {});
+    const std::vector<glm::vec3> positions{
+        {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}, {kNan, -kInfinity, 1}}; // the last is nobody's
+    const std::vector<glm::vec3> normals{{0, 0, 2}, {0, 0, 1}, {0, 0, 0}, {0, 3, 4}, {kNan, 0, 0}};
+    const std::vector<glm::vec3> colors(5, glm::vec3(1.0f));
+    file.primitive()["attributes"]["POSITION"] = file.addAccessor(bytesOf(positions), 5, {});
+    file.primitive()["attributes"]["NORMAL"] = file.addAccessor(bytesOf(normals), 5, {});
+    file.primitive()["attributes"]["COLOR_0"] = file.addAccessor(bytesOf(colors), 5, {});
     const Written written = rewrite(file);
     const json& attributes = written.document["meshes"][0]["primitives"][0]["attributes"];
     const json& accessors = written.document["accessors"];
     EXPECT_THAT(floatsOf(written, accessors[attributes["POSITION"].get<size_t>()]),
                 Each(testing::Le(1.0f)));
     EXPECT_THAT(floatsOf(written, accessors[attributes["NORMAL"].get<size_t>()]),
-                ElementsAre(0, 0, 1, 0, 1, 0, 0, 1, 0, 0, 0.6f, 0.8f));
+                ElementsAre(0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 0.6f, 0.8f, 0, 1, 0));
     EXPECT_EQ(accessors[attributes["POSITION"].get<size_t>()]["max"], json({1.0, 1.0, 1.0}));
 }
 

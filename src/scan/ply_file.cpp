@@ -1,6 +1,7 @@
 #include "scan/ply_file.h"
 
 #include "base/fail.h"
+#include "scan/take_number.h"
 
 #include <algorithm>
 #include <array>
@@ -230,14 +231,9 @@ double PlyBody::nextWord()
 {
     rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size()));
     if (rest_.empty()) endsTooEarly();
-    double value = 0.0; // std::from_chars knows "nan" and "inf" too, and no locale
-    const auto [end, failure] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
-    if (failure == std::errc::invalid_argument)
-        malformed(name_,
-                  fmt::format("has \"{}\" where a number belongs",
-                              rest_.substr(0, rest_.find_first_of(" \t\r\n")).substr(0, 20)));
-    rest_.remove_prefix(static_cast<size_t>(end - rest_.data()));
-    return value;
+    if (const auto number = takeNumber(rest_)) return *number;
+    malformed(name_, fmt::format("has \"{}\" where a number belongs",
+                                 rest_.substr(0, rest_.find_first_of(" \t\r\n")).substr(0, 20)));
 }
 
 double PlyBody::next(PlyType type)

@@ -132,10 +132,7 @@ void PlyReader::takeVertex(const std::array<double, kSlots>& row,
     if (has[nx] && has[ny] && has[nz])
         normals_.push_back(glm::mat3(scan_.worldFromFile) * vector(nx));
     if (has[u] && has[v]) vertices_.uvs.emplace_back(row[u], 1.0 - row[v]); // PLY's v points up
-    if (!has[red] || !has[green] || !has[blue]) return;
-    const glm::vec3 color = vector(red);
-    const auto finite = [](float c) { return std::isfinite(c) ? std::max(c, 0.0f) : 0.0f; };
-    vertices_.colors.emplace_back(finite(color.r), finite(color.g), finite(color.b));
+    if (has[red] && has[green] && has[blue]) vertices_.colors.push_back(vector(red));
 }
 
 void PlyReader::takeVertices(const PlyElement& element)

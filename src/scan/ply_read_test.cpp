@@ -235,14 +235,22 @@ TEST(PlyRead, AMissingPictureIsNamed)
                 HasSubstr("a.ply: its header names the texture \"gone.png\", which is not there"));
 }
 
-TEST(PlyRead, WhatIsNotANumberIsLeftOut)
+TEST(PlyRead, NumbersThatMeanNothingAreRefused)
 {
-    const Scan scan =
-        scenes::read(ascii(kColoredVertices + kFaces, "0 0 0 1 1 1\n1 0 0 1 1 1\n0 1 0 1 1 1\n"
-                                                      "nan inf 0 1 1 1\n3 0 1 2\n3 2 1 3\n"),
-                     {}, "room.ply");
-    EXPECT_THAT(scan.meshes[0].triangles, SizeIs(1));
-    EXPECT_THAT(scan.warnings, ElementsAre(HasSubstr("not a finite number")));
+    for (const char* bad : {"nan inf 0", "1e999 0 0", "-1e300 0 0", "5e5 4e6 0"})
+        EXPECT_THAT(scenes::refusal(ascii(kColoredVertices + kFaces,
+                                          "0 0 0 1 1 1\n1 0 0 1 1 1\n0 1 0 1 1 1\n" +
+                                              std::string(bad) + " 1 1 1\n3 0 1 2\n3 2 1 3\n"),
+                                    "a.ply"),
+                    HasSubstr("a.ply: mesh \"a\": 1 of its 4 vertices lie at no place"))
+            << bad;
+    EXPECT_EQ(
+        scenes::refusal(ascii(kColoredVertices + kFaces, "0 0 0 1 1 1\n1 0 0 1 1 1\n0 1 0 1 1 1\n"
+                                                         "1 1 1e-999 1 1 1\n3 0 1 2\n3 2 1 3\n"),
+                        "a.ply"),
+        "");
+}
+
 }
 
 TEST(PlyRead, LiesOfTheHeaderAreFoundBeforeTheyCostMemory)

@@ -37,7 +37,7 @@ Scan readByFormat(const std::filesystem::path& file, const ScanOptions& options,
     if (isGlb(bytes) || extension == ".gltf" || extension == ".glb")
         return readGltf(bytes, file, options, progress);
     if (isPly(bytes) || extension == ".ply") return readPly(bytes, file, options, progress);
-    return readWithAssimp(file, options, progress);
+    return readWithAssimp(bytes, file, options, progress);
 }
 
 } // namespace
