@@ -101,6 +101,7 @@ private:
     std::string_view rest_;
     std::string name_;
     size_t line_ = 0;
+    bool hasFormat_ = false;
     PlyHeader header_;
 };
 
@@ -142,6 +143,9 @@ void HeaderParser::takeFormat(std::string_view line)
         header_.encoding = PlyEncoding::bigEndian;
     else
         failOnLine(fmt::format("has a format that PLY does not know: \"{}\"", encoding));
+    if (const std::string_view version = takeWord(line); version != "1.0")
+        failOnLine(fmt::format("says version \"{}\" of PLY; there is 1.0 alone", version));
+    hasFormat_ = true;
 }
 
 void HeaderParser::takeElement(std::string_view line)
@@ -163,6 +167,7 @@ void HeaderParser::takeProperty(std::string_view line)
     std::string_view type = takeWord(line);
     if (type == "list") {
         property.countType = typeFrom(takeWord(line));
+        if (property.countType >= PlyType::float32) failOnLine("counts a list in fractions");
         type = takeWord(line);
     }
     property.type = typeFrom(type);
@@ -182,11 +187,18 @@ PlyHeader HeaderParser::parse()
         std::string_view line = nextLine();
         const std::string_view keyword = takeWord(line);
         if (keyword == "end_header") break;
-        if (keyword == "format") takeFormat(line);
-        if (keyword == "element") takeElement(line);
-        if (keyword == "property") takeProperty(line);
-        if (keyword == "comment") takeComment(line);
+        if (keyword == "format")
+            takeFormat(line);
+        else if (keyword == "element")
+            takeElement(line);
+        else if (keyword == "property")
+            takeProperty(line);
+        else if (keyword == "comment")
+            takeComment(line);
+        else if (keyword != "obj_info" && !keyword.empty())
+            failOnLine(fmt::format("begins with a word that PLY does not know: \"{}\"", keyword));
     }
+    if (!hasFormat_) malformed(name_, "its header has no line \"format\"; export it again");
     header_.size = static_cast<size_t>(rest_.data() - all_.data());
     return std::move(header_);
 }
@@ -254,6 +266,17 @@ void PlyBody::next(const PlyProperty& property, std::vector<double>& values)
     const double count = property.countType ? next(*property.countType) : 1.0;
     if (!(count >= 0.0 && count <= static_cast<double>(rest_.size()))) endsTooEarly();
     for (auto i = static_cast<size_t>(count); i > 0; --i) values.push_back(next(property.type));
+}
+
+void PlyBody::expectEnd() const
+{
+    constexpr std::string_view kPadding(" \t\r\n\0", 5);
+    if (rest_.find_first_not_of(kPadding) != std::string_view::npos)
+        malformed(
+            name_,
+            fmt::format("goes on for {} bytes behind all that its header announces; the counts "
+                        "in its header are wrong. Export it again",
+                        rest_.size()));
 }
 
 void PlyBody::expect(const PlyElement& element) const

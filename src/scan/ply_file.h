@@ -58,6 +58,8 @@ public:
     /// Throws Error(malformed) where the rest of the file cannot hold that many, before anyone
     /// makes room for them.
     void expect(const PlyElement& element) const;
+    /// Throws Error(malformed) where the file goes on behind what the header announces.
+    void expectEnd() const;
 
 private:
     double nextWord();

@@ -62,7 +62,8 @@ struct Part
 
 uint32_t indexFrom(double value)
 {
-    const bool isIndex = value >= 0.0 && value < std::numeric_limits<uint32_t>::max();
+    const bool isIndex =
+        value >= 0.0 && value < std::numeric_limits<uint32_t>::max() && std::trunc(value) == value;
     return isIndex ? static_cast<uint32_t>(value) : std::numeric_limits<uint32_t>::max();
 }
 
@@ -303,6 +304,7 @@ Scan PlyReader::read(Progress& progress)
         else
             skip(element);
     }
+    body_.expectEnd();
     if (parts_.empty())
         fail(ErrorCode::unsupported, name_,
              fmt::format("has {} points but no faces: it is a point cloud, and relamp needs a "

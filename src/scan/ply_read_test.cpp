@@ -251,6 +251,34 @@ TEST(PlyRead, NumbersThatMeanNothingAreRefused)
         "");
 }
 
+TEST(PlyRead, HeadersThatAreNotOfPlyAreRefused)
+{
+    const std::string good = coloredSquare();
+    const auto with = [&](const std::string& what, const std::string& by) {
+        std::string text = good;
+        text.replace(text.find(what), what.size(), by);
+        return scenes::refusal(text, "a.ply");
+    };
+    EXPECT_EQ(with("ply\n", "ply\nobj_info made by hand\n"), "");
+    EXPECT_THAT(with("format", "fromat"),
+                HasSubstr("line 2 of its header begins with a word that PLY does not know: "
+                          "\"fromat\""));
+    EXPECT_THAT(with("ascii 1.0", "ascii 2.0"), HasSubstr("says version \"2.0\" of PLY"));
+    EXPECT_THAT(with("ascii 1.0", "ascii"), HasSubstr("says version \"\" of PLY"));
+    EXPECT_THAT(with("format ascii 1.0\n", ""), HasSubstr("has no line \"format\""));
+    EXPECT_THAT(with("list uchar", "list float"), HasSubstr("counts a list in fractions"));
+    EXPECT_THAT(with("3 2 1 3", "3 2 1 2.5"), HasSubstr("refers to vertex"));
+}
+
+TEST(PlyRead, MoreThanTheHeaderAnnouncesIsRefused)
+{
+    std::string fewer = coloredSquare();
+    fewer.replace(fewer.find("face 2"), 6, "face 1");
+    EXPECT_THAT(scenes::refusal(fewer, "a.ply"),
+                HasSubstr("a.ply: goes on for 9 bytes behind all that its header announces"));
+    std::string binary = binarySquare(false);
+    EXPECT_EQ(scenes::refusal(binary + "\n", "a.ply"), "");
+    EXPECT_THAT(scenes::refusal(binary + "more", "a.ply"), HasSubstr("goes on for 4 bytes"));
 }
 
 TEST(PlyRead, LiesOfTheHeaderAreFoundBeforeTheyCostMemory)

@@ -251,6 +251,18 @@ TEST_F(WrongPly, VerticesThatAreNoPlaceAreRefused)
     }
 }
 
+TEST_F(WrongPly, HeadersThatAreNotOfPlyAreRefused)
+{
+    write("room.ply", replaced(smallTextPly().bytes, "format", "fromat"));
+    expectRefused("room.ply", "\"fromat\"");
+    write("room.ply", replaced(smallTextPly().bytes, "1.0", "2.0"));
+    expectRefused("room.ply", "version \"2.0\"");
+    for (const SmallScan& ply : {smallTextPly(), smallBinaryPly()}) {
+        write("room.ply", replaced(ply.bytes, "face 2", "face 1"));
+        expectRefused("room.ply", "behind all that its header announces");
+    }
+}
+
 TEST_F(WrongPly, WithoutFacesItIsRefused)
 {
     write("room.ply", replaced(smallTextPly().bytes, "face 2", "face 0"));
