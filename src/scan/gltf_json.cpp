@@ -16,7 +16,6 @@ constexpr uint32_t kJsonChunk = 0x4e4f534a;
 constexpr uint32_t kBinaryChunk = 0x004e4942;
 constexpr size_t kHeader = 12;
 constexpr size_t kChunkHeader = 8;
-constexpr uint64_t kLargestInteger = uint64_t{1} << 53;
 
 uint32_t wordAt(std::span<const std::byte> bytes, size_t at)
 {
@@ -60,7 +59,7 @@ bool isKnownExtension(const std::string& name)
 
 } // namespace
 
-void checkIsKnownGltf(const nlohmann::json& document, const std::string& name)
+void checkVersion(const nlohmann::json& document, const std::string& name)
 {
     using nlohmann::json;
     const json asset = document.value("asset", json::object());
@@ -69,16 +68,18 @@ void checkIsKnownGltf(const nlohmann::json& document, const std::string& name)
         malformed(name, "does not say its glTF version (asset.version); is it glTF?");
     if (!version.get<std::string>().starts_with("2."))
         refuseVersion(name, version.get<std::string>());
-    for (const json& required : document.value("extensionsRequired", json::array())) {
-        const std::string extension =
-            required.is_string() ? required.get<std::string>() : required.dump();
-        if (!isKnownExtension(extension))
+}
+
+void checkExtensions(const nlohmann::json& document, const std::string& name)
+{
+    using nlohmann::json;
+    for (const json& required : document.value("extensionsRequired", json::array()))
+        if (const auto extension = required.get<std::string>(); !isKnownExtension(extension))
             fail(
                 ErrorCode::unsupported, name,
                 fmt::format(
                     "requires the glTF extension {}, which relamp does not know; export it without",
                     extension));
-    }
 }
 
 GltfChunks splitGltf(std::span<const std::byte> bytes, const std::string& name)
@@ -123,22 +124,6 @@ std::string joinGlb(const std::string& json, std::span<const uint8_t> binary)
     const auto total = static_cast<uint32_t>(glb.size());
     std::memcpy(&glb[8], &total, sizeof total);
     return glb;
-}
-
-uint64_t unsignedMember(const nlohmann::json& object, const char* key, const std::string& name,
-                        std::optional<uint64_t> fallback)
-{
-    const auto found = object.find(key);
-    if (found == object.end() && fallback) return *fallback;
-    if (found == object.end()) malformed(name, fmt::format("\"{}\" is missing", key));
-    if (found->is_number_unsigned() && found->get<uint64_t>() <= kLargestInteger)
-        return found->get<uint64_t>();
-    if (found->is_number_float()) {
-        const double value = found->get<double>();
-        if (value >= 0 && value <= static_cast<double>(kLargestInteger))
-            return static_cast<uint64_t>(value);
-    }
-    malformed(name, fmt::format("\"{}\" must be a non-negative integer", key));
 }
 
 } // namespace relamp

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,13 +30,11 @@ GltfChunks splitGltf(std::span<const std::byte> bytes, const std::string& name);
 /// Puts a GLB together.
 std::string joinGlb(const std::string& json, std::span<const uint8_t> binary);
 
-/// Throws Error(unsupported) on another version than glTF 2, or where the file says that it cannot
-/// be understood without an extension that relamp does not know.
-void checkIsKnownGltf(const nlohmann::json& document, const std::string& name);
+/// Throws Error(unsupported) on another version than glTF 2.
+void checkVersion(const nlohmann::json& document, const std::string& name);
 
-/// A non-negative integer member; `fallback` where it is absent, Error(malformed) where it is
-/// something else or beyond 2^53.
-uint64_t unsignedMember(const nlohmann::json& object, const char* key, const std::string& name,
-                        std::optional<uint64_t> fallback = {});
+/// Throws Error(unsupported) where the file says that it cannot be understood without an extension
+/// that relamp does not know. The document is one that checkShape has passed.
+void checkExtensions(const nlohmann::json& document, const std::string& name);
 
 } // namespace relamp

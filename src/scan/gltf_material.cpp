@@ -19,12 +19,9 @@ const Value* extensionOf(const tinygltf::ExtensionMap& extensions, const char* n
     return found != extensions.end() && found->second.IsObject() ? &found->second : nullptr;
 }
 
-float numberAt(const Value& array, size_t i, float fallback)
+float numberAt(const Value& array, int i, float fallback)
 {
-    if (!array.IsArray() || i >= array.ArrayLen()) return fallback;
-    const Value& value = array.Get(static_cast<int>(i));
-    const auto number = static_cast<float>(value.IsNumber() ? value.GetNumberAsDouble() : fallback);
-    return std::isfinite(number) ? number : fallback;
+    return array.IsArray() ? static_cast<float>(array.Get(i).GetNumberAsDouble()) : fallback;
 }
 
 /// KHR_texture_transform: scale, then rotation, then offset.
@@ -71,7 +68,7 @@ void takeSpecularGlossiness(const tinygltf::Model& model, const Value& extension
                             const std::string& what, BaseColor& color)
 {
     const Value& factor = extension.Get("diffuseFactor");
-    for (int c = 0; c < 3; ++c) color.factor[c] = numberAt(factor, static_cast<size_t>(c), 1.0f);
+    for (int c = 0; c < 3; ++c) color.factor[c] = numberAt(factor, c, 1.0f);
     const Value& texture = extension.Get("diffuseTexture");
     if (!texture.IsObject() || !texture.Get("index").IsInt()) return;
     if (texture.Get("texCoord").IsInt()) color.texCoord = texture.Get("texCoord").Get<int>();
@@ -116,10 +113,8 @@ BaseColor baseColorOf(const tinygltf::Model& model, int material, const std::str
         malformed(what, fmt::format("refers to material {}, which is not there", material));
     const tinygltf::Material& found = model.materials[static_cast<size_t>(material)];
     const tinygltf::PbrMetallicRoughness& pbr = found.pbrMetallicRoughness;
-    for (size_t c = 0; c < 3 && c < pbr.baseColorFactor.size(); ++c) {
-        const auto factor = static_cast<float>(pbr.baseColorFactor[c]);
-        color.factor[static_cast<int>(c)] = std::isfinite(factor) ? std::max(factor, 0.0f) : 1.0f;
-    }
+    for (size_t c = 0; c < 3; ++c)
+        color.factor[static_cast<int>(c)] = static_cast<float>(pbr.baseColorFactor.at(c));
     if (pbr.baseColorTexture.index >= 0) {
         color.texCoord = pbr.baseColorTexture.texCoord;
         takeTexture(model, pbr.baseColorTexture.index, pbr.baseColorTexture.extensions, what,

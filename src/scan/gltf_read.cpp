@@ -57,11 +57,12 @@ tinygltf::Model parseModel(const std::string& glb, const std::string& name)
         read = loader.LoadBinaryFromMemory(&model, &failure, &warning,
                                            reinterpret_cast<const unsigned char*>(glb.data()),
                                            static_cast<unsigned>(glb.size()));
-    } catch (const std::exception& thrown) {
-        failure = thrown.what();
+    } catch (const std::exception&) {
+        failure = "a value is of the wrong type"; // its own words would be of C++
     }
     while (failure.ends_with('\n')) failure.pop_back();
-    if (!read) malformed(name, fmt::format("is not as glTF wants it ({})", failure));
+    if (!read)
+        malformed(name, fmt::format("is not as glTF wants it ({}); export it again", failure));
     return model;
 }
 

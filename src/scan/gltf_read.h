@@ -27,8 +27,8 @@ struct GltfSource
         int primitive;
     };
 
-    nlohmann::json document;              // nothing compressed, nothing outside of `binary`
-    std::vector<uint8_t> binary;          // its one buffer; every buffer view lies within
+    nlohmann::json document;     // checked by checkShape; nothing compressed or outside of `binary`
+    std::vector<uint8_t> binary; // its one buffer; every buffer view lies within
     std::vector<int> imageOfTexture;      // as relamp reads it; -1 for none
     std::vector<MeshOrigin> originOfMesh; // of Scan::meshes
     std::vector<int> imageOfPage;         // of Scan::pages; -1 for a page of vertices

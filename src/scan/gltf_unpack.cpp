@@ -5,6 +5,7 @@
 #include "base/json.h"
 #include "scan/gltf_decode.h"
 #include "scan/gltf_json.h"
+#include "scan/gltf_shape.h"
 #include "scan/gltf_uri.h"
 
 #include <algorithm>
@@ -29,6 +30,18 @@ constexpr uint64_t kAnyFileMayUnpackTo = uint64_t{1} << 26;
 constexpr std::array kSections{"buffers", "bufferViews", "accessors", "images",  "meshes",
                                "nodes",   "scenes",      "materials", "textures"};
 
+/// A whole number of a document that checkShape has passed; 0 where there is none.
+uint64_t wholeAt(const json& object, const char* key)
+{
+    return object.value(key, uint64_t{0});
+}
+
+bool hasExtension(const json& object, const char* name)
+{
+    const auto extensions = object.find("extensions");
+    return extensions != object.end() && extensions->contains(name);
+}
+
 /// Rewrites a document step by step; the binary chunk grows as things are pulled into it.
 class Unpacker
 {
@@ -46,8 +59,7 @@ public:
     std::vector<std::string> warnings;
 
 private:
-    void checkSections();
-    void checkScene();
+    void checkScene() const;
     json& section(const char* key) { return document_[key]; }
     std::vector<uint8_t> fetch(const std::string& uri, const std::string& what);
     void takeBuffers();
@@ -71,26 +83,12 @@ private:
     std::vector<std::pair<uint64_t, uint64_t>> bufferRange_; // offset and size in `binary`
 };
 
-void Unpacker::checkSections()
+void Unpacker::checkScene() const
 {
-    for (const char* key : kSections) {
-        json& found = document_[key];
-        if (found.is_null()) found = json::array();
-        if (!found.is_array()) malformed(name_, fmt::format("\"{}\" is not a list", key));
-        for (const json& item : found)
-            if (!item.is_object())
-                malformed(name_, fmt::format("\"{}\" holds something that is no object", key));
-    }
-}
-
-/// tinygltf would cut the number off at 32 bits, and what is read here is written again.
-void Unpacker::checkScene()
-{
-    if (!document_.contains("scene") || section("scenes").empty()) return;
-    const uint64_t scene = unsignedMember(document_, "scene", name_);
-    if (scene >= section("scenes").size())
+    const auto scenes = document_.find("scenes");
+    const uint64_t scene = wholeAt(document_, "scene");
+    if (scenes != document_.end() && !scenes->empty() && scene >= scenes->size())
         malformed(name_, fmt::format("refers to scene {}, which is not there", scene));
-    document_["scene"] = scene;
 }
 
 std::vector<uint8_t> Unpacker::fetch(const std::string& uri, const std::string& what)
@@ -134,9 +132,9 @@ void Unpacker::takeBuffers()
     for (const json& buffer : section("buffers")) {
         const size_t index = bufferRange_.size();
         const std::string what = fmt::format("{}: buffer {}", name_, index);
-        const uint64_t announced = unsignedMember(buffer, "byteLength", what);
+        const uint64_t announced = wholeAt(buffer, "byteLength");
         std::vector<uint8_t> bytes;
-        if (const auto uri = buffer.find("uri"); uri != buffer.end() && uri->is_string()) {
+        if (const auto uri = buffer.find("uri"); uri != buffer.end()) {
             bytes = fetch(uri->get<std::string>(), what);
         } else if (index == 0 && !chunk_.empty()) {
             const auto* begin = reinterpret_cast<const uint8_t*>(chunk_.data());
@@ -152,9 +150,9 @@ void Unpacker::rebaseView(size_t index)
 {
     json& view = section("bufferViews")[index];
     const std::string what = fmt::format("{}: bufferView {}", name_, index);
-    const uint64_t buffer = unsignedMember(view, "buffer", what);
-    const uint64_t offset = unsignedMember(view, "byteOffset", what, 0);
-    const uint64_t length = unsignedMember(view, "byteLength", what);
+    const uint64_t buffer = wholeAt(view, "buffer");
+    const uint64_t offset = wholeAt(view, "byteOffset");
+    const uint64_t length = wholeAt(view, "byteLength");
     if (buffer >= bufferRange_.size())
         malformed(what, fmt::format("refers to buffer {}, and there are {}", buffer,
                                     bufferRange_.size()));
@@ -173,17 +171,16 @@ void Unpacker::decodeMeshoptView(size_t index)
     const std::string what = fmt::format("{}: bufferView {}", name_, index);
     const json view = section("bufferViews")[index];
     const json& compressed = view["extensions"]["EXT_meshopt_compression"];
-    if (!compressed.is_object()) malformed(what, "has a broken EXT_meshopt_compression");
-    const uint64_t buffer = unsignedMember(compressed, "buffer", what);
-    const uint64_t offset = unsignedMember(compressed, "byteOffset", what, 0);
-    const uint64_t length = unsignedMember(compressed, "byteLength", what);
+    const uint64_t buffer = wholeAt(compressed, "buffer");
+    const uint64_t offset = wholeAt(compressed, "byteOffset");
+    const uint64_t length = wholeAt(compressed, "byteLength");
     if (buffer >= bufferRange_.size() || offset > bufferRange_[buffer].second ||
         length > bufferRange_[buffer].second - offset)
         malformed(what, "its EXT_meshopt_compression lies outside its buffer");
     const MeshoptStream stream{
         .bytes = std::span(binary).subspan(bufferRange_[buffer].first + offset, length),
-        .count = unsignedMember(compressed, "count", what),
-        .stride = unsignedMember(compressed, "byteStride", what),
+        .count = wholeAt(compressed, "count"),
+        .stride = wholeAt(compressed, "byteStride"),
         .mode = compressed.value("mode", ""),
         .filter = compressed.value("filter", "NONE"),
     };
@@ -200,7 +197,7 @@ void Unpacker::takeImage(size_t index)
 {
     json& image = section("images")[index];
     const auto uri = image.find("uri");
-    if (uri == image.end() || !uri->is_string()) return;
+    if (uri == image.end()) return;
     const std::string what = fmt::format("{}: image {}", name_, index);
     std::vector<uint8_t> bytes;
     try {
@@ -223,8 +220,8 @@ std::span<const uint8_t> Unpacker::bytesOfView(size_t view, const std::string& w
     const json& views = section("bufferViews");
     if (view >= views.size())
         malformed(what, fmt::format("refers to bufferView {}, which is not there", view));
-    return std::span(binary).subspan(unsignedMember(views[view], "byteOffset", what),
-                                     unsignedMember(views[view], "byteLength", what));
+    return std::span(binary).subspan(wholeAt(views[view], "byteOffset"),
+                                     wholeAt(views[view], "byteLength"));
 }
 
 void Unpacker::setAccessor(const json& index, size_t view, uint64_t count, int componentType,
@@ -244,9 +241,7 @@ void Unpacker::setAccessor(const json& index, size_t view, uint64_t count, int c
 void Unpacker::decodeDracoPrimitive(json& primitive, const std::string& what)
 {
     const json compressed = primitive["extensions"]["KHR_draco_mesh_compression"];
-    if (!compressed.is_object() || !compressed.value("attributes", json()).is_object())
-        malformed(what, "has a broken KHR_draco_mesh_compression");
-    const uint64_t view = unsignedMember(compressed, "bufferView", what);
+    const uint64_t view = wholeAt(compressed, "bufferView");
     const DracoMesh mesh(bytesOfView(view, what), what);
 
     if (!primitive.contains("indices")) {
@@ -265,7 +260,7 @@ void Unpacker::decodeDracoPrimitive(json& primitive, const std::string& what)
         if (!target.is_number_unsigned() || target.get<uint64_t>() >= accessors.size())
             malformed(what, "refers to an accessor that is not there");
         const json& accessor = accessors[target.get<size_t>()];
-        const auto type = static_cast<int>(unsignedMember(accessor, "componentType", what));
+        const auto type = static_cast<int>(wholeAt(accessor, "componentType"));
         const size_t components = componentsOf(accessor.value("type", ""));
         const auto values = mesh.attribute(id.get<uint32_t>(), type, components, what);
         const size_t stride = mesh.points() == 0 ? 0 : values.size() / mesh.points();
@@ -278,26 +273,18 @@ void Unpacker::decodeDracoPrimitive(json& primitive, const std::string& what)
 void Unpacker::decodeMesh(size_t index)
 {
     json& mesh = section("meshes")[index];
-    const json name = mesh.value("name", json());
-    const std::string what = fmt::format("{}: mesh {} \"{}\"", name_, index,
-                                         name.is_string() ? name.get<std::string>() : "");
-    json& primitives = mesh["primitives"];
-    if (!primitives.is_array()) malformed(what, "has no list of primitives");
-    for (json& primitive : primitives) {
-        if (!primitive.is_object() || !primitive.value("attributes", json()).is_object())
-            malformed(what, "has a primitive without attributes");
-        const auto extensions = primitive.find("extensions");
-        if (extensions != primitive.end() && extensions->is_object() &&
-            extensions->contains("KHR_draco_mesh_compression"))
+    const std::string what =
+        fmt::format("{}: mesh {} \"{}\"", name_, index, mesh.value("name", ""));
+    for (json& primitive : mesh["primitives"])
+        if (hasExtension(primitive, "KHR_draco_mesh_compression"))
             decodeDracoPrimitive(primitive, what);
-    }
 }
 
 void Unpacker::dropExtension(const char* name)
 {
     for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
         const auto found = document_.find(key);
-        if (found == document_.end() || !found->is_array()) continue;
+        if (found == document_.end()) continue;
         found->erase(std::remove(found->begin(), found->end(), json(name)), found->end());
         if (found->empty()) document_.erase(found);
     }
@@ -305,14 +292,12 @@ void Unpacker::dropExtension(const char* name)
 
 void Unpacker::run()
 {
-    checkSections();
     checkScene();
+    for (const char* key : kSections)
+        if (!document_.contains(key)) document_[key] = json::array();
     takeBuffers();
     for (size_t i = 0, count = section("bufferViews").size(); i < count; ++i) {
-        const json& view = section("bufferViews")[i];
-        const auto extensions = view.find("extensions");
-        const bool meshopt = extensions != view.end() && extensions->is_object() &&
-                             extensions->contains("EXT_meshopt_compression");
+        const bool meshopt = hasExtension(section("bufferViews")[i], "EXT_meshopt_compression");
         meshopt ? decodeMeshoptView(i) : rebaseView(i);
     }
     for (size_t i = 0, count = section("images").size(); i < count; ++i) takeImage(i);
@@ -332,14 +317,12 @@ PlainGltf unpackGltf(std::span<const std::byte> bytes, const std::filesystem::pa
 {
     const GltfChunks chunks = splitGltf(bytes, file.string());
     json document = parseJson(chunks.json, file.string());
+    checkVersion(document, file.string());
+    checkShape(document, file.string());
+    checkExtensions(document, file.string());
     Unpacker unpacker(document, chunks.binary, bytes.size(), file);
-    try {
-        checkIsKnownGltf(document, file.string());
-        unpacker.run();
-        return {std::move(document), std::move(unpacker.binary), std::move(unpacker.warnings)};
-    } catch (const json::exception& failure) {
-        malformed(file.string(), fmt::format("is not as glTF wants it ({})", failure.what()));
-    }
+    unpacker.run();
+    return {std::move(document), std::move(unpacker.binary), std::move(unpacker.warnings)};
 }
 
 } // namespace relamp

@@ -190,7 +190,7 @@ TEST(GltfUnpack, NodesThatAreNoListAreRefused)
     GltfFile file = scenes::texturedSquare();
     file.document.erase("scenes");
     file.document["nodes"] = 0;
-    EXPECT_THAT(scenes::refusal(file.glb()), HasSubstr("\"nodes\" is not a list"));
+    EXPECT_THAT(scenes::refusal(file.glb()), HasSubstr("\"nodes\" must be a list"));
 }
 
 TEST(GltfUnpack, OlderVersionsAreNamed)

@@ -182,7 +182,7 @@ void GlbWriter::separateOthers()
 void GlbWriter::keepPhotos(json& material)
 {
     for (const auto& [key, value] : material.items()) {
-        if (!value.is_object()) continue;
+        if (!value.is_object() || key == "extras") continue;
         if (key.ends_with("Texture") && showsPage(value))
             value["index"] = textureOfPhoto(value["index"].get<size_t>());
         else
@@ -412,30 +412,16 @@ std::string GlbWriter::writeUnlit()
     return assemble();
 }
 
-/// `write(writer)`, with what nlohmann throws of a document that is not as it should be explained.
-template<class Write>
-std::string withGlbWriter(const Scan& scan, const std::vector<RelitPage>& pages, const Write& write)
-{
-    try {
-        GlbWriter writer(scan, pages);
-        return write(writer);
-    } catch (const json::exception& failure) {
-        malformed(scan.name,
-                  fmt::format("is not as glTF wants it ({}); its parts cannot be written again",
-                              failure.what()));
-    }
-}
-
 } // namespace
 
 std::string writeGlb(const Scan& scan, const std::vector<RelitPage>& pages, const Lights& lights)
 {
-    return withGlbWriter(scan, pages, [&](GlbWriter& writer) { return writer.write(lights); });
+    return GlbWriter(scan, pages).write(lights);
 }
 
 std::string writeUnlitGlb(const Scan& scan, const std::vector<RelitPage>& pages)
 {
-    return withGlbWriter(scan, pages, [](GlbWriter& writer) { return writer.writeUnlit(); });
+    return GlbWriter(scan, pages).writeUnlit();
 }
 
 } // namespace relamp

@@ -212,16 +212,6 @@ TEST(GltfWrite, APrimitiveWithoutMaterialGetsAMatteOne)
     EXPECT_EQ(materialOf(written)["pbrMetallicRoughness"]["metallicFactor"], 0.0);
 }
 
-// tinygltf reads these as "no material" and as some other number; the document still has them.
-TEST(GltfWrite, MaterialsOfImpossibleNumbersEndInASentence)
-{
-    for (const nlohmann::json& index : {nlohmann::json(-1), nlohmann::json(1e10)}) {
-        GltfFile file = scenes::coloredSquare();
-        file.primitive()["material"] = index;
-        EXPECT_THROW(rewrite(file), Error) << index;
-    }
-}
-
 TEST(GltfWrite, LightsStandWhereTheyShineInTheUnitsOfTheFile)
 {
     PointLight lamp;

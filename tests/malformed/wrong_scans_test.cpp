@@ -174,6 +174,28 @@ TEST_F(WrongGlb, TextureCoordinatesThatTellNoPixelAreRefused)
     }
 }
 
+TEST_F(WrongGlb, ValuesOfAnotherTypeOrRangeAreRefused)
+{
+    const std::vector<std::pair<const char*, json>> cases{
+        {"/meshes/0/primitives/0/indices", -1},
+        {"/meshes/0/primitives/0/indices", "2"},
+        {"/meshes/0/primitives/0/mode", 7},
+        {"/nodes/0/matrix", {1, 2, 3}},
+        {"/nodes/0/rotation", {0, 0, 1}},
+        {"/nodes/0/scale", "large"},
+        {"/materials/0/pbrMetallicRoughness/baseColorFactor", {-1, 1, 1, 1}},
+        {"/materials/0/pbrMetallicRoughness/baseColorTexture/texCoord", "0"},
+        {"/accessors/0/normalized", "yes"},
+        {"/extensionsUsed", 5},
+        {"/extensionsRequired", 5},
+        {"/scenes", 5}};
+    for (const auto& [pointer, value] : cases) {
+        GltfFile file = scenes::texturedSquare();
+        file.document[json::json_pointer(pointer)] = value;
+        expectRefused(file, "must be");
+    }
+}
+
 }
 }
 
