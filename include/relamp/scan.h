@@ -74,7 +74,8 @@ struct GltfSource; // the file a glTF scan came from, kept for writing it back
 /// A scanned room: surfaces in metres and the pictures of light on them.
 struct Scan
 {
-    std::string name; // of the file, without folder and ending
+    std::string name;           // of the file, without folder and ending
+    std::filesystem::path file; // that it was read from, as it was named; empty: none
     std::vector<Mesh> meshes;
     std::vector<Page> pages;
     std::vector<ScanCamera> cameras;   // of glTF: those in perspective, by index
@@ -84,6 +85,8 @@ struct Scan
     std::shared_ptr<const GltfSource> gltf; // null for other formats
 
     [[nodiscard]] RELAMP_API size_t triangleCount() const;
+    /// What messages call it: the file, or the name where there is none.
+    [[nodiscard]] RELAMP_API std::string title() const;
 };
 
 struct Bounds

@@ -53,7 +53,7 @@ Camera cameraOfFile(const Scan& scan, int index)
         has += fmt::format("{}{} \"{}\"", has.empty() ? "" : ", ", camera.index,
                            printableName(camera.name));
     }
-    fail(ErrorCode::unsupported, scan.name,
+    fail(ErrorCode::unsupported, scan.title(),
          has.empty() ? fmt::format("has no camera {}, and no other; use --camera auto, or name a "
                                    "camera file",
                                    index)

@@ -359,7 +359,7 @@ std::string GlbWriter::assemble()
             binary.resize((binary.size() + 15) / 16 * 16);
             found->second = binary.size();
             if (binary.size() + content.size() > kLargestGlb)
-                fail(ErrorCode::unsupported, scan_.name,
+                fail(ErrorCode::unsupported, scan_.title(),
                      "its GLB would exceed 4 GiB; scale the textures down");
             binary.insert(binary.end(), content.begin(), content.end());
         }

@@ -49,6 +49,11 @@ size_t Scan::triangleCount() const
     return count;
 }
 
+std::string Scan::title() const
+{
+    return file.empty() ? name : file.string();
+}
+
 Bounds boundsOf(const Scan& scan)
 {
     constexpr float kFar = std::numeric_limits<float>::max();
@@ -66,6 +71,7 @@ Scan readScan(const std::filesystem::path& file, const ScanOptions& options, Pro
 {
     const Progress::Stage stage(progress, "read");
     Scan scan = readByFormat(file, options, progress);
+    scan.file = file;
     scan.options = options;
     return options.longestSide > 0 ? coarsened(std::move(scan), options.longestSide) : scan;
 }

@@ -218,7 +218,7 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions&
     const auto covered = static_cast<double>(texels.count());
     texels.overlapShare = covered > 0.0 ? std::min(1.0, ambiguous / covered) : 0.0;
     if (texels.count() == 0)
-        fail(ErrorCode::unsupported, scan.name,
+        fail(ErrorCode::unsupported, scan.title(),
              "no texel lies on any triangle: its texture coordinates have no extent. Unwrap it "
              "again");
     return texels;
@@ -227,7 +227,7 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions&
 void checkOverlap(const Texels& texels)
 {
     if (texels.overlapShare <= kMostOverlap) return;
-    fail(ErrorCode::unsupported, texels.scan->name,
+    fail(ErrorCode::unsupported, texels.scan->title(),
          fmt::format(
              "{:.0f} % of its texels stand for several places (tiled or mirrored texture).\n"
              "Light can only be taken off where every place has a texel of its own: unwrap it "
