@@ -11,7 +11,8 @@ namespace relamp
 Verification verify(const std::filesystem::path& folder, const VerifyOptions& options,
                     Progress& progress)
 {
-    const FormerRun run = readFormerRun(folder);
+    FormerRun run = readFormerRun(folder);
+    run.scan.allowOutside = options.allowOutside;
     Verification result;
     result.scanFile = options.scan.empty() ? run.scanFile : options.scan;
     const Scan scan = scanOf(folder, run, result.scanFile, progress);

@@ -51,6 +51,9 @@ void addScanArguments(CLI::App& command, ScanArguments& arguments)
         .add_option("--skip-mesh", options.skipMeshes, "Leave out meshes of this name (repeatable)")
         ->type_name("NAME")
         ->allow_extra_args(false);
+    command.add_flag("--allow-outside", options.allowOutside,
+                     "Let the scan name files outside of its folder; a stranger's could carry them "
+                     "off");
     command.add_option("--threads", arguments.threads, "Threads to work with; 0 is one a core [0]")
         ->check(between(0, 1024))
         ->type_name("N");

@@ -97,6 +97,8 @@ void addVerifyCommand(CLI::App& app, Run& run)
         ->type_name("DIR");
     command.add_option("--scan", options.scan, "Where the scan is, if it was moved")
         ->type_name("FILE");
+    command.add_flag("--allow-outside", options.allowOutside,
+                     "Let the scan name files outside of its folder");
     command.add_option("--samples", options.samples, "Paths from every place [64]")
         ->check(between(2, 65536))
         ->type_name("N");

@@ -180,10 +180,11 @@ void RoomSolver::resolve(const relamp::AlbedoOptions& albedo, const ScannedLight
     deliver(resolved(whole_, albedo, scanned, progress));
 }
 
-Solved readSolved(const std::filesystem::path& folder, const TextureLimits& limits,
-                  relamp::Progress& progress)
+Solved readSolved(const std::filesystem::path& folder, const relamp::ScanOptions& options,
+                  const TextureLimits& limits, relamp::Progress& progress)
 {
-    auto room = std::make_shared<relamp::DelitRoom>(relamp::readDelitRoom(folder, {}, progress));
+    auto room = std::make_shared<relamp::DelitRoom>(
+        relamp::readDelitRoom(folder, {.asScan = options}, progress));
     Solved solved;
     solved.notes = room->warnings;
     const PageShrinker shrunk(room->scan, limits);

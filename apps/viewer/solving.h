@@ -112,5 +112,5 @@ private:
 };
 
 /// What relamp delight has found before, in its folder.
-Solved readSolved(const std::filesystem::path& folder, const TextureLimits& limits,
-                  relamp::Progress& progress);
+Solved readSolved(const std::filesystem::path& folder, const relamp::ScanOptions& options,
+                  const TextureLimits& limits, relamp::Progress& progress);

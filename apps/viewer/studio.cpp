@@ -179,7 +179,8 @@ void Studio::readScan(const Wish& wish, relamp::Progress& progress)
 
 void Studio::readFolder(const Wish& wish, relamp::Progress& progress)
 {
-    const auto solved = std::make_shared<const Solved>(readSolved(wish.path, limits_, progress));
+    const auto solved =
+        std::make_shared<const Solved>(readSolved(wish.path, wish.scan, limits_, progress));
     const auto opened = std::make_shared<const Opened>(
         Opened{wish, solved->scan, std::make_shared<const RoomMesh>(roomMesh(*solved->scan)),
                PageShrinker(*solved->scan, limits_).textures(), nullptr});

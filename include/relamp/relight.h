@@ -151,7 +151,7 @@ struct DelitOptions
 {
     std::filesystem::path scan; // where the scan is now; empty: where the report says
     std::vector<std::filesystem::path> albedo; // instead of the room's own, one a page
-    ScanOptions asScan;                        // how to read what is no folder
+    ScanOptions asScan; // how to read what is no folder; of a folder's scan, allowOutside alone
 };
 
 /// Reads what relamp delight wrote: its folder; or a GLB or other scan whose texture is an albedo.

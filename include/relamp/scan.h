@@ -25,7 +25,9 @@ struct ScanOptions
     double scale = 1.0;    // metres a unit of the file, > 0
     Transfer transfer = Transfer::automatic;
     std::vector<std::string> skipMeshes; // names of meshes to leave out
-    int longestSide = 0; // pixels; longer textures are halved until they fit; 0: none is
+    int longestSide = 0;       // pixels; longer textures are halved until they fit; 0: none is
+    bool allowOutside = false; // also files that lie outside of the scan's folder, which a
+                               // stranger's scan could carry off
 };
 
 /// What a texture shows outside [0, 1].
@@ -108,7 +110,9 @@ RELAMP_API Bounds boundsOf(const Scan& scan);
 
 /// Reads glTF / GLB, OBJ, PLY, and whatever else Assimp knows.
 ///
-/// Throws Error with a sentence on anything that is not a whole, textured or coloured surface.
+/// Pictures, buffers and materials that it names are read from its folder and those below, links
+/// followed; from elsewhere only with `allowOutside`. Throws Error with a sentence on anything that
+/// is not a whole, textured or coloured surface, and on what leads outside.
 RELAMP_API Scan readScan(const std::filesystem::path& file, const ScanOptions& options,
                          Progress& progress);
 

@@ -20,6 +20,7 @@ struct VerifyOptions
     int places = 20000;         // texels that are looked at, >= 1; evenly over the scan
     uint32_t seed = 1;          // of the random numbers
     std::filesystem::path scan; // where the scan is now; empty: where the report says
+    bool allowOutside = false;  // as ScanOptions has it; no report can say it
 };
 
 /// Places of about the same shading, by what the result says it is.

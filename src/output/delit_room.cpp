@@ -50,7 +50,8 @@ std::vector<Image> readConfidence(const std::filesystem::path& folder, const Sca
 DelitRoom roomOfFolder(const std::filesystem::path& folder, const DelitOptions& options,
                        Progress& progress)
 {
-    const FormerRun run = readFormerRun(folder);
+    FormerRun run = readFormerRun(folder);
+    run.scan.allowOutside = options.asScan.allowOutside;
     DelitRoom room;
     room.scan = scanOf(folder, run, options.scan.empty() ? run.scanFile : options.scan, progress);
     room.gather = run.gather;

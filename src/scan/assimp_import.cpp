@@ -2,6 +2,7 @@
 
 #include "base/child_process.h"
 #include "base/fail.h"
+#include "scan/scan_folder.h"
 
 #include <cmath>
 #include <cstring>
@@ -9,6 +10,8 @@
 #include <span>
 #include <type_traits>
 
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/Exceptional.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/material.h>
@@ -257,19 +260,58 @@ private:
     }
 };
 
-std::vector<std::byte> importAndPack(const std::filesystem::path& file)
+/// The files that Assimp opens beside the one that it was given: materials, animations, parts.
+class FilesOfFolder : public Assimp::DefaultIOSystem
+{
+public:
+    explicit FilesOfFolder(const ScanFolder& folder) : folder_(folder) {}
+
+    Assimp::IOStream* Open(const char* file, const char* mode) override
+    {
+        if (folder_.holds(file)) return DefaultIOSystem::Open(file, mode);
+        if (DefaultIOSystem::Exists(file)) refused_ = file;
+        return nullptr;
+    }
+    bool Exists(const char* file) const override
+    {
+        return folder_.holds(file) && DefaultIOSystem::Exists(file);
+    }
+    /// One that is there, and was not opened; empty: none.
+    [[nodiscard]] const std::string& refused() const { return refused_; }
+
+private:
+    const ScanFolder& folder_;
+    std::string refused_;
+};
+
+/// Why it failed; what other libraries throw within Assimp is about C++, not about the file.
+std::string reasonOf(const Assimp::Importer& importer)
+{
+    try {
+        if (importer.GetException()) std::rethrow_exception(importer.GetException());
+    } catch (const DeadlyErrorBase&) {
+    } catch (...) {
+        return "the library that knows this format fails on it";
+    }
+    return importer.GetErrorString();
+}
+
+std::vector<std::byte> importAndPack(const std::filesystem::path& file, const ScanFolder& folder)
 {
     Assimp::Importer importer;
+    auto* files = new FilesOfFolder(folder); // NOLINT(cppcoreguidelines-owning-memory)
+    importer.SetIOHandler(files);            // which is the importer's from now on
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene =
         importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_SortByPType |
                                              aiProcess_JoinIdenticalVertices | aiProcess_FlipUVs |
                                              aiProcess_ValidateDataStructure);
+    if (!files->refused().empty()) ScanFolder::refuse(file.string() + ": it", files->refused());
     if (scene == nullptr || scene->mRootNode == nullptr)
         malformed(file.string(),
                   fmt::format("cannot be read: {}\nExport it again, as GLB, OBJ or PLY",
-                              importer.GetErrorString()));
+                              reasonOf(importer)));
     const Import import = SceneReader(*scene).read();
     std::vector<std::byte> bytes;
     visitAll(import, Packer{bytes});
@@ -278,14 +320,16 @@ std::vector<std::byte> importAndPack(const std::filesystem::path& file)
 
 } // namespace
 
-Import importWithAssimp(const std::filesystem::path& file, const Progress& progress)
+Import importWithAssimp(const std::filesystem::path& file, const ScanOptions& options,
+                        const Progress& progress)
 {
+    const ScanFolder folder(file, options);
     const auto size = std::filesystem::file_size(file);
     ChildLimits limits;
     limits.memory += kMemoryPerByte * size;
     limits.seconds = 4.0 + kSecondsPerByte * static_cast<double>(size);
     const std::vector<std::byte> bytes =
-        runInChild([&] { return importAndPack(file); }, limits, file.string(), progress);
+        runInChild([&] { return importAndPack(file, folder); }, limits, file.string(), progress);
     Import import;
     std::span<const std::byte> rest(bytes);
     try {

@@ -45,8 +45,10 @@ struct Import
 /// Reads `file` in a process of its own: Assimp is known to crash, hang and hoard memory on damaged
 /// files of many of its sixty formats, and nobody could check them all beforehand.
 ///
-/// Every number is as the file has it, none has been checked. Throws Error(malformed) with Assimp's
-/// reason, or the way it failed.
-Import importWithAssimp(const std::filesystem::path& file, const Progress& progress);
+/// Every number is as the file has it, none has been checked. Files that it names are opened in its
+/// folder alone (scan_folder.h). Throws Error(malformed) with Assimp's reason, or the way it
+/// failed, and Error(unsupported) where it leads outside.
+Import importWithAssimp(const std::filesystem::path& file, const ScanOptions& options,
+                        const Progress& progress);
 
 } // namespace relamp

@@ -82,7 +82,7 @@ class AssimpReader
 public:
     AssimpReader(std::span<const std::byte> bytes, const std::filesystem::path& file,
                  const ScanOptions& options)
-        : bytes_(bytes), file_(file), options_(options), skipped_(options), textures_(file)
+        : bytes_(bytes), file_(file), options_(options), skipped_(options), textures_(file, options)
     {
         scan_.name = file.stem().string();
         scan_.worldFromFile = worldFromFile(options);
@@ -156,7 +156,7 @@ void AssimpReader::takeMesh(Import::Mesh& source, const Import::Material& materi
 
 Scan AssimpReader::read(Progress& progress)
 {
-    Import import = importWithAssimp(file_, progress);
+    Import import = importWithAssimp(file_, options_, progress);
     checkCoordinates(bytes_, file_.string());
     checkMaterials(import);
     for (Import::Mesh& mesh : import.meshes) {
@@ -168,7 +168,7 @@ Scan AssimpReader::read(Progress& progress)
     std::map<std::string, std::vector<std::byte>> embedded;
     for (Import::Texture& texture : import.textures)
         embedded[texture.name] = std::move(texture.bytes);
-    scan_.pages = textures_.read(embedded, options_.transfer, progress);
+    scan_.pages = textures_.read(embedded, progress);
     // What these formats keep as bytes a vertex came from a photo, through its transfer curve.
     addVertexPage(scan_, options_.transfer == Transfer::linear ? Transfer::linear : Transfer::srgb,
                   file_.string());

@@ -34,10 +34,10 @@ protected:
         folder.write("four colors.png", scenes::pictureFile("png", scenes::fourColors()));
     }
 
-    Scan read(const std::string& name = "room.obj")
+    Scan read(const std::string& name = "room.obj", const ScanOptions& options = {})
     {
         Progress progress;
-        return readScan(folder / name, {}, progress);
+        return readScan(folder / name, options, progress);
     }
     std::string refusal(const std::string& name = "room.obj")
     {
@@ -175,6 +175,35 @@ TEST_F(AssimpRead, BrokenNumbersAndIndicesEndInASentence)
         folder.write("room.obj", std::string(text));
         EXPECT_THAT(refusal(), HasSubstr("room.obj")) << text;
     }
+}
+
+TEST_F(AssimpRead, FilesOutsideOfItsFolderAreNotRead)
+{
+    std::filesystem::create_directory(folder / "scan");
+    std::filesystem::create_symlink(folder / "four colors.png", folder / "scan/link.png");
+    folder.write("far.mtl", std::string("newmtl paint\nmap_Kd wall.png\n"));
+    folder.write("scan/wall.png", scenes::pictureFile("png", scenes::fourColors()));
+    const auto expectRefused = [&](const std::string& mtllib, const std::string& named) {
+        folder.write("scan/room.obj", "mtllib " + mtllib + "\n" + kSquare);
+        EXPECT_THAT(refusal("scan/room.obj"), HasSubstr(named + "\", which lies outside"));
+        EXPECT_THAT(refusal("scan/room.obj"), HasSubstr("--allow-outside"));
+        EXPECT_THAT(read("scan/room.obj", {.allowOutside = true}).pages, SizeIs(1));
+    };
+    for (const std::string& texture : {std::string("../four colors.png"), std::string("link.png"),
+                                       (folder / "four colors.png").string()}) {
+        folder.write("scan/near.mtl", "newmtl paint\nmap_Kd " + texture + "\n");
+        expectRefused("near.mtl", texture);
+    }
+    expectRefused("../far.mtl", "../far.mtl");
+}
+
+TEST_F(AssimpRead, AScanMayItselfBeALink)
+{
+    std::filesystem::create_directory(folder / "scan");
+    writeSquare("newmtl paint\nmap_Kd four colors.png\n");
+    std::filesystem::rename(folder / "room.obj", folder / "scan/real.obj");
+    std::filesystem::create_symlink(folder / "scan/real.obj", folder / "room.obj");
+    EXPECT_THAT(read().pages, SizeIs(1));
 }
 
 TEST_F(AssimpRead, TextureCoordinatesThatTellNoPixelAreRefused)

@@ -361,7 +361,7 @@ std::vector<int> rootNodes(const nlohmann::json& document)
 Scan readGltf(std::span<const std::byte> bytes, const std::filesystem::path& file,
               const ScanOptions& options, Progress& progress)
 {
-    return GltfReader(file, options, unpackGltf(bytes, file)).read(progress);
+    return GltfReader(file, options, unpackGltf(bytes, file, options)).read(progress);
 }
 
 } // namespace relamp

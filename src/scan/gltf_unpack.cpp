@@ -7,6 +7,7 @@
 #include "scan/gltf_json.h"
 #include "scan/gltf_shape.h"
 #include "scan/gltf_uri.h"
+#include "scan/scan_folder.h"
 
 #include <algorithm>
 #include <array>
@@ -48,8 +49,8 @@ class Unpacker
 public:
     /// `size` is that of the file, in bytes.
     Unpacker(json& document, std::span<const std::byte> chunk, size_t size,
-             const std::filesystem::path& file)
-        : document_(document), chunk_(chunk), bytesRead_(size), folder_(file.parent_path()),
+             const std::filesystem::path& file, const ScanOptions& options)
+        : document_(document), chunk_(chunk), bytesRead_(size), folder_(file, options),
           name_(file.string())
     {}
 
@@ -61,6 +62,7 @@ public:
 private:
     void checkScene() const;
     json& section(const char* key) { return document_[key]; }
+    void checkPlace(const std::string& uri, const std::string& what) const;
     std::vector<uint8_t> fetch(const std::string& uri, const std::string& what);
     void takeBuffers();
     void rebaseView(size_t index);
@@ -78,7 +80,7 @@ private:
     json& document_;
     std::span<const std::byte> chunk_;
     uint64_t bytesRead_;
-    std::filesystem::path folder_;
+    ScanFolder folder_;
     std::string name_;
     std::vector<std::pair<uint64_t, uint64_t>> bufferRange_; // offset and size in `binary`
 };
@@ -91,12 +93,18 @@ void Unpacker::checkScene() const
         malformed(name_, fmt::format("refers to scene {}, which is not there", scene));
 }
 
+void Unpacker::checkPlace(const std::string& uri, const std::string& what) const
+{
+    if (!isDataUri(uri) && !folder_.holds(folder_ / decodePercent(uri)))
+        ScanFolder::refuse(what, uri);
+}
+
 std::vector<uint8_t> Unpacker::fetch(const std::string& uri, const std::string& what)
 {
     if (isDataUri(uri)) return decodeDataUri(uri, what);
-    const std::filesystem::path file = folder_ / std::filesystem::path(decodePercent(uri));
+    checkPlace(uri, what);
     try {
-        const auto bytes = readFile(file);
+        const auto bytes = readFile(folder_ / decodePercent(uri));
         bytesRead_ += bytes.size();
         const auto* begin = reinterpret_cast<const uint8_t*>(bytes.data());
         return {begin, begin + bytes.size()};
@@ -199,6 +207,7 @@ void Unpacker::takeImage(size_t index)
     const auto uri = image.find("uri");
     if (uri == image.end()) return;
     const std::string what = fmt::format("{}: image {}", name_, index);
+    checkPlace(uri->get<std::string>(), what);
     std::vector<uint8_t> bytes;
     try {
         bytes = fetch(uri->get<std::string>(), what);
@@ -313,14 +322,15 @@ void Unpacker::run()
 
 } // namespace
 
-PlainGltf unpackGltf(std::span<const std::byte> bytes, const std::filesystem::path& file)
+PlainGltf unpackGltf(std::span<const std::byte> bytes, const std::filesystem::path& file,
+                     const ScanOptions& options)
 {
     const GltfChunks chunks = splitGltf(bytes, file.string());
     json document = parseJson(chunks.json, file.string());
     checkVersion(document, file.string());
     checkShape(document, file.string());
     checkExtensions(document, file.string());
-    Unpacker unpacker(document, chunks.binary, bytes.size(), file);
+    Unpacker unpacker(document, chunks.binary, bytes.size(), file, options);
     unpacker.run();
     return {std::move(document), std::move(unpacker.binary), std::move(unpacker.warnings)};
 }

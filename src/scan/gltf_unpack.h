@@ -1,5 +1,7 @@
 #pragma once
 
+#include "relamp/scan.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -26,7 +28,9 @@ struct PlainGltf
 /// Embedded, data-URI and external buffers and images come into the one binary buffer;
 /// EXT_meshopt_compression and KHR_draco_mesh_compression are decoded and dropped from the
 /// extension lists. Every buffer view of the result lies within the buffer. External files are
-/// looked for beside `file`. Throws Error(cannotRead | malformed | unsupported).
-PlainGltf unpackGltf(std::span<const std::byte> bytes, const std::filesystem::path& file);
+/// looked for beside `file`, and nowhere else unless `options` allow it. The document has passed
+/// checkShape. Throws Error(cannotRead | malformed | unsupported).
+PlainGltf unpackGltf(std::span<const std::byte> bytes, const std::filesystem::path& file,
+                     const ScanOptions& options);
 
 } // namespace relamp

@@ -2,6 +2,7 @@
 
 #include "scenes/gltf_files.h"
 #include "scenes/pictures.h"
+#include "scenes/refusal.h"
 #include "scenes/temporary_folder.h"
 
 #include <gmock/gmock.h>
@@ -37,10 +38,10 @@ std::string base64(const Bytes& bytes)
     return text;
 }
 
-Scan readFrom(const std::filesystem::path& file)
+Scan readFrom(const std::filesystem::path& file, const ScanOptions& options = {})
 {
     Progress progress;
-    return readScan(file, {}, progress);
+    return readScan(file, options, progress);
 }
 
 void expectSquare(const Scan& scan)
@@ -86,6 +87,89 @@ TEST(GltfUnpack, FilesBesideAreFoundUnderTheirEscapedNames)
     expectSquare(readFrom(folder / "room.gltf"));
 }
 
+/// A scan in a folder, and a picture that lies beside that folder.
+class GltfOutside : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        std::filesystem::create_directories(folder / "scan/a");
+        folder.write("secret.png", scenes::pictureFile("png", scenes::fourColors()));
+    }
+    std::filesystem::path writeShowing(const std::string& uri) const
+    {
+        return folder.write("scan/room.glb", squareShowing(uri).glb());
+    }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(GltfOutside, PicturesAreNotRead)
+{
+    std::filesystem::create_symlink(folder / "secret.png", folder / "scan/link.png");
+    std::filesystem::create_directory_symlink(folder.path(), folder / "scan/up");
+    for (const std::string& uri :
+         {std::string("../secret.png"), std::string("%2e%2E/secret%2epng"),
+          std::string("./a/../../secret.png"), (folder / "secret.png").string(),
+          std::string("link.png"), std::string("up/secret.png"),
+          std::string("up/scan/../secret.png")}) {
+        const std::filesystem::path file = writeShowing(uri);
+        const std::string sentence = scenes::refusalOf([&] { readFrom(file); });
+        EXPECT_THAT(sentence, testing::StartsWith(file.string() + ": image 0 names the file \"" +
+                                                  uri + "\", which lies outside"));
+        EXPECT_THAT(sentence, HasSubstr("--allow-outside"));
+        expectSquare(readFrom(file, {.allowOutside = true}));
+    }
+}
+
+TEST_F(GltfOutside, BuffersAreNotRead)
+{
+    const GltfFile square = scenes::texturedSquare();
+    folder.write("room.bin", square.binary);
+    const auto file = folder.write("scan/room.gltf", square.gltf("../room.bin"));
+    EXPECT_THAT(scenes::refusalOf([&] { readFrom(file); }),
+                HasSubstr("buffer 0 names the file \"../room.bin\", which lies outside"));
+    expectSquare(readFrom(file, {.allowOutside = true}));
+}
+
+TEST_F(GltfOutside, PicturesThatShowNoColourAreNotReadEither)
+{
+    GltfFile file = scenes::texturedSquare();
+    file.document["images"].push_back({{"uri", "../secret.png"}});
+    const auto room = folder.write("scan/room.glb", file.glb());
+    EXPECT_THAT(scenes::refusalOf([&] { readFrom(room); }), HasSubstr("image 1 names the file"));
+}
+
+TEST_F(GltfOutside, WhatIsCalledSoButLiesInsideIsRead)
+{
+    folder.write("scan/wall.png", scenes::pictureFile("png", scenes::fourColors()));
+    for (const std::string& uri :
+         {std::string("../scan/wall.png"), (folder / "scan/wall.png").string()})
+        expectSquare(readFrom(writeShowing(uri)));
+    std::filesystem::create_symlink(writeShowing("wall.png"), folder / "link.glb");
+    folder.write("wall.png", scenes::pictureFile("png", scenes::fourColors()));
+    expectSquare(readFrom(folder / "link.glb")); // whose folder is the link's
+}
+
+TEST_F(GltfOutside, OtherSchemesAreNoFiles)
+{
+    for (const std::string& uri :
+         {std::string("http://localhost/secret.png"), "file://" + (folder / "secret.png").string()})
+        for (const bool allowOutside : {false, true})
+            EXPECT_THAT(scenes::refusalOf(
+                            [&] { readFrom(writeShowing(uri), {.allowOutside = allowOutside}); }),
+                        HasSubstr("missing or unreadable"))
+                << uri;
+}
+
+TEST_F(GltfOutside, NamesWithACharacterThatEndsThemAreRefused)
+{
+    folder.write("scan/wall.png", scenes::pictureFile("png", scenes::fourColors()));
+    for (const char* uri : {"wall.png%00", "..%00/secret.png"})
+        EXPECT_THAT(scenes::refusalOf([&] { readFrom(writeShowing(uri)); }),
+                    HasSubstr("names the file"));
+}
+
 TEST(GltfUnpack, AMissingBufferIsNamed)
 {
     const std::string sentence =
@@ -116,7 +200,7 @@ TEST(GltfUnpack, AMissingPictureThatShowsNoColourIsOnlyWarnedOf)
 TEST(GltfUnpack, WhatWasCompressedIsPlainAndNoLongerSaysSo)
 {
     for (const GltfFile& file : {scenes::dracoSquare(), scenes::meshoptSquare()}) {
-        const json document = unpackGltf(scenes::asBytes(file.glb()), "room.glb").document;
+        const json document = unpackGltf(scenes::asBytes(file.glb()), "room.glb", {}).document;
         EXPECT_THAT(document.dump(), Not(HasSubstr("compression")));
         EXPECT_THAT(document["buffers"], SizeIs(1));
         EXPECT_FALSE(document.contains("extensionsRequired"));

@@ -87,7 +87,7 @@ public:
               const ScanOptions& options)
         : name_(file.string()), options_(options), skipped_(options),
           header_(parsePlyHeader(bytes, name_)),
-          body_(bytes.subspan(header_.size), header_.encoding, name_), textures_(file),
+          body_(bytes.subspan(header_.size), header_.encoding, name_), textures_(file, options),
           hasCornerUvs_(facesHaveCoordinates(header_))
     {
         scan_.name = file.stem().string();
@@ -313,7 +313,7 @@ Scan PlyReader::read(Progress& progress)
                          vertices_.positions.size()));
     checkColors();
     for (Part& part : parts_) finish(part);
-    scan_.pages = textures_.read({}, options_.transfer, progress);
+    scan_.pages = textures_.read({}, progress);
     // What PLY keeps as bytes a vertex came from a photo, through its transfer curve.
     addVertexPage(scan_, options_.transfer == Transfer::linear ? Transfer::linear : Transfer::srgb,
                   name_);

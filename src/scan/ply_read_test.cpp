@@ -2,6 +2,7 @@
 
 #include "scenes/gltf_files.h"
 #include "scenes/pictures.h"
+#include "scenes/refusal.h"
 #include "scenes/temporary_folder.h"
 
 #include <algorithm>
@@ -249,6 +250,28 @@ TEST(PlyRead, NumbersThatMeanNothingAreRefused)
                                                          "1 1 1e-999 1 1 1\n3 0 1 2\n3 2 1 3\n"),
                         "a.ply"),
         "");
+}
+
+TEST(PlyRead, PicturesOutsideOfItsFolderAreNotRead)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "scan");
+    folder.write("secret.png", scenes::pictureFile("png", scenes::fourColors()));
+    std::filesystem::create_symlink(folder / "secret.png", folder / "scan/link.png");
+    for (const std::string& name : {std::string("../secret.png"), std::string("..\\secret.png"),
+                                    std::string("link.png"), (folder / "secret.png").string()}) {
+        const auto file = folder.write(
+            "scan/room.ply",
+            ascii("comment TextureFile " + name +
+                      "\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                      "property float s\nproperty float t\nelement face 1\n"
+                      "property list uchar int vertex_indices\n",
+                  "0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n"));
+        Progress progress;
+        EXPECT_THAT(scenes::refusalOf([&] { readScan(file, {}, progress); }),
+                    HasSubstr("its header names the file \"" + name + "\", which lies outside"));
+        EXPECT_THAT(readScan(file, {.allowOutside = true}, progress).pages, SizeIs(1));
+    }
 }
 
 TEST(PlyRead, HeadersThatAreNotOfPlyAreRefused)

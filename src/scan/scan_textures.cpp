@@ -22,11 +22,13 @@ std::filesystem::path ScanTextures::find(const Wanted& wanted) const
 {
     std::string path = wanted.name;
     std::replace(path.begin(), path.end(), '\\', '/'); // written on Windows
-    const std::filesystem::path relative(path);
-    const std::filesystem::path beside = scanFile_.parent_path();
+    const std::filesystem::path asNamed = folder_ / path;
     std::error_code ignored;
-    for (const auto& candidate : {beside / relative, beside / relative.filename()})
-        if (std::filesystem::is_regular_file(candidate, ignored)) return candidate;
+    for (const auto& candidate : {asNamed, folder_ / asNamed.filename()})
+        if (std::filesystem::is_regular_file(candidate, ignored) && folder_.holds(candidate))
+            return candidate;
+    if (std::filesystem::is_regular_file(asNamed, ignored))
+        ScanFolder::refuse(fmt::format("{}: {}", scanFile_.string(), wanted.namedBy), wanted.name);
     fail(ErrorCode::cannotRead, scanFile_.string(),
          fmt::format(
              "{} names the texture \"{}\", which is not there.\nPut it beside the file, or correct "
@@ -35,7 +37,7 @@ std::filesystem::path ScanTextures::find(const Wanted& wanted) const
 }
 
 std::vector<Page> ScanTextures::read(const std::map<std::string, std::vector<std::byte>>& embedded,
-                                     Transfer transfer, Progress& progress) const
+                                     Progress& progress) const
 {
     std::vector<Page> pages(wanted_.size());
     Progress::Stage stage(progress, "read", pages.size());
@@ -46,8 +48,8 @@ std::vector<Page> ScanTextures::read(const std::map<std::string, std::vector<std
             inside != embedded.end()
                 ? readImage(std::span(inside->second),
                             fmt::format("{}: texture \"{}\"", scanFile_.string(), wanted_[i].name),
-                            transfer)
-                : readImage(find(wanted_[i]), transfer);
+                            transfer_)
+                : readImage(find(wanted_[i]), transfer_);
         stage.advance();
     });
     return pages;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "relamp/scan.h"
+#include "scan/scan_folder.h"
 
 #include <cstddef>
 #include <map>
@@ -14,7 +15,9 @@ namespace relamp
 class ScanTextures
 {
 public:
-    explicit ScanTextures(const std::filesystem::path& scanFile) : scanFile_(scanFile) {}
+    ScanTextures(const std::filesystem::path& scanFile, const ScanOptions& options)
+        : scanFile_(scanFile), folder_(scanFile, options), transfer_(options.transfer)
+    {}
 
     /// Index of the page for a picture, which `namedBy` (say, material "wall") asks for.
     int pageOf(const std::string& name, const std::string& namedBy);
@@ -23,8 +26,7 @@ public:
     /// in `embedded` by name, then beside the scan's file. Throws Error, naming the picture and who
     /// asked for it.
     [[nodiscard]] std::vector<Page>
-    read(const std::map<std::string, std::vector<std::byte>>& embedded, Transfer transfer,
-         Progress& progress) const;
+    read(const std::map<std::string, std::vector<std::byte>>& embedded, Progress& progress) const;
 
 private:
     struct Wanted
@@ -35,6 +37,8 @@ private:
     [[nodiscard]] std::filesystem::path find(const Wanted& wanted) const;
 
     std::filesystem::path scanFile_;
+    ScanFolder folder_;
+    Transfer transfer_;
     std::vector<Wanted> wanted_;
 };
 

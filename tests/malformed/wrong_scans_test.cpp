@@ -196,7 +196,16 @@ TEST_F(WrongGlb, ValuesOfAnotherTypeOrRangeAreRefused)
     }
 }
 
-}
+TEST_F(WrongGlb, FilesOutsideOfItsFolderAreNotCarriedOff)
+{
+    for (const char* uri :
+         {"../../../../../../etc/passwd", "/etc/passwd", "%2e%2e/../etc/passwd"}) {
+        GltfFile picture = scenes::texturedSquare();
+        picture.document["images"][0] = {{"uri", uri}};
+        expectRefused(picture, "--allow-outside");
+        write("room.gltf", scenes::texturedSquare().gltf(uri));
+        RunInFolder::expectRefused("room.gltf", "--allow-outside");
+    }
 }
 
 TEST_F(WrongGlb, WithoutTextureCoordinatesTheWayOutIsSaid)
@@ -285,6 +294,14 @@ TEST_F(WrongPly, HeadersThatAreNotOfPlyAreRefused)
     }
 }
 
+TEST_F(WrongPly, FilesOutsideOfItsFolderAreNotRead)
+{
+    write(smallTexturedPly("png"));
+    std::filesystem::create_directory(folder / "scan");
+    write("scan/room.ply", replaced(smallTexturedPly("png").bytes, "room.png", "../room.png"));
+    expectRefused("scan/room.ply", "--allow-outside");
+}
+
 TEST_F(WrongPly, WithoutFacesItIsRefused)
 {
     write("room.ply", replaced(smallTextPly().bytes, "face 2", "face 0"));
@@ -318,6 +335,16 @@ TEST_F(WrongObj, NumbersThatMeanNothingAreRefused)
         expectRefused("room.obj", "1 of its 4 vertices have texture coordinates");
     }
 }
+
+TEST_F(WrongObj, FilesOutsideOfItsFolderAreNotRead)
+{
+    write(smallObj());
+    std::filesystem::create_directory(folder / "scan");
+    write("scan/room.obj", replaced(smallObj().bytes, "room.mtl", "../room.mtl"));
+    expectRefused("scan/room.obj", "room.mtl\", which lies outside");
+    write("scan/room.obj", smallObj().bytes);
+    write("scan/room.mtl", replaced(smallObj().beside.at("room.mtl"), "room.jpg", "../room.jpg"));
+    expectRefused("scan/room.obj", "--allow-outside");
 }
 
 TEST_F(WrongObj, WhatIsMissingBesideItIsNamed)
