@@ -19,7 +19,7 @@ FormerRun runFrom(const JsonItem& report)
 {
     constexpr std::int64_t kMostTriangles = std::int64_t{1} << 40;
     constexpr int kMostRays = 1024;
-    constexpr int kLongestSide = 1 << 20;
+    constexpr int kLongestPageSide = 1 << 20;
 
     const JsonItem scan = report.objectAt("scan");
     const JsonItem options = report.objectAt("options");
@@ -29,7 +29,7 @@ FormerRun runFrom(const JsonItem& report)
     run.scan.up = scan.textAt("up") == "z" ? UpAxis::z : UpAxis::y;
     run.scan.scale = scan.numberAt("scale", 1e-6, 1e6);
     run.scan.transfer = transferNamed(scan.textAt("transfer"));
-    run.scan.longestSide = static_cast<int>(scan.whole("longestSide", 0, kLongestSide, 0));
+    run.scan.longestSide = static_cast<int>(scan.whole("longestSide", 0, kLongestPageSide, 0));
     run.scan.skipMeshes = scan.texts("skippedMeshes");
     // Lamps are found on surfels as they were then, and so are the same.
     if (options.text("quality", "standard") == "draft") run.gather.quality = Quality::draft;

@@ -21,7 +21,7 @@ using testing::IsEmpty;
 using testing::SizeIs;
 using testing::StartsWith;
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// Two triangles that share an edge along z; the second is turned up by `degrees` about it.
@@ -136,7 +136,7 @@ TEST(FinishMesh, NormalsThatAreNotOneAVertexAreNotTaken)
 
 TEST(FinishMesh, PositionsThatAreNoPlaceAreCountedAndRefused)
 {
-    for (const float bad : {kNan, kInfinity, -3e38f, 1.1e5f}) {
+    for (const float bad : {kNotANumber, kInfinity, -3e38f, 1.1e5f}) {
         Mesh mesh = hinge(0.0f);
         mesh.positions[3].x = bad;
         EXPECT_THAT(refusal(mesh), StartsWith("room.obj: mesh \"hinge\": 1 of its 4 vertices lie "
@@ -154,7 +154,7 @@ TEST(FinishMesh, PositionsThatAreNoPlaceAreCountedAndRefused)
 
 TEST(FinishMesh, TextureCoordinatesThatTellNoPixelAreCountedAndRefused)
 {
-    for (const float bad : {kNan, -kInfinity, 1e37f, 1e19f, 1e15f, -1001.0f}) {
+    for (const float bad : {kNotANumber, -kInfinity, 1e37f, 1e19f, 1e15f, -1001.0f}) {
         Mesh mesh = hinge(0.0f);
         mesh.uvs = {{0, 0}, {0, 1}, {1, 0}, {bad, 0}};
         EXPECT_THAT(refusal(mesh), HasSubstr("1 of its 4 vertices have texture coordinates"))
@@ -167,7 +167,7 @@ TEST(FinishMesh, TextureCoordinatesThatTellNoPixelAreCountedAndRefused)
 
 TEST(FinishMesh, NormalsWithoutLengthOrEndAreCountedAndRefused)
 {
-    for (const float bad : {kNan, kInfinity, 1e19f}) {
+    for (const float bad : {kNotANumber, kInfinity, 1e19f}) {
         Mesh mesh = hinge(0.0f);
         const std::vector<glm::vec3> normals{{0, 1, 0}, {0, 1, 0}, {bad, 1, 0}, {0, bad, 0}};
         EXPECT_THAT(scenes::refusalOf([&] { finish(mesh, normals); }),
@@ -178,7 +178,7 @@ TEST(FinishMesh, NormalsWithoutLengthOrEndAreCountedAndRefused)
 
 TEST(FinishMesh, ColoursThatAreNoLightAreCountedAndRefused)
 {
-    for (const float bad : {kNan, kInfinity, -1.0f, 7e4f}) {
+    for (const float bad : {kNotANumber, kInfinity, -1.0f, 7e4f}) {
         Mesh mesh = hinge(0.0f);
         mesh.colors = {{0, 1, 0}, {0, 1, 0}, {bad, 1, 0}, {0, 1, 0}};
         EXPECT_THAT(refusal(mesh), HasSubstr("1 of its 4 vertices have colours that are no light"))
@@ -196,8 +196,8 @@ TEST(FinishMesh, ColoursThatAreNoLightAreCountedAndRefused)
 TEST(FinishMesh, VerticesThatNoTriangleUsesMayBeAnythingAndComeOutAsNumbers)
 {
     Mesh mesh = hinge(0.0f);
-    mesh.positions.emplace_back(kNan, 1.0f, 1.0f);
-    mesh.uvs = {{0, 0}, {0, 1}, {1, 0}, {1, 1}, {kNan, 0}};
+    mesh.positions.emplace_back(kNotANumber, 1.0f, 1.0f);
+    mesh.uvs = {{0, 0}, {0, 1}, {1, 0}, {1, 1}, {kNotANumber, 0}};
     mesh.colors.assign(5, glm::vec3(1.0f));
     mesh.colors[4].g = kInfinity;
     finish(mesh);
