@@ -28,7 +28,7 @@ OwnedShader shader(const Device& device, std::span<const uint32_t> words)
     return {device.get(), made};
 }
 
-/// The shaders' constants 0 to 5.
+/// The shaders' constants 0 to 4.
 struct Constants
 {
     VkBool32 ofVertices;
@@ -36,7 +36,6 @@ struct Constants
     int32_t layer;
     int32_t view;
     VkBool32 lines;
-    VkBool32 backs;
 };
 
 /// Where vertices lie in their buffers: room ones in two, for the light changes alone.
@@ -86,13 +85,13 @@ VkPipelineColorBlendAttachmentState blendOf(const Drawing& drawing)
     return blend;
 }
 
-/// From outside, the room is looked into past the backs of its near walls.
+/// The room is looked into past the backs of its near walls, whatever layer it shows.
 VkPipelineRasterizationStateCreateInfo rasterOf(const Drawing& drawing)
 {
     VkPipelineRasterizationStateCreateInfo raster{
         VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
     raster.polygonMode = VK_POLYGON_MODE_FILL;
-    const bool isCulled = drawing.subject == Subject::room && !drawing.atlas && !drawing.backs;
+    const bool isCulled = drawing.subject == Subject::room && !drawing.atlas;
     raster.cullMode = isCulled ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE;
     raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
     raster.lineWidth = 1.0f;
@@ -141,14 +140,13 @@ std::pair<VkShaderModule, VkShaderModule> Pipelines::shadersOf(Subject subject) 
 
 OwnedPipeline Pipelines::make(const Drawing& drawing, VkRenderPass pass) const
 {
-    const Constants constants{drawing.ofVertices, drawing.atlas, drawing.layer,
-                              drawing.view,       drawing.lines, drawing.backs};
-    const std::array<VkSpecializationMapEntry, 6> entries{{{0, offsetof(Constants, ofVertices), 4},
+    const Constants constants{drawing.ofVertices, drawing.atlas, drawing.layer, drawing.view,
+                              drawing.lines};
+    const std::array<VkSpecializationMapEntry, 5> entries{{{0, offsetof(Constants, ofVertices), 4},
                                                            {1, offsetof(Constants, atlas), 4},
                                                            {2, offsetof(Constants, layer), 4},
                                                            {3, offsetof(Constants, view), 4},
-                                                           {4, offsetof(Constants, lines), 4},
-                                                           {5, offsetof(Constants, backs), 4}}};
+                                                           {4, offsetof(Constants, lines), 4}}};
     const VkSpecializationInfo specialised{static_cast<uint32_t>(entries.size()), entries.data(),
                                            sizeof(constants), &constants};
     std::array<VkPipelineShaderStageCreateInfo, 2> stages{};

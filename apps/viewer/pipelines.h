@@ -39,7 +39,6 @@ struct Drawing
     bool ofVertices = false;
     bool atlas = false;
     bool lines = false;
-    bool backs = false; // of the room are black, and not looked through
     Subject subject = Subject::room;
 
     auto operator<=>(const Drawing&) const = default;

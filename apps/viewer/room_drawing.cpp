@@ -224,11 +224,6 @@ VkDescriptorSet RoomDrawing::newSet(const Views& views, VkSampler sampler)
     return set;
 }
 
-bool RoomDrawing::showsSky(const Scene& scene) const
-{
-    return scene.sky && !scene.atlas && sky_.radiance != glm::vec3(0.0f);
-}
-
 void RoomDrawing::draw(VkCommandBuffer commands, VkRenderPass pass, const Scene& scene)
 {
     if (surfaces_.empty() || scene.area.extent.width == 0 || scene.area.extent.height == 0) return;
@@ -243,7 +238,8 @@ void RoomDrawing::draw(VkCommandBuffer commands, VkRenderPass pass, const Scene&
     drawSurfaces(commands, pass, scene, false);
     if (scene.wireframe) drawSurfaces(commands, pass, scene, true);
     if (scene.lamps && !scene.atlas) drawLamps(commands, pass, scene);
-    if (showsSky(scene)) drawSky(commands, pass, scene);
+    if (scene.sky && !scene.atlas && sky_.radiance != glm::vec3(0.0f))
+        drawSky(commands, pass, scene);
 }
 
 void RoomDrawing::drawSurfaces(VkCommandBuffer commands, VkRenderPass pass, const Scene& scene,
@@ -256,8 +252,7 @@ void RoomDrawing::drawSurfaces(VkCommandBuffer commands, VkRenderPass pass, cons
     Drawing drawing{.layer = static_cast<int>(scene.layer),
                     .view = scene.linear ? 3 : static_cast<int>(scene.view.view),
                     .atlas = scene.atlas,
-                    .lines = lines,
-                    .backs = scene.inside && showsSky(scene)};
+                    .lines = lines};
     if (scene.layer == Layer::relit && !hasTexture(PageTexture::relit)) drawing.layer = kGlance;
     for (const RoomSurface& surface : surfaces_) {
         drawing.ofVertices = surface.ofVertices;

@@ -33,7 +33,6 @@ struct Scene
     bool wireframe = false;
     bool lamps = false;  // of new lights
     bool sky = false;    // where nothing else is, if it shines
-    bool inside = false; // the eye: backs hide what is behind them
     bool linear = false; // light itself, for EXR
     relamp::ViewOptions view;
 };
@@ -79,7 +78,6 @@ private:
     void drawSurfaces(VkCommandBuffer commands, VkRenderPass pass, const Scene& scene, bool lines);
     void drawLamps(VkCommandBuffer commands, VkRenderPass pass, const Scene& scene);
     void drawSky(VkCommandBuffer commands, VkRenderPass pass, const Scene& scene);
-    [[nodiscard]] bool showsSky(const Scene& scene) const;
 
     const Device& device_;
     OwnedSetLayout setLayout_;

@@ -25,7 +25,6 @@ void Viewer::drawView(VkCommandBuffer commands, VkRenderPass pass, const VkRect2
     scene.atlas = shown.atlas;
     scene.wireframe = shown.wireframe;
     scene.lamps = scene.sky = scene.layer == Layer::relit;
-    scene.inside = studio.bounds().contains(studio.camera.position());
     scene.linear = linear;
     scene.view = studio.edit.view;
     if (linear) scene.view.exposure = 0.0f;

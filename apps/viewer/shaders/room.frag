@@ -6,7 +6,6 @@ layout(constant_id = 0) const bool kOfVertices = false;
 layout(constant_id = 2) const int kLayer = 0;
 layout(constant_id = 3) const int kView = 0; // standard, AgX, ACES; 3: light itself, for EXR
 layout(constant_id = 4) const bool kLines = false; // of the triangles' edges
-layout(constant_id = 5) const bool kBacks = false; // are black, and not looked through
 
 layout(location = 0) in vec2 atUv;
 layout(location = 1) in vec3 atColour;
@@ -54,10 +53,6 @@ void main()
 {
     if (kLines) {
         shown = vec4(0.05, 0.45, 0.85, 0.4);
-        return;
-    }
-    if (kBacks && !gl_FrontFacing) {
-        shown = vec4(0.0, 0.0, 0.0, 1.0);
         return;
     }
     bool isLight = kLayer != kAlbedo && kLayer != kConfidence;
