@@ -147,10 +147,10 @@ void frameSelected(Viewer& viewer)
     studio.isCameraUntouched = false;
     viewer.shown.atlasCentre = glm::vec2(0.5f);
     viewer.shown.atlasZoom = 1.0f;
-    relamp::Bounds box = studio.bounds();
-    if (const auto light = viewer.selectedLight())
-        box = {light->position - 0.5f, light->position + 0.5f};
-    studio.camera.frame(box, viewer.aspect());
+    const auto light = viewer.selectedLight();
+    if (!light) return studio.camera.frame(studio.bounds(), viewer.aspect());
+    studio.camera.frame({light->position - 0.5f, light->position + 0.5f}, viewer.aspect());
+    studio.camera.comeInside();
 }
 
 template<int stops>

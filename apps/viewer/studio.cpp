@@ -16,6 +16,7 @@ namespace
 
 constexpr int kGlanceLength = 1024; // pixels of pages by which a first view is looked for
 constexpr size_t kMessages = 6;
+constexpr float kAway = 0.25f; // of the room's diagonal, to a place that is turned around
 constexpr auto kPatience = std::chrono::seconds(1);
 
 /// Somewhere inside, until a good view is found.
@@ -165,7 +166,7 @@ void Studio::readScan(const Wish& wish, relamp::Progress& progress)
     auto unlit = std::make_shared<relamp::DelitRoom>();
     unlit->scan = relamp::coarsened(*scan, kGlanceLength);
     for (const relamp::Page& page : unlit->scan.pages) unlit->albedo.push_back(page.image);
-    if (scan->cameras.empty()) find(unlit, progress);
+    find(unlit, progress);
     roomSolver->solve(
         wish.dials, {},
         [this, roomSolver](Solved solved) {
@@ -187,15 +188,25 @@ void Studio::readFolder(const Wish& wish, relamp::Progress& progress)
     mailbox_.post([this, solved, opened] {
         if (adopt(*opened)) adopt(*solved);
     });
-    if (solved->scan->cameras.empty()) find(solved->room, progress);
+    find(solved->room, progress);
 }
 
-/// Looks for a good view.
+/// Looks for a good view, where the scan has none, and for the walls that the camera keeps between.
 void Studio::find(const std::shared_ptr<const relamp::DelitRoom>& room, relamp::Progress& progress)
 {
-    const relamp::Camera view = relamp::Photographer(*room, progress).goodView();
-    mailbox_.post([this, view] {
-        if (isCameraUntouched) camera.set(view, 0.4f * glm::length(bounds_.extent()));
+    const auto photographer = std::make_shared<const relamp::Photographer>(*room, progress);
+    std::optional<relamp::Camera> view;
+    if (room->scan.cameras.empty()) view = photographer->goodView();
+    mailbox_.post([this, room, photographer, view] {
+        const auto reach = std::make_shared<Reach>(
+            [room, photographer](glm::vec3 from, std::span<const glm::vec3> directions) {
+                return photographer->distancesSeen(from, directions);
+            },
+            bounds_);
+        if (view && isCameraUntouched)
+            camera.set(*view, std::min(kAway * glm::length(bounds_.extent()),
+                                       0.5f * reach->ahead(view->position, view->forward)));
+        camera.setRoom(reach);
     });
 }
 
@@ -231,7 +242,8 @@ bool Studio::adopt(const Opened& opened)
     for (size_t p = 0; p < opened.textures.size(); ++p)
         drawing_.setTexture(p, PageTexture::scan, opened.textures[p]);
     if (isCameraUntouched)
-        camera.set(firstView(*scan_, bounds_), 0.4f * glm::length(bounds_.extent()));
+        camera.set(firstView(*scan_, bounds_), kAway * glm::length(bounds_.extent()));
+    camera.setRoom(nullptr);
     stage_ = Stage::scanned;
     solvedBy_ = solvedBy;
     for (const std::string& warning : scan_->warnings) say(warning);

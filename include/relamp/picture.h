@@ -44,6 +44,11 @@ public:
     /// A view from where most of the room is seen in one turn.
     [[nodiscard]] Camera goodPlaceToTurn() const;
 
+    /// How far `from` lies, in m, from the first surface along each of `directions` (unit) that
+    /// faces it: backs are looked past. Infinity where there is none.
+    [[nodiscard]] std::vector<float> distancesSeen(glm::vec3 from,
+                                                   std::span<const glm::vec3> directions) const;
+
     /// What the camera sees where `pages`, a picture a page of the scan, is the light on the walls:
     /// linear half RGB. A hole shows the sky; from inside, the back of a surface is black.
     [[nodiscard]] Image take(std::span<const Image> pages, const Camera& camera,

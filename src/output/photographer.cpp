@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <glm/common.hpp>
@@ -58,6 +59,19 @@ Camera cameraOfFile(const Scan& scan, int index)
                                    "camera file",
                                    index)
                      : fmt::format("has no camera {}; it has {}", index, has));
+}
+
+float distanceToFront(const RayScene& scene, Ray ray)
+{
+    constexpr int kMostBacks = 64;   // of thin things in a heap
+    constexpr float kBehind = 1e-5f; // m, and of the way: past a back
+    for (int backs = 0; backs < kMostBacks; ++backs) {
+        const Hit hit = scene.intersect(ray);
+        if (hit.missed()) break;
+        if (hit.front) return hit.distance;
+        ray.nearest = hit.distance * (1.0f + kBehind) + kBehind;
+    }
+    return std::numeric_limits<float>::infinity();
 }
 
 Image imageOf(const std::vector<glm::vec3>& light, Size size)
@@ -121,6 +135,17 @@ Camera Photographer::goodView() const
 Camera Photographer::goodPlaceToTurn() const
 {
     return chooseTurningPlace(state_->scan(), state_->scene);
+}
+
+std::vector<float> Photographer::distancesSeen(glm::vec3 from,
+                                               std::span<const glm::vec3> directions) const
+{
+    std::vector<float> distances(directions.size());
+    forEachChunk(directions.size(), 64, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i)
+            distances[i] = distanceToFront(state_->scene, {from, directions[i]});
+    });
+    return distances;
 }
 
 Image Photographer::take(std::span<const Image> pages, const Camera& camera,
