@@ -275,20 +275,9 @@ void drawScannedSky(Studio& studio)
     ImGui::PopID();
 }
 
-} // namespace
-
-void drawLightPanel(Viewer& viewer)
+/// Lights of one's own.
+void drawAdding(Viewer& viewer)
 {
-    Studio& studio = viewer.studio;
-    drawList(viewer);
-    drawPlace(viewer);
-    const size_t i = studio.selection.index;
-    ImGui::Separator();
-    if (studio.selection.kind == Selection::Kind::fixture &&
-        i < studio.edit.light.fixtures.size() && i < studio.captured().fixtures.size())
-        drawFixture(viewer, i);
-    if (studio.selection.kind == Selection::Kind::lamp && i < studio.edit.light.lamps.size())
-        drawLamp(viewer, i);
     button("Point", "add-point", viewer);
     ImGui::SameLine();
     button("Spot", "add-spot", viewer);
@@ -298,6 +287,23 @@ void drawLightPanel(Viewer& viewer)
     button("Disc", "add-disc", viewer);
     ImGui::SameLine();
     button("Globe", "add-sphere", viewer);
+}
+
+} // namespace
+
+void drawLightPanel(Viewer& viewer)
+{
+    Studio& studio = viewer.studio;
+    drawAdding(viewer); // above the list, so that it stays where it is whatever is found
+    drawList(viewer);
+    drawPlace(viewer);
+    const size_t i = studio.selection.index;
+    ImGui::Separator();
+    if (studio.selection.kind == Selection::Kind::fixture &&
+        i < studio.edit.light.fixtures.size() && i < studio.captured().fixtures.size())
+        drawFixture(viewer, i);
+    if (studio.selection.kind == Selection::Kind::lamp && i < studio.edit.light.lamps.size())
+        drawLamp(viewer, i);
     button("All on", "all-on", viewer);
     ImGui::SameLine();
     button("All off", "all-off", viewer);

@@ -109,7 +109,8 @@ void RelightingThread::bake(std::filesystem::path file, relamp::ViewOptions view
 RelightingThread::Status RelightingThread::status() const
 {
     const std::lock_guard lock(mutex_);
-    return {isRoomNew_ || isLightNew_, needsRefining_ || baking_ != nullptr, stage_, fraction_};
+    const bool bakes = baking_ != nullptr || isBaking_;
+    return {isRoomNew_ || isLightNew_, needsRefining_ || bakes, stage_, fraction_, bakes};
 }
 
 std::shared_ptr<relamp::Progress> RelightingThread::begin()
@@ -246,9 +247,12 @@ void RelightingThread::writeBaked()
     {
         const std::lock_guard lock(mutex_);
         baking = std::exchange(baking_, nullptr);
+        isBaking_ = true;
     }
     guard([&](relamp::Progress& progress) {
         room_->relighter.light(room_->light, progress);
         baking(room_->relighter, progress);
     });
+    const std::lock_guard lock(mutex_);
+    isBaking_ = false;
 }

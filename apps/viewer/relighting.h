@@ -54,6 +54,7 @@ public:
         bool refines = false; // texels are not as they will be
         std::string stage;
         double fraction = 0.0;
+        bool bakes = false; // a file is wanted, or being written
     };
     [[nodiscard]] Status status() const;
 
@@ -79,7 +80,8 @@ private:
     bool isRoomNew_ = false;
     bool isLightNew_ = false;
     bool needsRefining_ = false;
-    std::function<void(relamp::Relighter&, relamp::Progress&)> baking_;
+    std::function<void(relamp::Relighter&, relamp::Progress&)> baking_; // what is wanted
+    bool isBaking_ = false;
     std::shared_ptr<relamp::Progress> progress_;
     std::string stage_;
     double fraction_ = 0.0;

@@ -18,7 +18,7 @@ namespace
 
 constexpr size_t kAny = 64;
 
-constexpr std::array<ScriptWord, 18> kWords{{
+constexpr std::array<ScriptWord, 19> kWords{{
     {"open", 1, 1, "open FILE"},
     {"wait", 1, 1, "wait SECONDS, or wait scan, draft, solve, glance, relit or rest"},
     {"press", 1, 1, "press KEY, as in press ctrl+z"},
@@ -36,6 +36,7 @@ constexpr std::array<ScriptWord, 18> kWords{{
     {"screenshot", 1, 2, "screenshot FILE [view]"},
     {"measure", 1, 1, "measure SECONDS"},
     {"random", 2, 2, "random SECONDS SEED"},
+    {"stay", 0, 0, "stay"},
     {"quit", 0, 0, "quit"},
 }};
 
@@ -105,6 +106,8 @@ std::vector<ScriptCommand> parseScript(std::string_view text, const std::string&
         if (words.empty()) continue;
         ScriptCommand command{number, words.front(), {words.begin() + 1, words.end()}};
         checkCommand(command, name);
+        if (!commands.empty() && commands.back().name == "stay")
+            fail(name, number, "nothing can follow stay: mouse and keys are a person's from there");
         commands.push_back(std::move(command));
     }
     return commands;

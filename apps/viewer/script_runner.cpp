@@ -22,6 +22,12 @@ constexpr double kLongestWait = 600.0; // s
     throw relamp::Error(relamp::ErrorCode::malformed, sentence);
 }
 
+/// With what the viewer told last.
+[[noreturn]] void failAs(const Viewer& viewer)
+{
+    wrongCommand(viewer.studio.messages.empty() ? "it failed" : viewer.studio.messages.back());
+}
+
 int buttonOf(const ScriptCommand& command, size_t word)
 {
     if (command.words.size() <= word || command.words[word] == "left")
@@ -71,8 +77,11 @@ bool ScriptRunner::step(Viewer& viewer, const Send& send)
         try {
             while (events_.empty() && advance(viewer)) {
             }
+            if (at_ >= commands_.size() && viewer.studio.failures() > failuresBefore_)
+                failAs(viewer);
         } catch (const relamp::Error& error) {
-            const size_t line = at_ < commands_.size() ? commands_[at_].line : 0;
+            const size_t line =
+                commands_.empty() ? 0 : commands_[std::min(at_, commands_.size() - 1)].line;
             throw relamp::Error(error.code(),
                                 fmt::format("{} line {}: {}", file_.string(), line, error.what()));
         }
@@ -87,7 +96,12 @@ bool ScriptRunner::step(Viewer& viewer, const Send& send)
 
 bool ScriptRunner::needsFrames() const
 {
-    return !events_.empty() || at_ >= commands_.size() || commands_[at_].name != "wait";
+    return !events_.empty() || (at_ < commands_.size() && commands_[at_].name != "wait");
+}
+
+bool ScriptRunner::stays() const
+{
+    return !commands_.empty() && commands_.back().name == "stay";
 }
 
 /// Begins, ends or goes on with a command; false where a frame has to pass.
@@ -151,10 +165,8 @@ bool ScriptRunner::isDone(const ScriptCommand& command, Viewer& viewer) const
     if (what.find_first_not_of("0123456789.") == std::string::npos) return passed >= numberOf(what);
     const bool isStillThere = mustOpen_ && viewer.studio.hasFailed(); // what was open before
     if (!isStillThere && isThere(what, viewer)) return true;
-    if (isStillThere || viewer.studio.failures() > failuresBefore_)
-        wrongCommand(viewer.studio.messages.empty() ? "it failed" : viewer.studio.messages.back());
-    if (passed > kLongestWait)
-        wrongCommand(fmt::format("{} did not come in {} s", what, kLongestWait));
+    if (isStillThere || viewer.studio.failures() > failuresBefore_) failAs(viewer);
+    if (passed > kLongestWait) wrongCommand(fmt::format("{} did not come in {} s", what, kLongestWait));
     return false;
 }
 

@@ -24,6 +24,8 @@ public:
     /// Goes on as far as it can before the next frame. False at the end of the script. Throws
     /// relamp::Error naming the file and the line where a command fails, or waits too long.
     bool step(Viewer& viewer, const Send& send);
+    /// Whether the viewer is a person's when the script has ended; else it ends, too.
+    [[nodiscard]] bool stays() const;
     /// False while it waits for what the threads are at.
     [[nodiscard]] bool needsFrames() const;
 

@@ -112,13 +112,17 @@ public:
     [[nodiscard]] bool rests() const;
     [[nodiscard]] WorkStatus solving() const { return solver_.status(); }
     [[nodiscard]] RelightingThread::Status relighting() const { return relighting_.status(); }
-    [[nodiscard]] bool isSaving() const { return saver_.status().isBusy; }
+    [[nodiscard]] bool isSaving() const
+    {
+        return saver_.status().isBusy || relighting_.status().bakes;
+    }
 
     /// What to tell the person, the newest last; a sentence each.
     std::deque<std::string> messages;
     void say(const std::string& sentence);
     [[nodiscard]] bool hasFailed() const { return hasFailed_; } // since the last `open`
     [[nodiscard]] size_t failures() const { return failures_; } // so far
+    [[nodiscard]] size_t openings() const { return openings_; } // that were begun so far
 
     Edit edit;
     Selection selection;

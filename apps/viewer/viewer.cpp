@@ -57,7 +57,8 @@ Viewer::Viewer(const Options& options)
               static_cast<uint32_t>(window_.pixels().y)),
       swapchain_(device_, target_.size(), options.script.empty()),
       panels_(device_, window_, target_.pass()), drawing_(device_), scale_(window_.scale()),
-      studio(drawing_, options.engine, [] { Window::wake(); })
+      studio(drawing_, options.engine, [] { Window::wake(); }),
+      keepsSettings_(options.script.empty()), mustOpen_(!options.path.empty())
 {
     shown.panels = settings.panels;
     if (settings.walks) studio.camera.mode = CameraRig::Mode::walk;
@@ -72,7 +73,7 @@ Viewer::Viewer(const Options& options)
 
 Viewer::~Viewer()
 {
-    if (script_) return;
+    if (!keepsSettings_) return;
     const glm::vec2 size = glm::vec2(window_.pixels()) / window_.pixelsPerUnit();
     if (size.x > 0.0f) {
         settings.width = static_cast<int>(size.x);
@@ -101,11 +102,11 @@ void Viewer::run()
     auto last = Clock::now(); // that a frame was drawn
     while (!isQuitting_ && !window_.isClosed()) {
         // What sleeps is woken by an event, or by a thread that has found something.
-        for (const InputEvent& event : window_.events(isMoving() ? 0.0 : kIdle))
-            if (!script_) take(event);
+        const std::vector<InputEvent> events = window_.events(isMoving() ? 0.0 : kIdle);
+        if (!script_) takeAll(events);
         if (studio.deliver()) framesToDraw_ = kFramesAfterEvent;
-        if (script_ && !script_->step(*this, [this](const InputEvent& event) { take(event); }))
-            script_ = nullptr;
+        failIfNotOpened();
+        if (script_) stepScript();
         const auto now = Clock::now();
         const float seconds = std::chrono::duration<float>(now - last).count();
         if (isQuitting_ || (!isMoving() && seconds < kProgress)) continue;
@@ -118,6 +119,24 @@ void Viewer::run()
         framesToDraw_ = std::max(framesToDraw_ - 1, 0);
     }
     device_.wait();
+}
+
+/// What is named on the command line and cannot be read ends the program, as it does any other.
+void Viewer::failIfNotOpened()
+{
+    mustOpen_ = mustOpen_ && studio.scan() == nullptr && studio.openings() == 1;
+    if (mustOpen_ && studio.hasFailed())
+        throw relamp::Error(relamp::ErrorCode::cannotRead, studio.messages.back());
+}
+
+/// A script that has ended ends the viewer when all is saved, or hands it over.
+void Viewer::stepScript()
+{
+    if (script_->step(*this, [this](const InputEvent& event) { take(event); })) return;
+    if (script_->stays())
+        script_ = nullptr;
+    else if (!studio.isSaving())
+        quit();
 }
 
 void Viewer::resizeIfNeeded()
@@ -199,6 +218,19 @@ void Viewer::setSelectedLight(const Aimed& light, const std::string& step)
     lamp.position = light.position;
     lamp.direction = light.direction;
     studio.commit(step);
+}
+
+/// ImGui sees each event in a pass of its own: a click whose press and release came between two
+/// frames is none for it, and only a pass after the move tells whether a panel is under the mouse.
+void Viewer::takeAll(const std::vector<InputEvent>& events)
+{
+    for (size_t i = 0; i < events.size(); ++i) {
+        const auto isMove = [&](size_t at) {
+            return at < events.size() && events[at].kind == InputEvent::Kind::move;
+        };
+        take(events[i]);
+        if (i + 1 < events.size() && !(isMove(i) && isMove(i + 1))) describe(0.0f);
+    }
 }
 
 void Viewer::take(const InputEvent& event)

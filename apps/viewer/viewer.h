@@ -113,6 +113,9 @@ public:
     Gizmo gizmo;
 
 private:
+    void takeAll(const std::vector<InputEvent>& events);
+    void stepScript();
+    void failIfNotOpened();
     void take(const InputEvent& event);
     void takeKey(const InputEvent& event);
     void takeButton(const InputEvent& event);
@@ -131,6 +134,8 @@ private:
     [[nodiscard]] relamp::Image pictureOf(bool onlyView);
 
     std::unique_ptr<ScriptRunner> script_;
+    bool keepsSettings_; // not those that a script had
+    bool mustOpen_;      // what was named on the command line is not open yet
     std::set<int> heldKeys_;
     glm::vec2 pointer_{0.0f};
     enum class Drag { none, turn, pan, gizmo, slider };

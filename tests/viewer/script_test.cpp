@@ -36,6 +36,7 @@ TEST(Script, SaysInWhichLineItIsWrong)
     EXPECT_THAT(complaintOf("open"), HasSubstr("a.txt line 1: it must read: open FILE"));
     EXPECT_THAT(complaintOf("type \"a"), HasSubstr("quotation mark"));
     EXPECT_THAT(complaintOf("click 1"), HasSubstr("click X Y"));
+    EXPECT_THAT(complaintOf("stay\nquit"), HasSubstr("a.txt line 2: nothing can follow stay"));
 }
 
 TEST(Script, NumbersAreWholeWords)

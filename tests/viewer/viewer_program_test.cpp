@@ -5,14 +5,19 @@
 #include "relamp/lights.h"
 #include "relamp/picture.h"
 
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
+#include <future>
 #include <iterator>
+#include <thread>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 namespace relamp::golden
 {
@@ -24,6 +29,7 @@ using testing::Not;
 
 const std::filesystem::path kBedroom = std::filesystem::path(RELAMP_SAMPLES) / "bedroom";
 constexpr const char* kCamera = "set camera 0.35 1.65 -0.45 3 0.8 -2.9 80\n";
+constexpr const char* kBehindAWall = "set camera 0.5 1.5 -3.8 2.5 1.1 -0.5 80\n";
 constexpr const char* kOutside = "set camera 9 4 6 20 8 12 60\n";
 
 std::string textOf(const std::filesystem::path& file)
@@ -159,8 +165,10 @@ TEST(ViewerProgram, ShowsARoomTakesItApartAndLightsItAnew)
         "set quality draft\nset panels off\nopen " + (kBedroom / "scan.glb").string() +
             "\nwait scan\n" + kCamera + "screenshot " + file("scan.exr") +
             " view\nwait solve\npress 6\nscreenshot " + file("albedo.png") + " view\npress 8\n" +
-            "wait relit\nscreenshot " + file("again.exr") + " view\nsave lights " +
-            file("found.json") + "\ndo all-off\ndo add-point\nset lamp.0.position 2 1.6 -2\n" +
+            "wait relit\nscreenshot " + file("again.exr") + " view\npress 1\n" + kBehindAWall +
+            "screenshot " + file("behind.exr") + " view\npress 8\nscreenshot " +
+            file("behind-relit.exr") + " view\n" + kCamera + "save lights " + file("found.json") +
+            "\ndo all-off\ndo add-point\nset lamp.0.position 2 1.6 -2\n" +
             "set lamp.0.lumens 1500\nwait glance\nscreenshot " + file("glance.exr") +
             " view\nwait relit\nscreenshot " + file("bulb.exr") + " view\nsave lights " +
             file("bulb.json") + "\npress ctrl+z\npress ctrl+z\npress ctrl+z\npress ctrl+z\n" +
@@ -175,6 +183,10 @@ TEST(ViewerProgram, ShowsARoomTakesItApartAndLightsItAnew)
     // The light of the scan, put back on the albedo, is the scan.
     const glm::vec3 ratio = meanOf(readImage(file("again.exr"))) / meanOf(scan);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0f, 0.2f);
+    // Past the back of a wall, too, though the eye is within the scan's bounds and the sky shines.
+    const glm::vec3 behind = meanOf(readImage(file("behind.exr")));
+    const glm::vec3 behindRelit = meanOf(readImage(file("behind-relit.exr")));
+    for (int c = 0; c < 3; ++c) EXPECT_GT(behindRelit[c] / behind[c], 0.7f);
     // The first look is the light itself, but for fine shadows.
     const glm::vec3 first = meanOf(readImage(file("glance.exr")));
     const glm::vec3 fine = meanOf(readImage(file("bulb.exr")));
@@ -233,22 +245,23 @@ glm::vec3 meanAlbedoIn(const std::filesystem::path& folder)
 }
 
 // On the GPU engine and a device by its number, which no other test has; after files that could
-// not be opened, which leave the room as it was.
+// not be opened, which leave the room as it was. The script ends before the last result is written,
+// and the viewer does not.
 TEST(ViewerProgram, SavesWhatWasSaidOfTheDayOfTheScan)
 {
     const scenes::TemporaryFolder out;
     const auto file = [&](const char* name) { return (out / name).string(); };
-    const Outcome outcome = view(
-        {"--engine", "gpu", "--gpu", "0"},
-        "set quality draft\nset panels off\nopen " + (kBedroom / "scan.glb").string() +
-            "\nwait solve\nsave lights " + file("found.json") + "\nsave result " + file("found") +
-            "\nwait rest\ndrop " + file("none.glb") + "\ndrop " +
-            out.write("broken.glb", "glTF").string() +
-            "\nwait rest\nset scanned.0.dim 2\nset scanned.ambient 1 0.8 0.6\n" +
-            "set scanned.ambient 1 0.5 0.25\nwait solve\nwait relit\nsave result " + file("said") +
-            "\nsave baked " + file("said.glb") + "\nwait rest\nsave lights " + file("said.json") +
-            "\npress ctrl+z\npress ctrl+z\npress ctrl+z\nwait solve\n" + "save lights " +
-            file("undone.json") + "\nsave result " + file("undone") + "\nwait rest\nquit\n");
+    const Outcome outcome =
+        view({"--engine", "gpu", "--gpu", "0"},
+             "set quality draft\nset panels off\nopen " + (kBedroom / "scan.glb").string() +
+                 "\nwait solve\nsave lights " + file("found.json") + "\nsave result " +
+                 file("found") + "\nwait rest\ndrop " + file("none.glb") + "\ndrop " +
+                 out.write("broken.glb", "glTF").string() +
+                 "\nwait rest\nset scanned.0.dim 2\nset scanned.ambient 1 0.8 0.6\n" +
+                 "set scanned.ambient 1 0.5 0.25\nwait solve\nwait relit\nsave result " +
+                 file("said") + "\nsave baked " + file("said.glb") + "\nwait rest\nsave lights " +
+                 file("said.json") + "\npress ctrl+z\npress ctrl+z\npress ctrl+z\nwait solve\n" +
+                 "save lights " + file("undone.json") + "\nsave result " + file("undone") + "\n");
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
 
     std::vector<std::string> notes;
@@ -335,6 +348,88 @@ TEST(ViewerProgram, SaysWhatIsWrongWithAScript)
     const Outcome missing = view({}, "open /nowhere.glb\nwait solve\n");
     EXPECT_EQ(missing.exitCode, 1);
     EXPECT_THAT(missing.err, HasSubstr("line 2: /nowhere.glb"));
+
+    const Outcome unnoticed = view({}, "open /nowhere.glb\nwait 3\n");
+    EXPECT_EQ(unnoticed.exitCode, 1);
+    EXPECT_THAT(unnoticed.err, HasSubstr("line 2: /nowhere.glb"));
+}
+
+// A drag of a quarter turn and more, either way: what is in front of the eye is the room, seen from
+// inside. From behind a wall half of the view is what is culled there: nothing.
+TEST(ViewerProgram, OrbitStaysInTheRoom)
+{
+    const scenes::TemporaryFolder out;
+    const auto file = [&](int i) { return (out / std::to_string(i)).string() + ".exr"; };
+    std::string script = "set quality draft\nset panels off\nset marks off\nwait draft\n";
+    for (int i = 0; i < 4; ++i) script += "drag 60 135 420 135\nscreenshot " + file(i) + " view\n";
+    const Outcome outcome = view({(kBedroom / "scan.glb").string()}, script);
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+
+    for (int i = 0; i < 4; ++i) {
+        const Image image = readImage(file(i));
+        const Radiance seen(image);
+        size_t nothing = 0;
+        for (size_t p = 0; p < 480 * 270; ++p) nothing += seen[p] == glm::vec3(0.0f) ? 1u : 0u;
+        EXPECT_LT(nothing, 480u * 270u / 50u) << i;
+    }
+}
+
+// Neither a window nor a script can do with a file that is not there.
+TEST(ViewerProgram, EndsWhereTheFileOfTheCommandLineCannotBeRead)
+{
+    const Outcome outcome = view({"/nowhere.glb"}, "wait 30\n");
+
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("relamp: /nowhere.glb"));
+    EXPECT_THAT(outcome.err, Not(HasSubstr("script.txt")));
+}
+
+/// The lights of one's own in a file that may not be there yet.
+nlohmann::json lampsIn(const std::filesystem::path& file)
+{
+    const auto light = nlohmann::json::parse(textOf(file), nullptr, false);
+    return light.is_object() ? light["lights"] : nlohmann::json();
+}
+
+/// Whether something comes true in a minute, tried again and again.
+bool comes(const std::function<bool()>& isThere)
+{
+    for (int i = 0; i < 300; ++i) {
+        if (isThere()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    }
+    return false;
+}
+
+// By the window system's own events, press and release between two frames. The light is saved into
+// the working folder.
+TEST(ViewerProgram, AClickOnPointPutsUpALamp)
+{
+    const scenes::TemporaryFolder out;
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(out.path());
+    const std::filesystem::path saved = out / "scan_lights.json";
+    auto running = std::async(std::launch::async, [&] {
+        return view({(kBedroom / "scan.glb").string()},
+                    "set quality draft\nsize 1280 800\nwait scan\nstay\n");
+    });
+    const auto isHeard = [&] { // for until the script has ended nobody is
+        EXPECT_EQ(std::system("xdotool key ctrl+s"), 0) << "is xdotool installed?";
+        return std::filesystem::exists(saved);
+    };
+    EXPECT_TRUE(comes(isHeard));
+    const char* const click = "xdotool search --onlyvisible --name '^relamp' "
+                              "mousemove --window %1 35 432 click 1 key ctrl+s";
+    EXPECT_EQ(std::system(click), 0);
+    EXPECT_TRUE(comes([&] { return !lampsIn(saved).empty(); }));
+    EXPECT_EQ(std::system("xdotool key ctrl+q"), 0);
+    const Outcome outcome = running.get();
+    std::filesystem::current_path(before);
+
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    const nlohmann::json lamps = lampsIn(saved);
+    ASSERT_EQ(lamps.size(), 1u);
+    EXPECT_EQ(lamps[0]["type"], "point");
 }
 
 TEST(ViewerProgram, SaysThatThereIsNoDisplay)
