@@ -83,8 +83,8 @@ Viewer::~Viewer()
     settings.walks = studio.camera.mode == CameraRig::Mode::walk;
     settings.view = kViews[static_cast<size_t>(studio.edit.view.view)];
     settings.quality = kQualities[static_cast<size_t>(studio.edit.dials.gather.quality)];
-    const std::string path = std::filesystem::absolute(studio.path()).string();
     if (!studio.path().empty()) {
+        const std::string path = std::filesystem::absolute(studio.path()).string();
         std::erase(settings.recent, path);
         settings.recent.insert(settings.recent.begin(), path);
     }

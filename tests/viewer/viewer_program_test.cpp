@@ -374,14 +374,19 @@ TEST(ViewerProgram, OrbitStaysInTheRoom)
     }
 }
 
-// Neither a window nor a script can do with a file that is not there.
+// Neither a script nor a person can do with a file that is not there.
 TEST(ViewerProgram, EndsWhereTheFileOfTheCommandLineCannotBeRead)
 {
-    const Outcome outcome = view({"/nowhere.glb"}, "wait 30\n");
+    const scenes::TemporaryFolder home;
+    const Outcome driven = view({"/nowhere.glb"}, "wait 30\n");
+    setenv("XDG_CONFIG_HOME", home.path().c_str(), 1);
+    const Outcome byHand = runRelamp({"view", "/nowhere.glb"}); // settings are kept then
 
-    EXPECT_EQ(outcome.exitCode, 1);
-    EXPECT_THAT(outcome.err, HasSubstr("relamp: /nowhere.glb"));
-    EXPECT_THAT(outcome.err, Not(HasSubstr("script.txt")));
+    for (const Outcome& outcome : {driven, byHand}) {
+        EXPECT_EQ(outcome.exitCode, 1);
+        EXPECT_THAT(outcome.err, HasSubstr("relamp: /nowhere.glb"));
+        EXPECT_THAT(outcome.err, Not(HasSubstr("script.txt")));
+    }
 }
 
 /// The lights of one's own in a file that may not be there yet.
