@@ -133,7 +133,9 @@ void drawStatus(Viewer& viewer)
     float fraction = -1.0f;
     const std::string status = statusOf(viewer, fraction);
     if (fraction >= 0.0f) {
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, 0.0f}); // level with the words
         ImGui::ProgressBar(fraction, {120.0f * viewer.scale(), ImGui::GetTextLineHeight()}, "");
+        ImGui::PopStyleVar();
         ImGui::SameLine();
     }
     ImGui::TextUnformatted(status.c_str());
@@ -183,7 +185,7 @@ void drawPanels(Viewer& viewer)
         drawStatus(viewer);
     }
     drawMessages(viewer);
-    if (viewer.shown.help) drawHelp(viewer);
+    if (viewer.shown.help) drawHelp();
     viewer.studio.commit("Change");
     // A slider that is let go ends a step of undo.
     const bool isEditing = ImGui::IsAnyItemActive();
@@ -191,13 +193,12 @@ void drawPanels(Viewer& viewer)
     viewer.shown.isEditing = isEditing;
 }
 
-void drawHelp(Viewer& viewer)
+void drawHelp()
 {
-    const VkRect2D frame = viewer.frame();
-    ImGui::SetNextWindowPos(
-        {static_cast<float>(frame.offset.x) + 0.5f * static_cast<float>(frame.extent.width),
-         0.5f * static_cast<float>(frame.extent.height)},
-        ImGuiCond_Always, {0.5f, 0.5f});
+    // In the middle of the window, panels or not: in a small one there is no other place for it.
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, window);
     ImGui::Begin("Help", nullptr,
                  (kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus) |
                      ImGuiWindowFlags_AlwaysAutoResize);

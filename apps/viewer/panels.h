@@ -10,4 +10,4 @@ void drawLightPanel(Viewer& viewer);
 void drawSkyPanel(Viewer& viewer);
 void drawSolverPanel(Viewer& viewer);
 void drawFilePanel(Viewer& viewer);
-void drawHelp(Viewer& viewer);
+void drawHelp();
