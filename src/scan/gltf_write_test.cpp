@@ -221,7 +221,7 @@ TEST(GltfWrite, LightsStandWhereTheyShineInTheUnitsOfTheFile)
     const Written written = rewrite(scenes::texturedSquare(), {.points = {dark, lamp}},
                                     {.up = UpAxis::z, .scale = 0.5});
     const json& lights = written.document["extensions"]["KHR_lights_punctual"]["lights"];
-    ASSERT_THAT(lights, SizeIs(1));
+    ASSERT_THAT(lights, SizeIs(2)); // for viewers, and for Blender
     EXPECT_EQ(lights[0]["type"], "point");
     EXPECT_EQ(lights[0]["color"], json({1.0, 0.5, 0.25}));
     EXPECT_EQ(lights[0]["intensity"], 16.0); // E = I / d^2 stays when a metre is two units
@@ -231,6 +231,51 @@ TEST(GltfWrite, LightsStandWhereTheyShineInTheUnitsOfTheFile)
     EXPECT_EQ(node["extensions"]["KHR_lights_punctual"]["light"], 0);
     EXPECT_THAT(written.document["scenes"][0]["nodes"], ElementsAre(0, 1));
     EXPECT_THAT(written.document["extensionsUsed"], ElementsAre("KHR_lights_punctual"));
+}
+
+// three.js shows 1 cd/m^2 as white, Blender 683: each finds lights for which that is the scan's.
+TEST(GltfWrite, EveryProgramHasASceneInWhichWhiteIsWhatItTakesForWhite)
+{
+    Lights lights;
+    lights.points = {{.intensity = glm::vec3(2.0f)}};
+    lights.sun = Sun{.irradiance = glm::vec3(3.0f)};
+    const Written written = rewrite(scenes::texturedSquare(), lights);
+    const json& scenes = written.document["scenes"];
+    EXPECT_EQ(written.document["scene"], 0);
+    EXPECT_THAT(scenes[0]["nodes"], ElementsAre(0, 1, 2));
+    EXPECT_THAT(scenes[1]["nodes"], ElementsAre(0, 3, 4)); // the same room
+    std::vector<double> intensities;
+    for (const json& light : written.document["extensions"]["KHR_lights_punctual"]["lights"])
+        intensities.push_back(light["intensity"]);
+    EXPECT_THAT(intensities, ElementsAre(2.0, 3.0, 2.0 * 683.0, 3.0 * 683.0));
+    EXPECT_EQ(scenes[0]["extras"]["relamp"]["whiteNits"], 1.0);
+    EXPECT_EQ(scenes[1]["extras"]["relamp"]["whiteNits"], 683.0);
+}
+
+// A pane of area A and radiance L is a point of L A / 4 in relamp, and shows L A to one in front of
+// it. Through the spot's falloff, 3 cos^2 - 2 cos^3, it sends pi L A, as the pane does.
+TEST(GltfWrite, WhatFacesOneWayIsASpotThatSendsAllItsLightThere)
+{
+    PointLight pane;
+    pane.normal = {0, 1, 0};
+    pane.intensity = glm::vec3(0.5f);
+    const Written written = rewrite(scenes::texturedSquare(), {.points = {pane}});
+    const json& light = written.document["extensions"]["KHR_lights_punctual"]["lights"][0];
+    EXPECT_EQ(light["type"], "spot");
+    EXPECT_EQ(light["intensity"], 2.0);
+    EXPECT_EQ(light["spot"]["innerConeAngle"], 0.0);
+    EXPECT_LE(light["spot"]["outerConeAngle"].get<double>(), std::acos(0.0)); // glTF takes no more
+    const json& turn = written.document["nodes"][1]["rotation"];
+    const glm::quat rotation(turn[3].get<float>(), turn[0].get<float>(), turn[1].get<float>(),
+                             turn[2].get<float>());
+    EXPECT_LT(glm::distance(rotation * glm::vec3(0, 0, -1), pane.normal), 1e-5f);
+    double flux = 0.0;
+    constexpr int kSteps = 1000;
+    for (int i = 0; i < kSteps; ++i) {
+        const double c = (i + 0.5) / kSteps;
+        flux += 2.0 * glm::pi<double>() * 2.0 * (3.0 * c * c - 2.0 * c * c * c) / kSteps;
+    }
+    EXPECT_NEAR(flux, 4.0 * glm::pi<double>() * 0.5, 1e-4);
 }
 
 TEST(GltfWrite, SunShinesAlongItsNodesBackInTheAxesOfTheFile)
