@@ -8,6 +8,7 @@
 #include "decomposition_state.h"
 #include "image/transfer.h"
 #include "image/write_image.h"
+#include "output/lights_in_the_open.h"
 #include "output/preview.h"
 #include "output/report.h"
 #include "output/result_folder.h"
@@ -164,7 +165,7 @@ void ResultWriter::writePreview(const PreviewPicture& picture)
 void ResultWriter::writeScan()
 {
     Lights lights; // that a GLB can hold
-    lights.points = result_.mergedLights();
+    lights.points = inTheOpen(result_.mergedLights(), *result_.state().scene);
     lights.sun = result_.lights().sun;
     writeFile(folder_ / (scan_.name + ".glb"), writeGlb(scan_, relit_, lights));
     writeFile(folder_ / "lights.json", lightsAsJson(result_.lights()));
