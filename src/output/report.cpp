@@ -4,6 +4,7 @@
 #include "base/json.h"
 #include "relamp/error.h"
 #include "relamp/version.h"
+#include "relight/photometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -148,14 +149,17 @@ ordered_json secondsAsJson(const Progress& progress)
 
 ordered_json lightsAsReport(const Decomposition& result)
 {
+    const PhotometricWhite white;
     ordered_json fixtures = ordered_json::array();
     for (const Fixture& fixture : result.lights().fixtures)
         fixtures.push_back({{"centre", toJson(fixture.centre)},
                             {"area", shortest(fixture.area)},
                             {"power", toJson(fixture.power())},
+                            {"lumens", shortest(white.luminance * luminanceOf(fixture.power()))},
                             {"error", toJson(fixture.error)},
                             {"determined", fixture.determined}});
-    ordered_json json{{"fixtures", std::move(fixtures)},
+    ordered_json json{{"white", {{"nits", white.luminance}}},
+                      {"fixtures", std::move(fixtures)},
                       {"pointLights", result.lights().points.size()},
                       {"mergedLights", result.mergedLights().size()},
                       {"ambient", toJson(result.lights().ambient)}};

@@ -68,6 +68,11 @@ TEST_F(DelightProgram, WritesAllThatTheGuidePromises)
     const auto report = nlohmann::json::parse(contentOf(out() / "report.json"));
     EXPECT_EQ(report["scan"]["triangles"], 39855);
     EXPECT_LT(report["closedLoop"]["rmsError"], 0.1);
+    EXPECT_EQ(report["lights"]["white"]["nits"], 100.0);
+    for (const auto& fixture : report["lights"]["fixtures"]) { // as lamps and windows of homes have
+        EXPECT_GT(fixture["lumens"], 300.0);
+        EXPECT_LT(fixture["lumens"], 20000.0);
+    }
     double share = report["confidence"]["good"];
     for (const auto& low : report["confidence"]["low"]) share += low.get<double>();
     EXPECT_NEAR(share, 1.0, 1e-3);
