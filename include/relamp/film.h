@@ -29,6 +29,12 @@ RELAMP_API bool isVideo(const std::filesystem::path& target);
 /// a video, odd sizes, no permission. Worth asking before work that takes long.
 RELAMP_API void checkFilm(const Film& film, const std::filesystem::path& target);
 
+/// Stops for `film.picture.view` at which the film as a whole is well exposed, so that it does not
+/// flicker: Photographer::automaticExposure over frames that are spread evenly over it. Sets the
+/// light where the film has a timeline. Throws Error(cancelled).
+RELAMP_API float automaticExposure(Relighter& relighter, const Photographer& photographer,
+                                   const Film& film, Progress& progress);
+
 /// Writes a film: a video through the program ffmpeg where `isVideo(target)`, else a folder of
 /// frame_0001.png and so on, in which no frame of a longer film stays. Whole or not at all. Throws
 /// Error(cannotWrite | unsupported | cancelled); the first where ffmpeg is not there or does not do

@@ -54,6 +54,13 @@ public:
     [[nodiscard]] Image take(std::span<const Image> pages, const Camera& camera,
                              const PictureOptions& options, Progress& progress) const;
 
+    /// Stops for `options.view` that bring the log-average luminance of what is seen to middle
+    /// grey, 0.18: Reinhard et al., Photographic Tone Reproduction for Digital Images, 2002,
+    /// equations 1 and 2. Black counts for nothing; 0 where all is black. Measured on a small
+    /// picture.
+    [[nodiscard]] float automaticExposure(std::span<const Image> pages, const Camera& camera,
+                                          const PictureOptions& options, Progress& progress) const;
+
     /// The same through the view, for people: sRGB, three bytes a pixel.
     [[nodiscard]] std::vector<uint8_t> develop(std::span<const Image> pages, const Camera& camera,
                                                const PictureOptions& options,

@@ -2,6 +2,8 @@
 
 #include "base/fail.h"
 #include "base/file.h"
+#include "image/light_meter.h"
+#include "output/small_picture.h"
 #include "output/staged_folder.h"
 #include "output/video_file.h"
 #include "relamp/printable.h"
@@ -67,6 +69,61 @@ void writeVideo(const std::filesystem::path& file, const Film& film, const TakeF
     video.commit();
 }
 
+/// Takes the frames of a film, in any order: sets the light, and turns the camera.
+class FrameTaker
+{
+public:
+    FrameTaker(Relighter& relighter, const Photographer& photographer, const Film& film,
+               Progress& progress)
+        : relighter_(relighter), photographer_(photographer), film_(film), progress_(progress),
+          picture_(film.picture)
+    {}
+
+    /// For people: sRGB.
+    std::vector<uint8_t> developed(int frame)
+    {
+        light(frame);
+        return photographer_.develop(pages_, cameraAt(frame), picture_, progress_);
+    }
+
+    /// For a light meter: small, linear half RGB.
+    Image measured(int frame)
+    {
+        light(frame);
+        return photographer_.take(pages_, cameraAt(frame), smallPicture(picture_), progress_);
+    }
+
+private:
+    void light(int frame)
+    {
+        if (film_.timeline == nullptr && !pages_.empty()) return;
+        if (film_.timeline != nullptr) {
+            const auto last = static_cast<double>(std::max(film_.frames - 1, 1));
+            const Relighting lighting = film_.timeline->at(frame / last);
+            relighter_.light(lighting, progress_);
+            picture_.sky = lighting.sky;
+            picture_.lamps = lighting.lights;
+        }
+        pages_ = radianceOfPages(relighter_, progress_);
+    }
+
+    [[nodiscard]] Camera cameraAt(int frame) const
+    {
+        if (!film_.turns) return film_.camera;
+        return turned(film_.camera, relighter_.room().scan,
+                      static_cast<double>(frame) / film_.frames);
+    }
+
+    Relighter& relighter_;
+    const Photographer& photographer_;
+    const Film& film_;
+    Progress& progress_;
+    PictureOptions picture_;
+    std::vector<Image> pages_;
+};
+
+constexpr int kMeasured = 12; // frames of a film
+
 } // namespace
 
 bool isVideo(const std::filesystem::path& target)
@@ -91,26 +148,28 @@ void checkFilm(const Film& film, const std::filesystem::path& target)
         const StagedFolder trial(target, nobody);
 }
 
+float automaticExposure(Relighter& relighter, const Photographer& photographer, const Film& film,
+                        Progress& progress)
+{
+    const int measured = std::min(film.frames, kMeasured);
+    const Progress::Stage stage(progress, "expose");
+    FrameTaker taker(relighter, photographer, film, progress);
+    LightMeter meter;
+    for (int i = 0; i < measured; ++i) {
+        const int frame = measured == 1 ? 0 : i * (film.frames - 1) / (measured - 1);
+        meter.add(taker.measured(frame));
+    }
+    return meter.exposure();
+}
+
 void writeFilm(Relighter& relighter, const Photographer& photographer, const Film& film,
                const std::filesystem::path& target, Progress& progress)
 {
     Progress::Stage stage(progress, "film", static_cast<size_t>(film.frames));
-    PictureOptions picture = film.picture;
-    std::vector<Image> pages;
+    FrameTaker taker(relighter, photographer, film, progress);
     const auto take = [&](int frame) {
         progress.setPart(fmt::format("frame {} of {}", frame + 1, film.frames));
-        const auto last = static_cast<double>(std::max(film.frames - 1, 1));
-        if (film.timeline != nullptr) {
-            const Relighting lighting = film.timeline->at(frame / last);
-            relighter.light(lighting, progress);
-            picture.sky = lighting.sky;
-            picture.lamps = lighting.lights;
-        }
-        if (film.timeline != nullptr || pages.empty()) pages = radianceOfPages(relighter, progress);
-        const Camera camera = film.turns ? turned(film.camera, relighter.room().scan,
-                                                  static_cast<double>(frame) / film.frames)
-                                         : film.camera;
-        auto rgb = photographer.develop(pages, camera, picture, progress);
+        auto rgb = taker.developed(frame);
         stage.advance();
         return rgb;
     };

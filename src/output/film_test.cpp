@@ -5,6 +5,7 @@
 #include "scenes/scenes.h"
 #include "scenes/temporary_folder.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -150,31 +151,39 @@ TEST_F(FilmOfABox, ACancelledFilmLeavesNothing)
     EXPECT_THAT(names(), ElementsAre("bin"));
 }
 
-// A folder of pictures by the name of day.gif is not what was meant.
-TEST_F(FilmOfABox, NamesThatAreNoVideoAndNoFolderAreRefusedBeforeAnyWork)
+TEST_F(FilmOfABox, TwiceTheLightIsAStopLess)
 {
-    for (const char* name : {"day.gif", "day.MP4", "day.webm", "day.png"}) {
-        EXPECT_THAT(refusal(name), HasSubstr("a film ends in .mp4 or is a folder")) << name;
-        EXPECT_THROW(checkFilm(film, folder / name), Error) << name;
-    }
-    EXPECT_THAT(names(), IsEmpty());
-    EXPECT_FALSE(isVideo(folder / "day"));
-    EXPECT_FALSE(isVideo(folder / "day.gif/"));
-    EXPECT_TRUE(isVideo(folder / "day.mp4"));
-    std::filesystem::create_directory(folder / "day 1.2");
-    EXPECT_FALSE(isVideo(folder / "day 1.2"));
+    const auto exposure = [&] {
+        return photographer.automaticExposure(radianceOfPages(relighter(), progress), film.camera,
+                                              film.picture, progress);
+    };
+    const float before = exposure();
+    Relighting lighting;
+    lighting.lights = {{.emission = glm::vec3(2.0f), .position = {1.5f, 1.5f, 2.0f}}};
+    relighter().light(lighting, progress);
+    EXPECT_NEAR(exposure(), before - 1.0f, 0.02f);
 }
 
-// What a person waits for is frames; the stages of each go by too fast to be read.
-TEST_F(FilmOfABox, ProgressTellsWhichFrameItIs)
+// From the middle of a wall the camera looks at it, and then into the room: each picture alone
+// would be exposed its own way, and the film would flicker.
+TEST_F(FilmOfABox, AFilmHasOneExposureForAllItsFrames)
 {
-    std::vector<std::string> parts;
-    Progress watched([&](const Progress::Event& event) {
-        if (parts.empty() || parts.back() != event.part) parts.emplace_back(event.part);
-    });
     film.turns = true;
-    writeFilm(relighter(), photographer, film, folder / "frames", watched);
-    EXPECT_THAT(parts, ElementsAre("", "frame 1 of 3", "frame 2 of 3", "frame 3 of 3"));
+    film.camera.position = {0.2f, 1.2f, 2.0f};
+    const std::vector<Image> pages = radianceOfPages(relighter(), progress);
+    float least = 99.0f;
+    float most = -99.0f;
+    double sum = 0.0;
+    for (int frame = 0; frame < film.frames; ++frame) {
+        const Camera camera = turned(film.camera, room_.scan, frame / 3.0);
+        const float stops = photographer.automaticExposure(pages, camera, film.picture, progress);
+        least = std::min(least, stops);
+        most = std::max(most, stops);
+        sum += stops;
+    }
+    EXPECT_GT(most - least, 0.1f);
+    // All pixels of all frames count alike, and there is no black in a box.
+    EXPECT_NEAR(automaticExposure(relighter(), photographer, film, progress), sum / 3.0, 0.01);
 }
 
 // Inside, a turntable turns the camera where it stands; outside, it goes around the room.

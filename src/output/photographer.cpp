@@ -3,10 +3,12 @@
 #include "base/fail.h"
 #include "base/file.h"
 #include "base/half.h"
+#include "image/light_meter.h"
 #include "image/transfer.h"
 #include "image/view_transform.h"
 #include "output/camera_file.h"
 #include "output/room_view.h"
+#include "output/small_picture.h"
 #include "output/staged_file.h"
 #include "output/viewpoints.h"
 #include "relamp/printable.h"
@@ -152,6 +154,14 @@ Image Photographer::take(std::span<const Image> pages, const Camera& camera,
                          const PictureOptions& options, Progress& progress) const
 {
     return imageOf(state_->look(pages, camera, options, progress), {options.width, options.height});
+}
+
+float Photographer::automaticExposure(std::span<const Image> pages, const Camera& camera,
+                                      const PictureOptions& options, Progress& progress) const
+{
+    LightMeter meter;
+    meter.add(take(pages, camera, smallPicture(options), progress));
+    return meter.exposure();
 }
 
 std::vector<uint8_t> Photographer::develop(std::span<const Image> pages, const Camera& camera,
