@@ -29,6 +29,26 @@ std::string takeSize(const std::string& text, relamp::PictureOptions& options)
     return "";
 }
 
+/// Reads "2", "auto" or "auto-0.5"; what is wrong with it, or nothing.
+std::string takeExposure(const std::string& text, std::optional<Exposure>& exposure)
+{
+    constexpr float kMost = 32.0f;
+    const std::string word = "auto";
+    Exposure wanted{.automatic = text.starts_with(word)};
+    const std::string stops = wanted.automatic ? text.substr(word.size()) : text;
+    const bool isSigned = stops.starts_with('+') || stops.starts_with('-');
+    const bool isExposure =
+        (wanted.automatic && stops.empty()) ||
+        ((!wanted.automatic || isSigned) && CLI::detail::lexical_cast(stops, wanted.stops) &&
+         wanted.stops >= -kMost && wanted.stops <= kMost);
+    if (!isExposure)
+        return fmt::format(
+            "{} is no exposure; write auto, auto+1, auto-0.5, or stops from {} to {}", text, -kMost,
+            kMost);
+    exposure = wanted;
+    return "";
+}
+
 void addFilm(CLI::App& command, PictureArguments& arguments)
 {
     const std::string group = "Films";
@@ -71,15 +91,19 @@ void addPictureArguments(CLI::App& command, PictureArguments& arguments)
         ->type_name("WxH")
         ->group(group);
     command
-        .add_option("--view", options.view.view,
-                    "How bright light is shown: standard (cut off at white), agx, aces [standard]")
+        .add_option("--view", arguments.view,
+                    "How bright light is shown: agx, aces, standard (cut off at white) [agx; "
+                    "standard with --show and --bake]")
         ->transform(oneOf(views))
         ->type_name("NAME")
         ->group(group);
     command
-        .add_option("--exposure", options.view.exposure,
-                    "Stops that light is shown brighter than it is; not in .exr [0]")
-        ->check(between(-32.0, 32.0))
+        .add_option(
+            "--exposure",
+            "Stops that light is shown brighter than it is; auto: its log-average becomes "
+            "middle grey, auto+1: a stop more; not in .exr [auto; 0 with --show and --bake]")
+        ->check(CLI::Validator(
+            [&arguments](std::string& text) { return takeExposure(text, arguments.exposure); }, ""))
         ->type_name("EV")
         ->group(group);
     command

@@ -89,25 +89,49 @@ relamp::Film filmOf(const PictureArguments& picture, const Wish& wish)
     return film;
 }
 
-/// The room as it was scanned, or as it is without light.
-void writeUnlit(const RelightArguments& arguments, const relamp::DelitRoom& room, const Wish& wish,
-                relamp::Progress& progress)
+bool isOfTexture(const RelightArguments& arguments)
+{
+    return arguments.bake || arguments.picture.show != Show::relit;
+}
+
+bool isMeasured(const RelightArguments& arguments)
+{
+    return arguments.picture.exposureOf(isOfTexture(arguments)).automatic &&
+           arguments.output.extension() != ".exr"; // which is the light itself
+}
+
+/// How a picture is shown; `measure` is asked for the automatic exposure where it is wanted.
+template<class Measure>
+relamp::ViewOptions viewOf(const RelightArguments& arguments, const Measure& measure)
+{
+    const bool isTexture = isOfTexture(arguments);
+    const float stops = arguments.picture.exposureOf(isTexture).stops;
+    return {.view = arguments.picture.viewOf(isTexture),
+            .exposure = isMeasured(arguments) ? stops + measure() : stops};
+}
+
+/// The room as it was scanned, or as it is without light. Gives its exposure.
+float writeUnlit(const RelightArguments& arguments, const relamp::DelitRoom& room, const Wish& wish,
+                 relamp::Progress& progress)
 {
     std::vector<relamp::Image> scanned;
     if (arguments.picture.show == Show::scan)
         for (const relamp::Page& page : room.scan.pages) scanned.push_back(page.image);
+    const std::vector<relamp::Image>& pages = scanned.empty() ? room.albedo : scanned;
     const relamp::Photographer photographer(room, progress);
-    photographer.write(scanned.empty() ? room.albedo : scanned,
-                       wish.camera ? *wish.camera : photographer.goodView(),
-                       arguments.picture.options, arguments.output, progress);
+    const relamp::Camera camera = wish.camera ? *wish.camera : photographer.goodView();
+    relamp::PictureOptions picture = arguments.picture.options;
+    picture.view = viewOf(arguments, [&] {
+        return photographer.automaticExposure(pages, camera, picture, progress);
+    });
+    photographer.write(pages, camera, picture, arguments.output, progress);
+    return picture.view.exposure;
 }
 
-void writeRelit(const RelightArguments& arguments, relamp::Relighter& relighter,
-                const relamp::Relighting& lighting, const Wish& wish, relamp::Progress& progress)
+/// Gives the exposure.
+float writeRelit(const RelightArguments& arguments, relamp::Relighter& relighter,
+                 const relamp::Relighting& lighting, const Wish& wish, relamp::Progress& progress)
 {
-    if (arguments.bake)
-        return relamp::writeBaked(relighter, arguments.output, arguments.picture.options.view,
-                                  progress);
     const relamp::Photographer photographer(relighter);
     relamp::Film film = filmOf(arguments.picture, wish);
     film.camera = wish.camera  ? *wish.camera
@@ -115,16 +139,32 @@ void writeRelit(const RelightArguments& arguments, relamp::Relighter& relighter,
                                : photographer.goodView();
     film.picture.sky = lighting.sky;
     film.picture.lamps = lighting.lights;
-    if (arguments.picture.isFilm())
+    if (arguments.picture.isFilm()) {
+        film.picture.view = viewOf(arguments, [&] {
+            return relamp::automaticExposure(relighter, photographer, film, progress);
+        });
         relamp::writeFilm(relighter, photographer, film, arguments.output, progress);
-    else
-        photographer.write(relamp::radianceOfPages(relighter, progress), film.camera, film.picture,
-                           arguments.output, progress);
+        return film.picture.view.exposure;
+    }
+    const std::vector<relamp::Image> pages = relamp::radianceOfPages(relighter, progress);
+    film.picture.view = viewOf(arguments, [&] {
+        return photographer.automaticExposure(pages, film.camera, film.picture, progress);
+    });
+    photographer.write(pages, film.camera, film.picture, arguments.output, progress);
+    return film.picture.view.exposure;
 }
 
-/// What took light, and what of it or of the room is doubtful.
-void write(RelightArguments& arguments, const relamp::DelitRoom& room,
-           std::vector<std::string>& notes, relamp::Progress& progress)
+float writeBaked(const RelightArguments& arguments, const relamp::Relighter& relighter,
+                 relamp::Progress& progress)
+{
+    const relamp::ViewOptions view = viewOf(arguments, [] { return 0.0f; });
+    relamp::writeBaked(relighter, arguments.output, view, progress);
+    return view.exposure;
+}
+
+/// Gives the exposure; `notes` receives what is doubtful of the light or of the room.
+float write(RelightArguments& arguments, const relamp::DelitRoom& room,
+            std::vector<std::string>& notes, relamp::Progress& progress)
 {
     const Wish wish = wishOf(arguments, room, notes);
     if (arguments.picture.show != Show::relit) return writeUnlit(arguments, room, wish, progress);
@@ -137,8 +177,11 @@ void write(RelightArguments& arguments, const relamp::DelitRoom& room,
     if (!arguments.keepNothing) arguments.options.transport = room.transport;
     relamp::Relighter relighter(room, arguments.options, progress);
     relighter.light(lighting, progress);
-    writeRelit(arguments, relighter, lighting, wish, progress);
+    const float exposure = arguments.bake
+                               ? writeBaked(arguments, relighter, progress)
+                               : writeRelit(arguments, relighter, lighting, wish, progress);
     notes.insert(notes.end(), relighter.warnings().begin(), relighter.warnings().end());
+    return exposure;
 }
 
 /// Before long work begins. Folders above a film's own are made where they are not there.
@@ -171,13 +214,14 @@ int run(RelightArguments& arguments)
     const relamp::DelitRoom room =
         relamp::readDelitRoom(arguments.room.file, arguments.delit, progress);
     std::vector<std::string> notes = room.warnings;
-    write(arguments, room, notes, progress);
+    const float exposure = write(arguments, room, notes, progress);
 
     endProgressDisplay(talk);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (talk == Talk::quiet) return 0;
-    printOut("{}: {} in {:.1f} s\n", arguments.room.file.string(), arguments.output.string(),
-             elapsed.count());
+    printOut("{}: {} in {:.1f} s{}\n", arguments.room.file.string(), arguments.output.string(),
+             elapsed.count(),
+             isMeasured(arguments) ? fmt::format(", exposure {:.2f}", exposure) : "");
     for (const std::string& note : notes) printProblem("note: " + note);
     return 0;
 }
@@ -192,6 +236,8 @@ std::string complaintOfOutput(const RelightArguments& arguments)
         return "--bake goes with one light, neither with films nor with --show";
     if (arguments.bake && ending != ".exr" && ending != ".glb")
         return "with --bake, the name after -o must end in .exr or .glb";
+    if (arguments.bake && picture.exposureOf(true).automatic)
+        return "--exposure auto goes with pictures and films; give --bake a number of stops";
     if (picture.isFilm() && picture.show != Show::relit) return "--show goes with single pictures";
     try {
         if (picture.isFilm()) relamp::isVideo(arguments.output);
@@ -281,11 +327,13 @@ void addRelightCommand(CLI::App& app, Run& run)
         "Neither read nor write DIR/transport.bin, which keeps where bounce light goes, so "
         "that the next run is faster");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
-    command.footer("Examples:\n"
-                   "  relamp relight kitchen --lights lamp.json -o frame.png --view agx\n"
-                   "  relamp relight kitchen --timeline day.json -o day.mp4\n"
-                   "  relamp relight kitchen --lights lamp.json --bake -o radiance.exr\n"
-                   "  relamp relight kitchen --fixture all=on --fixture 2=off --bake -o baked.glb");
+    command.footer(
+        "Examples:\n"
+        "  relamp relight kitchen --lights lamp.json -o frame.png\n"
+        "  relamp relight kitchen --lights lamp.json -o light.png --view standard --exposure 0\n"
+        "  relamp relight kitchen --timeline day.json -o day.mp4\n"
+        "  relamp relight kitchen --lights lamp.json --bake -o radiance.exr\n"
+        "  relamp relight kitchen --fixture all=on --fixture 2=off --bake -o baked.glb");
     command.callback([arguments, &run] {
         const std::string complaint = complaintOfOutput(*arguments);
         if (!complaint.empty()) throw CLI::ValidationError("--output", complaint);

@@ -18,6 +18,7 @@ namespace relamp::golden
 namespace
 {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -53,6 +54,9 @@ protected:
 
     static std::string room() { return *shared / "room"; }
 
+    /// What shows light as it is.
+    inline static const std::vector<std::string> kPlain{"--view", "standard", "--exposure", "0"};
+
     /// `relamp relight` of the room with its camera, small; and `more`.
     Outcome relight(const std::vector<std::string>& more) const
     {
@@ -62,8 +66,10 @@ protected:
         return runRelamp(arguments);
     }
 
-    void expectWritten(const std::vector<std::string>& more) const
+    void expectWritten(std::vector<std::string> more,
+                       const std::vector<std::string>& view = {}) const
     {
+        more.insert(more.end(), view.begin(), view.end());
         const Outcome run = relight(more);
         EXPECT_EQ(run.exitCode, 0) << run.err;
         EXPECT_EQ(run.out, "");
@@ -90,8 +96,9 @@ TEST_F(PictureProgram, ALampLightsTheRoom)
 {
     expectWritten({"--lights", lamp, "-o", folder / "lit.exr"});
     expectWritten({"--lights", lamp, "-o", folder / "stop.exr", "--exposure", "3"});
-    expectWritten({"--lights", lamp, "-o", folder / "lit.png"});
-    expectWritten({"--lights", lamp, "-o", folder / "bright.png", "--exposure", "2"});
+    expectWritten({"--lights", lamp, "-o", folder / "lit.png"}, kPlain);
+    expectWritten({"--lights", lamp, "-o", folder / "bright.png"},
+                  {"--view", "standard", "--exposure", "2"});
     EXPECT_THAT(names(), ElementsAre("bright.png", "lit.exr", "lit.png", "stop.exr"));
     const Image lit = readImage(folder / "lit.exr");
     EXPECT_EQ(lit.width, 160);
@@ -101,13 +108,31 @@ TEST_F(PictureProgram, ALampLightsTheRoom)
     EXPECT_GT(brightness(folder / "bright.png"), 2.0 * brightness(folder / "lit.png"));
 }
 
+// Who puts up a lamp wants to see the room in its light, be the lamp strong or weak.
+TEST_F(PictureProgram, ANewLightIsExposedByItself)
+{
+    const std::string weak = folder.write("weak.json", R"({"lights": [{"type": "sphere",
+        "position": [0.9, 1.45, -2.6], "radius": 0.12, "lumens": 40, "kelvin": 3000}]})");
+    expectWritten({"--lights", lamp, "-o", folder / "lit.png"});
+    expectWritten({"--lights", weak, "-o", folder / "weak.png"});
+    expectWritten({"--lights", weak, "-o", folder / "plain.png"}, kPlain);
+    expectWritten({"--lights", weak, "-o", folder / "more.png", "--exposure", "auto+1"});
+    const double lit = brightness(folder / "lit.png");
+    EXPECT_THAT(lit, AllOf(testing::Gt(0.12), testing::Lt(0.4)));
+    EXPECT_NEAR(brightness(folder / "weak.png"), lit, 0.05 * lit);
+    EXPECT_LT(brightness(folder / "plain.png"), 0.2 * lit);
+    EXPECT_GT(brightness(folder / "more.png"), 1.3 * lit);
+}
+
 TEST_F(PictureProgram, ViewsDifferAndThreadsDoNot)
 {
-    expectWritten({"--lights", lamp, "-o", folder / "standard.png", "--threads", "1"});
+    expectWritten({"--lights", lamp, "-o", folder / "agx.png", "--threads", "1"});
     expectWritten({"--lights", lamp, "-o", folder / "again.png", "--threads", "8"});
-    expectWritten({"--lights", lamp, "-o", folder / "agx.png", "--view", "agx"});
+    expectWritten({"--lights", lamp, "-o", folder / "named.png", "--view", "agx"});
+    expectWritten({"--lights", lamp, "-o", folder / "standard.png", "--view", "standard"});
     expectWritten({"--lights", lamp, "-o", folder / "aces.png", "--view", "aces"});
-    EXPECT_EQ(contentOf(folder / "standard.png"), contentOf(folder / "again.png"));
+    EXPECT_EQ(contentOf(folder / "agx.png"), contentOf(folder / "again.png"));
+    EXPECT_EQ(contentOf(folder / "agx.png"), contentOf(folder / "named.png"));
     EXPECT_NE(contentOf(folder / "standard.png"), contentOf(folder / "agx.png"));
     EXPECT_NE(contentOf(folder / "aces.png"), contentOf(folder / "agx.png"));
 }
@@ -115,8 +140,8 @@ TEST_F(PictureProgram, ViewsDifferAndThreadsDoNot)
 // The light of the scan, put back, is about what was scanned; the albedo is something else.
 TEST_F(PictureProgram, TheOldLightGivesTheOldPicture)
 {
-    expectWritten({"--fixture", "all=on", "-o", folder / "back.png"});
-    expectWritten({"--show", "scan", "-o", folder / "scan.png"});
+    expectWritten({"--fixture", "all=on", "-o", folder / "back.png"}, kPlain);
+    expectWritten({"--show", "scan", "-o", folder / "scan.png"}); // textures are shown as they are
     expectWritten({"--show", "albedo", "-o", folder / "albedo.png"});
     EXPECT_NEAR(brightness(folder / "back.png"), brightness(folder / "scan.png"), 0.05);
     EXPECT_NE(contentOf(folder / "albedo.png"), contentOf(folder / "scan.png"));
@@ -128,7 +153,8 @@ TEST_F(PictureProgram, TheProgramFindsAViewItself)
         {"relight", room(), "--show", "scan", "-o", folder / "auto.png", "--size", "64x36"});
     EXPECT_EQ(run.exitCode, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("auto.png in "));
-    EXPECT_GT(brightness(folder / "auto.png"), 0.2); // from inside, for outside is dark
+    EXPECT_THAT(run.out, testing::Not(HasSubstr("exposure"))); // the texture is shown as it is
+    EXPECT_GT(brightness(folder / "auto.png"), 0.2);           // from inside, for outside is dark
 }
 
 TEST_F(PictureProgram, FilmsAreNumberedFrames)

@@ -137,7 +137,9 @@ TEST_F(Pictures, WhatIsTypedWrongIsNamed)
     for (const char* size : {"16", "0x16", "16x", "x", "16x16x16", "99999x1", "-1x5"})
         expectUsageError({"--size", size}, size);
     expectUsageError({"--view", "film"}, "--view");
-    expectUsageError({"--exposure", "nan"}, "--exposure");
+    for (const char* exposure : {"nan", "33", "auto1", "auto+", "auto+99", "automatic", ""})
+        expectUsageError({"--exposure", exposure}, "--exposure");
+    expectUsageError({"--bake", "--exposure", "auto"}, "number of stops", "out.glb");
     expectUsageError({"--antialias", "0"}, "--antialias");
     expectUsageError({"--turntable", "0"}, "--turntable");
     expectUsageError({"--fps", "0"}, "--fps");
