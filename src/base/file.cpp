@@ -1,13 +1,19 @@
 #include "base/file.h"
 
+#include "base/hash.h"
 #include "relamp/error.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -29,12 +35,67 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
     throw Error(ErrorCode::cannotRead, fmt::format("{}: {}", file.string(), why));
 }
 
-constexpr std::string_view kStaged = ".relamp-"; // behind a name, and six letters behind that
+// Behind a name; behind that, the machine that a process is on, its id, and six letters.
+constexpr std::string_view kStaged = ".relamp-";
+constexpr size_t kLetters = 6;
+
+/// Where process ids mean the same: a machine, and on it a container.
+std::string placeOfProcesses()
+{
+    std::array<char, 256> host{};
+    gethostname(host.data(), host.size() - 1);
+    std::error_code ignored;
+    Hash hash;
+    const auto add = [&](const std::string& text) {
+        hash.addBytes(std::as_bytes(std::span(text)));
+    };
+    add(host.data());
+    add(std::filesystem::read_symlink("/proc/self/ns/pid", ignored).string());
+    return fmt::format("{:08x}", hash.value() >> 32);
+}
+
+/// What the names of all that stands in for `target` begin with.
+std::string prefixFor(const std::filesystem::path& target)
+{
+    return fmt::format(".{}{}", target.filename().string(), kStaged);
+}
+
+/// The process that stands behind "machine-id-letters", if it was of this machine and is no more.
+bool isOfTheDead(std::string_view behindPrefix)
+{
+    const std::string here = placeOfProcesses() + "-";
+    if (!behindPrefix.starts_with(here)) return false;
+    behindPrefix.remove_prefix(here.size());
+    pid_t process = 0;
+    const char* last = behindPrefix.data() + behindPrefix.size();
+    const auto [end, error] = std::from_chars(behindPrefix.data(), last, process);
+    if (error != std::errc() || process <= 0 || static_cast<size_t>(last - end) != kLetters + 1 ||
+        *end != '-')
+        return false;
+    return kill(process, 0) != 0 && errno == ESRCH;
+}
+
+/// What processes that were killed have left behind for `target`.
+void removeAbandoned(const std::filesystem::path& target)
+{
+    const std::string prefix = prefixFor(target);
+    const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
+    std::error_code ignored;
+    std::vector<std::filesystem::path> abandoned;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with(prefix) && isOfTheDead(std::string_view(name).substr(prefix.size())))
+            abandoned.push_back(entry.path());
+    }
+    for (const std::filesystem::path& path : abandoned) std::filesystem::remove_all(path, ignored);
+}
 
 /// For mkstemp and mkdtemp.
 std::string patternBeside(const std::filesystem::path& target)
 {
-    return (target.parent_path() / fmt::format(".{}{}XXXXXX", target.filename().string(), kStaged))
+    removeAbandoned(target);
+    return (target.parent_path() /
+            fmt::format("{}{}-{}-XXXXXX", prefixFor(target), placeOfProcesses(), getpid()))
         .string();
 }
 
@@ -46,7 +107,9 @@ std::filesystem::path targetOf(const std::filesystem::path& file)
         const std::string name = part.string();
         const size_t mark = name.rfind(kStaged);
         const bool isStaged =
-            mark != std::string::npos && name[0] == '.' && name.size() == mark + kStaged.size() + 6;
+            mark != std::string::npos && name[0] == '.' &&
+            std::count(name.begin() + static_cast<std::ptrdiff_t>(mark + kStaged.size()),
+                       name.end(), '-') == 2;
         target /= isStaged ? name.substr(1, mark - 1) : name;
     }
     return target;

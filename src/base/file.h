@@ -20,7 +20,8 @@ void writeFile(const std::filesystem::path& file, std::span<const std::byte> byt
 void writeFile(const std::filesystem::path& file, const std::string& text);
 
 /// Makes an empty file, which everyone may read, or an empty folder of a hidden name beside
-/// `target`, for what will take that place when it is complete. Throws Error(cannotWrite).
+/// `target`, for what will take that place when it is complete. Its name tells the process; what
+/// processes of this machine that are no more have left there goes. Throws Error(cannotWrite).
 std::filesystem::path stageFile(const std::filesystem::path& target);
 std::filesystem::path stageFolder(const std::filesystem::path& target);
 

@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace relamp
 {
@@ -67,6 +69,40 @@ TEST(File, WhatCannotBeWrittenIsNamedByThePlaceThatItIsMeantFor)
     const std::filesystem::path beside = std::filesystem::path(".none") / "albedo.exr";
     EXPECT_THAT(scenes::refusalOf([&] { writeFile(staged / beside, "text"); }),
                 StartsWith((folder / ".room.v2" / beside).string() + ": cannot be written"));
+}
+
+// One that was killed cannot; the next that writes there does.
+TEST(File, WhatAProcessLeftBehindThatIsNoMoreGoes)
+{
+    const scenes::TemporaryFolder folder;
+    const std::filesystem::path target = folder / "out";
+    const pid_t child = fork();
+    if (child == 0) {
+        writeFile(stageFolder(target) / "half", "text");
+        stageFile(target);
+        _exit(0); // as if it had been killed
+    }
+    waitpid(child, nullptr, 0);
+    const auto count = [&] {
+        return std::distance(std::filesystem::directory_iterator(folder.path()), {});
+    };
+    EXPECT_EQ(count(), 2);
+    const std::filesystem::path mine = stageFolder(target);
+    EXPECT_EQ(count(), 1);
+    stageFile(target); // and what the living are at stays
+    EXPECT_TRUE(std::filesystem::exists(mine));
+    EXPECT_EQ(count(), 2);
+}
+
+// Ids of another machine say nothing here, nor does what is named otherwise.
+TEST(File, WhatAnotherMachineMayBeAtStays)
+{
+    const scenes::TemporaryFolder folder;
+    for (const char* name :
+         {".out.relamp-00000000-1-abcdef", ".out.relamp-abcdef", ".other.relamp-00000000-1-abcdef"})
+        folder.write(name, std::string("half"));
+    const std::filesystem::path staged = stageFolder(folder / "out");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 4);
 }
 
 } // namespace relamp
