@@ -20,8 +20,10 @@
 #include <utility>
 #include <vector>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <malloc.h>
+#include <unistd.h>
 
 namespace
 {
@@ -29,12 +31,21 @@ namespace
 constexpr int kWorldIsWrong = 1;
 constexpr int kUsage = 2;
 
-/// What was printed may still lie in a buffer, and not fit where it has to go.
+/// What was asked for may still lie in a buffer, and not fit where it has to go.
 int endOutput(int exitCode)
 {
-    if (std::fflush(stdout) == 0) return exitCode;
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exitCode;
     printProblem(fmt::format("standard output: cannot be written: {}", std::strerror(errno)));
     return kWorldIsWrong;
+}
+
+/// A stream that is closed would be the first file that is opened, and what is printed would go
+/// there. It becomes one that nobody can use.
+void keepStandardStreams()
+{
+    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
+        if (fcntl(stream, F_GETFD) < 0 && errno == EBADF)
+            open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
 /// What is freed stays for what comes next, up to the end, which is near. Large arrays would else
@@ -72,6 +83,7 @@ int main(int argc, char** argv)
 {
     std::signal(SIGPIPE, SIG_IGN); // a reader that went away, or a file size limit, is an error
     std::signal(SIGXFSZ, SIG_IGN); // to report, not a reason to vanish
+    keepStandardStreams();
     keepMemory();
 
     CLI::App app("Takes the light out of a scanned room. What is left is the colour of its "

@@ -2,6 +2,7 @@
 
 #include "progress_line.h"
 
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -90,6 +91,19 @@ void endProgressDisplay(Talk talk)
 void printExactly(const std::string& text)
 {
     std::fputs(text.c_str(), stdout);
+}
+
+void printAside(const std::string& raw)
+{
+    const std::string text = relamp::printableText(raw);
+    size_t begin = 0;
+    while (begin < text.size()) {
+        const ssize_t written = write(STDOUT_FILENO, text.data() + begin,
+                                      text.size() - begin); // no buffer to fail later
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return;
+        begin += static_cast<size_t>(written);
+    }
 }
 
 void printProblem(const std::string& sentence)
