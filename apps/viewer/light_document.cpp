@@ -89,7 +89,7 @@ ordered_json jsonOf(const LampItem& lamp)
     return item;
 }
 
-ordered_json jsonOf(const FixtureItem& fixture, size_t id)
+ordered_json jsonOf(const FixtureItem& fixture, int id)
 {
     ordered_json item;
     item["id"] = id;
@@ -181,7 +181,17 @@ void takeFixture(const ordered_json& item, FixtureItem& fixture)
     take(item, "window", fixture.window);
 }
 
-void takeFixtures(const ordered_json& list, LightDocument& document,
+/// By number, by name, or by its own place in the list.
+size_t placeMeant(const ordered_json& item, size_t place, const relamp::Lights& captured)
+{
+    if (item.contains("id")) return captured.placeOf(item["id"].get<int>());
+    if (!item.contains("name")) return place;
+    size_t named = 0;
+    while (named < captured.fixtures.size() && captured.nameOf(named) != item["name"]) ++named;
+    return named;
+}
+
+void takeFixtures(const ordered_json& list, const relamp::Lights& captured, LightDocument& document,
                   std::vector<std::string>& notes)
 {
     if (list.is_string()) {
@@ -189,11 +199,12 @@ void takeFixtures(const ordered_json& list, LightDocument& document,
         return;
     }
     for (size_t i = 0; i < list.size(); ++i) {
-        const size_t id = list[i].value("id", i);
-        if (id < document.fixtures.size())
-            takeFixture(list[i], document.fixtures[id]);
+        const size_t place = placeMeant(list[i], i, captured);
+        if (place < document.fixtures.size())
+            takeFixture(list[i], document.fixtures[place]);
         else
-            notes.push_back(fmt::format("fixture {} is none of this room's; it was left out", id));
+            notes.push_back(
+                fmt::format("fixture {} of the list is none of this room's; it was left out", i));
     }
 }
 
@@ -290,7 +301,7 @@ LightDocument documentOf(const relamp::Lights& captured)
     return document;
 }
 
-std::string textOf(const LightDocument& document)
+std::string textOf(const LightDocument& document, const relamp::Lights& captured)
 {
     ordered_json top;
     top["format"] = "relamp lights 1";
@@ -300,7 +311,7 @@ std::string textOf(const LightDocument& document)
     for (const LampItem& lamp : document.lamps) top["lights"].push_back(jsonOf(lamp));
     top["fixtures"] = ordered_json::array();
     for (size_t i = 0; i < document.fixtures.size(); ++i)
-        top["fixtures"].push_back(jsonOf(document.fixtures[i], i));
+        top["fixtures"].push_back(jsonOf(document.fixtures[i], captured.idOf(i)));
     top["sky"] = jsonOf(document.sky);
     return top.dump(1, '\t') + "\n";
 }
@@ -313,7 +324,7 @@ LightDocument documentFrom(const std::string& text, const std::filesystem::path&
     const ordered_json top = ordered_json::parse(text);
     LightDocument document;
     document.fixtures.resize(captured.fixtures.size());
-    if (top.contains("fixtures")) takeFixtures(top["fixtures"], document, notes);
+    if (top.contains("fixtures")) takeFixtures(top["fixtures"], captured, document, notes);
     if (top.contains("lights"))
         for (const ordered_json& item : top["lights"])
             if (!item.contains("fixture")) document.lamps.push_back(lampFrom(item));
@@ -340,7 +351,7 @@ relamp::Relighting lightingOf(const LightDocument& document, const std::filesyst
                               const relamp::Lights& captured, std::vector<std::string>& notes,
                               relamp::RelightingReader& reader)
 {
-    return reader.read(textOf(document), folder / "lights.json", captured, notes);
+    return reader.read(textOf(document, captured), folder / "lights.json", captured, notes);
 }
 
 const char* nameOf(LightType type)

@@ -113,8 +113,8 @@ void followSky(LightDocument& light, const relamp::Lights& before, const relamp:
 /// The fixtures of a room as delight found them, switched on.
 LightDocument documentOf(const relamp::Lights& captured);
 
-/// The text of a lights file.
-std::string textOf(const LightDocument& document);
+/// The text of a lights file for the room that was `captured`.
+std::string textOf(const LightDocument& document, const relamp::Lights& captured);
 
 /// What a lights file says. `captured` is the room's light. Throws relamp::Error as
 /// relamp::readRelighting does; `notes` receives what is passed over.

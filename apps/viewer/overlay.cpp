@@ -189,7 +189,7 @@ void drawLights(const Pen& pen, const Viewer& viewer)
         const glm::vec3 centre = studio.captured().fixtures[i].centre;
         pen.ring(centre, isOn ? kAccent : kOff, isThis ? 10.0f : 7.0f);
         if (isThis) pen.dot(centre, kWhite, 3.0f);
-        if (isThis) pen.text(centre, "Fixture " + std::to_string(i));
+        if (isThis) pen.text(centre, studio.captured().nameOf(i));
     }
     for (size_t i = 0; i < studio.edit.light.lamps.size(); ++i) {
         const LampItem& lamp = studio.edit.light.lamps[i];

@@ -44,9 +44,10 @@ void drawList(Viewer& viewer)
             viewer.select(selection);
         ImGui::PopID();
     };
-    for (size_t i = 0; i < light.fixtures.size(); ++i)
+    for (size_t i = 0; i < std::min(light.fixtures.size(), studio.captured().fixtures.size()); ++i)
         row(Selection::Kind::fixture, i, light.fixtures[i].on,
-            fmt::format("Fixture {}{}", i, light.fixtures[i].window ? ", window" : ""));
+            fmt::format("{}{}", studio.captured().nameOf(i),
+                        light.fixtures[i].window ? ", window" : ""));
     for (size_t i = 0; i < light.lamps.size(); ++i) {
         const LampItem& lamp = light.lamps[i];
         row(Selection::Kind::lamp, i, light.lamps[i].on,

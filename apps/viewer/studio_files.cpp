@@ -37,7 +37,7 @@ void Studio::openAny(const std::filesystem::path& path)
 
 void Studio::saveLights(const std::filesystem::path& file)
 {
-    writeText(file, textOf(edit.light));
+    writeText(file, textOf(edit.light, captured_));
     say(fmt::format("The light is in {}.", file.string()));
 }
 

@@ -2,6 +2,7 @@
 
 #include "relamp/api.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,6 +22,8 @@ struct Fixture
     glm::vec3 radiance{0.0f}; // RGB, 1 = the texture's white
     glm::vec3 error{0.0f};    // standard error of radiance as a share of it; 0 where none is known
     bool determined = true;   // false: the scan does not tell its radiance, which is a guess
+    int id = -1;              // its number wherever it is named; none: its place in the list
+    std::string name;         // "ceiling lamp 1", unlike others' of the room; or none
 
     /// Flux pi * radiance * area, in radiance * m^2 * sr.
     [[nodiscard]] glm::vec3 power() const { return 3.14159265f * area * radiance; }
@@ -34,7 +37,7 @@ struct PointLight
         0.0f}; // where the surface that it stands for faces; zero for none. Does not aim it
     glm::vec3 intensity{0.0f}; // RGB radiant intensity, radiance * m^2; E = intensity cos / d^2
     float radius = 0.0f;       // m; rms distance of the patch that it stands for from its centre
-    int fixture = -1;          // index into Lights::fixtures; -1 for none
+    int fixture = -1;          // place in Lights::fixtures, not its number; -1 for none
 };
 
 /// The sun, where it shines into a room.
@@ -47,6 +50,8 @@ struct Sun
 };
 
 /// All light of a room, as delight finds it and a person may edit it.
+///
+/// A lamp of a scan has the same number and name in whatever quality it is found.
 struct Lights
 {
     std::vector<Fixture> fixtures;
@@ -55,6 +60,13 @@ struct Lights
     // irradiance / pi, the same everywhere.
     glm::vec3 ambient{0.0f};
     std::optional<Sun> sun; // the thesis solver has none
+
+    /// The number of a fixture by its place in the list.
+    [[nodiscard]] RELAMP_API int idOf(size_t place) const;
+    /// Its name, or "fixture 3" where it has none.
+    [[nodiscard]] RELAMP_API std::string nameOf(size_t place) const;
+    /// The place of the fixture with a number; fixtures.size() where none has it.
+    [[nodiscard]] RELAMP_API size_t placeOf(int id) const;
 };
 
 /// lights.json, described in docs/guide/lights.md. `warnings` receives a sentence a key that is not

@@ -25,6 +25,11 @@ constexpr float kFacesAlike = 0.7f;   // of a mean normal, along the fixture's
 constexpr float kLeastRadius = 0.02f; // m, of something without a size
 constexpr int kPatches = 32;
 
+FixtureLabel labelOf(const Fixture& fixture)
+{
+    return {fixture.id, fixture.name};
+}
+
 glm::vec3 centreOf(std::span<const ClippedPatch> patches)
 {
     glm::vec3 sum(0.0f);
@@ -92,13 +97,15 @@ const Candidate* standingAt(const Fixture& fixture, std::span<const Candidate> c
 
 FoundLamp lampOf(const Fixture& fixture, std::span<const Candidate> candidates)
 {
+    FoundLamp lamp{{}, fixture.radiance, fixture.error};
+    lamp.labels = {labelOf(fixture)};
     if (const Candidate* there = standingAt(fixture, candidates))
-        return {there->patches, fixture.radiance, fixture.error};
-    const bool isFlat = fixture.normal != glm::vec3(0.0f);
-    return {isFlat ? disc(fixture) : ball(fixture.centre, fixture.area),
-            fixture.radiance,
-            fixture.error,
-            {}};
+        lamp.patches = there->patches;
+    else if (fixture.normal != glm::vec3(0.0f))
+        lamp.patches = disc(fixture);
+    else
+        lamp.patches = ball(fixture.centre, fixture.area);
+    return lamp;
 }
 
 FoundLamp lampOf(const PointLight& light)
@@ -137,6 +144,7 @@ void Standing::addToGroup(size_t group, std::span<const ClippedPatch> single,
         placed_.try_emplace({static_cast<float>(group), light.r, light.g, light.b}, lamps.size());
     if (isNew) lamps.push_back({{}, light, fixture.error});
     FoundLamp& kept = lamps[place->second];
+    kept.labels.push_back(labelOf(fixture));
     kept.patches.insert(kept.patches.end(), single.begin(), single.end());
     kept.ends.push_back(static_cast<uint32_t>(kept.patches.size()));
     if (kept.ends.size() == found_.lamps[group].ends.size())
@@ -151,6 +159,7 @@ bool Standing::add(const Fixture& fixture, std::vector<FoundLamp>& lamps)
             if (glm::distance(centreOf(single), fixture.centre) >= kMoved) continue;
             if (lamp.ends.empty() || !taken_.insert(single.data()).second) {
                 lamps.push_back({{single.begin(), single.end()}, fixture.radiance, fixture.error});
+                lamps.back().labels = {labelOf(fixture)};
                 if (lamp.ends.empty()) lamps.back().onSides = lamp.onSides;
             } else {
                 addToGroup(f, single, fixture, lamps);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lights/candidates.h"
+#include "lights/fixture_labels.h"
 #include "relamp/gather.h"
 #include "relamp/progress.h"
 #include "scan/rays.h"
@@ -25,6 +26,7 @@ struct FoundLamp
     bool isSunlit = false;        // no lamp but a burnt-out patch of sun, which lights the room
     bool isDetermined = true;     // false: it lights too little that is seen to tell how bright
     std::vector<uint32_t> ends{}; // of each single lamp in `patches`; empty: it is one
+    std::vector<FixtureLabel> labels{}; // of each of these; empty: none has one yet
 };
 
 struct FoundLamps

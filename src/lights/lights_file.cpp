@@ -2,12 +2,16 @@
 
 #include "base/fail.h"
 #include "base/json.h"
+#include "lights/fixture_labels.h"
+#include "lights/fixture_named.h"
 #include "lights/fixtures.h"
 #include "lights/json_document.h"
+#include "lights/lights_from.h"
 #include "lights/sun_item.h"
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 
 #include <fmt/format.h>
@@ -35,25 +39,26 @@ ordered_json facingAsJson(glm::vec3 normal)
     return normal == glm::vec3(0.0f) ? ordered_json("omni") : toJson(normal);
 }
 
-ordered_json toJson(const Fixture& fixture, size_t id)
+ordered_json toJson(const Fixture& fixture, int id)
 {
-    ordered_json object{{"id", id},
-                        {"centre", toJson(fixture.centre)},
-                        {"normal", facingAsJson(fixture.normal)},
-                        {"area", shortest(fixture.area)},
-                        {"radiance", toJson(fixture.radiance)},
-                        {"power", toJson(fixture.power())},
-                        {"on", true}};
+    ordered_json object{{"id", id}};
+    if (!fixture.name.empty()) object["name"] = fixture.name;
+    object["centre"] = toJson(fixture.centre);
+    object["normal"] = facingAsJson(fixture.normal);
+    object["area"] = shortest(fixture.area);
+    object["radiance"] = toJson(fixture.radiance);
+    object["power"] = toJson(fixture.power());
+    object["on"] = true;
     if (fixture.error != glm::vec3(0.0f)) object["error"] = toJson(fixture.error);
     if (!fixture.determined) object["determined"] = false;
     return object;
 }
 
 /// What part of its fixture's light a point sends, by channel; none for a light of its own.
-std::optional<glm::vec3> shareOf(const PointLight& light, const std::vector<Fixture>& fixtures)
+std::optional<glm::vec3> shareOf(const PointLight& light, const Lights& lights)
 {
     if (light.fixture < 0) return {};
-    const glm::vec3 whole = intensityOf(fixtures[static_cast<size_t>(light.fixture)]);
+    const glm::vec3 whole = intensityOf(lights.fixtures[static_cast<size_t>(light.fixture)]);
     glm::vec3 share(0.0f);
     for (int c = 0; c < 3; ++c) {
         if (light.intensity[c] == 0.0f) continue;
@@ -63,14 +68,14 @@ std::optional<glm::vec3> shareOf(const PointLight& light, const std::vector<Fixt
     return share;
 }
 
-ordered_json toJson(const PointLight& light, const std::vector<Fixture>& fixtures)
+ordered_json toJson(const PointLight& light, const Lights& lights)
 {
     ordered_json object{{"type", "point"},
                         {"position", toJson(light.position)},
                         {"normal", facingAsJson(light.normal)},
                         {"radius", shortest(light.radius)}};
-    if (const auto share = shareOf(light, fixtures)) {
-        object["fixture"] = light.fixture;
+    if (const auto share = shareOf(light, lights)) {
+        object["fixture"] = lights.idOf(static_cast<size_t>(light.fixture));
         object["share"] = toJson(*share);
     } else {
         object["intensity"] = toJson(light.intensity);
@@ -91,10 +96,12 @@ ordered_json toJson(const Sun& sun)
 
 Fixture fixtureFrom(const JsonItem& item, std::vector<std::string>& warnings)
 {
-    item.warnOfUnknown(
-        {"id", "centre", "normal", "area", "radiance", "power", "error", "determined", "on"},
-        warnings);
+    item.warnOfUnknown({"id", "name", "centre", "normal", "area", "radiance", "power", "error",
+                        "determined", "on"},
+                       warnings);
     Fixture fixture;
+    if (item.has("id")) fixture.id = fixtureIdAt(item, "id");
+    fixture.name = item.text("name", "");
     fixture.centre = item.vectorAt("centre");
     fixture.normal = item.facing("normal");
     fixture.area = item.size("area");
@@ -103,20 +110,40 @@ Fixture fixtureFrom(const JsonItem& item, std::vector<std::string>& warnings)
     return fixture;
 }
 
-int fixtureAt(const JsonItem& item, size_t fixtures)
+/// A file without numbers counts its fixtures. One that was copied by hand has the number of its
+/// model, and gets one of its own.
+void numberFixtures(std::vector<Fixture>& fixtures, const std::string& file,
+                    std::vector<std::string>& warnings)
 {
-    const json& value = *item.find("fixture");
-    if (!value.is_number_unsigned() || value.get<uint64_t>() >= fixtures)
-        item.refuse(fmt::format("\"fixture\" is {}; it must be the place of one of the {} "
-                                "fixtures in their list, counted from 0",
-                                printable(value), fixtures),
+    const auto hasNone = [](const Fixture& fixture) { return fixture.id < 0; };
+    if (std::ranges::all_of(fixtures, hasNone))
+        for (size_t i = 0; i < fixtures.size(); ++i) fixtures[i].id = static_cast<int>(i);
+    std::map<int, size_t> placeOf;
+    for (size_t i = 0; i < fixtures.size(); ++i) {
+        Fixture& fixture = fixtures[i];
+        if (fixture.id < 0 || placeOf.try_emplace(fixture.id, i).second) continue;
+        warnings.push_back(fmt::format("{}: fixture {} of the list has the id {} of another and "
+                                       "gets a new one; give it one of its own",
+                                       file, i, fixture.id));
+        fixture.id = -1;
+        fixture.name.clear();
+    }
+    numberOthers(fixtures);
+}
+
+int fixtureAt(const JsonItem& item, const Lights& lights)
+{
+    const size_t place = lights.placeOf(fixtureIdAt(item, "fixture"));
+    if (place == lights.fixtures.size())
+        item.refuse(fmt::format("\"fixture\" is {}; it must be the id of one of the fixtures: {}",
+                                printable(*item.find("fixture")), namesOf(lights)),
                     "fixture");
-    return value.get<int>();
+    return static_cast<int>(place);
 }
 
 /// What a light sends: a share of its fixture's, so that whoever edits the fixture edits it too, or
 /// an intensity of its own.
-void takeIntensity(const JsonItem& item, const std::vector<Fixture>& fixtures, PointLight& light)
+void takeIntensity(const JsonItem& item, const Lights& lights, PointLight& light)
 {
     if (item.find("fixture") == nullptr) {
         if (item.find("share") != nullptr)
@@ -128,13 +155,12 @@ void takeIntensity(const JsonItem& item, const std::vector<Fixture>& fixtures, P
         item.refuse("\"intensity\" is for lights without \"fixture\"; a light of a fixture "
                     "has a \"share\" of it",
                     "intensity");
-    light.fixture = fixtureAt(item, fixtures.size());
+    light.fixture = fixtureAt(item, lights);
     light.intensity =
-        item.lightAt("share") * intensityOf(fixtures[static_cast<size_t>(light.fixture)]);
+        item.lightAt("share") * intensityOf(lights.fixtures[static_cast<size_t>(light.fixture)]);
 }
 
-PointLight lightFrom(const JsonItem& item, const std::vector<Fixture>& fixtures,
-                     std::vector<std::string>& warnings)
+PointLight lightFrom(const JsonItem& item, const Lights& lights, std::vector<std::string>& warnings)
 {
     item.warnOfUnknown({"type", "position", "normal", "intensity", "radius", "fixture", "share"},
                        warnings);
@@ -147,7 +173,7 @@ PointLight lightFrom(const JsonItem& item, const std::vector<Fixture>& fixtures,
     light.position = item.vectorAt("position");
     light.normal = item.facing("normal");
     light.radius = item.size("radius");
-    takeIntensity(item, fixtures, light);
+    takeIntensity(item, lights, light);
     return light;
 }
 
@@ -171,6 +197,25 @@ void addLightsOfWholeFixtures(Lights& lights)
 
 } // namespace
 
+int Lights::idOf(size_t place) const
+{
+    const int id = fixtures[place].id;
+    return id >= 0 ? id : static_cast<int>(place);
+}
+
+std::string Lights::nameOf(size_t place) const
+{
+    const std::string& name = fixtures[place].name;
+    return name.empty() ? fmt::format("fixture {}", idOf(place)) : name;
+}
+
+size_t Lights::placeOf(int id) const
+{
+    size_t place = 0;
+    while (place < fixtures.size() && idOf(place) != id) ++place;
+    return place;
+}
+
 std::string lightsAsJson(const Lights& lights)
 {
     ordered_json document{{"format", kLightsFormat},
@@ -179,10 +224,10 @@ std::string lightsAsJson(const Lights& lights)
                            "m^2, power in radiance m^2 sr; linear Rec. 709"}};
     document["fixtures"] = ordered_json::array();
     for (size_t i = 0; i < lights.fixtures.size(); ++i)
-        document["fixtures"].push_back(toJson(lights.fixtures[i], i));
+        document["fixtures"].push_back(toJson(lights.fixtures[i], lights.idOf(i)));
     document["lights"] = ordered_json::array();
     for (const PointLight& light : lights.points)
-        document["lights"].push_back(toJson(light, lights.fixtures));
+        document["lights"].push_back(toJson(light, lights));
     document["ambient"] = toJson(lights.ambient);
     if (lights.sun) document["sun"] = toJson(*lights.sun);
     return textOf(document);
@@ -190,7 +235,11 @@ std::string lightsAsJson(const Lights& lights)
 
 Lights readLights(const std::filesystem::path& file, std::vector<std::string>& warnings)
 {
-    const JsonDocument document(file, kLightsFormat);
+    return lightsFrom(JsonDocument(file, kLightsFormat), warnings);
+}
+
+Lights lightsFrom(const JsonDocument& document, std::vector<std::string>& warnings)
+{
     const JsonItem top = document.top();
     top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient", "sun"}, warnings);
 
@@ -198,8 +247,9 @@ Lights readLights(const std::filesystem::path& file, std::vector<std::string>& w
     top.forEachIn("fixtures", "fixture", [&](const JsonItem& item) {
         lights.fixtures.push_back(fixtureFrom(item, warnings));
     });
+    numberFixtures(lights.fixtures, top.what, warnings);
     top.forEachIn("lights", "light", [&](const JsonItem& item) {
-        lights.points.push_back(lightFrom(item, lights.fixtures, warnings));
+        lights.points.push_back(lightFrom(item, lights, warnings));
     });
     addLightsOfWholeFixtures(lights);
     dropDark(lights.points);

@@ -46,6 +46,45 @@ std::string shareOf(int fixture, float share)
 
 } // namespace
 
+TEST(LightsFile, NumbersAndNamesComeBack)
+{
+    Lights lights;
+    lights.fixtures = {{.area = 1.0f, .radiance = glm::vec3(1.0f), .id = 7, .name = "window 7"},
+                       {.area = 1.0f, .radiance = glm::vec3(2.0f), .id = 2}};
+    lights.points = {{.intensity = glm::vec3(0.5f), .fixture = 1}};
+    EXPECT_THAT(lightsAsJson(lights), testing::HasSubstr("\"fixture\": 2"));
+    const Lights again = read(lightsAsJson(lights));
+    EXPECT_EQ(again.idOf(0), 7);
+    EXPECT_EQ(again.nameOf(0), "window 7");
+    EXPECT_EQ(again.nameOf(1), "fixture 2");
+    EXPECT_EQ(again.placeOf(2), 1u);
+    EXPECT_EQ(again.placeOf(1), 2u); // nobody's
+    EXPECT_EQ(again.points[0].fixture, 1);
+    EXPECT_EQ(again.points[0].intensity, glm::vec3(0.5f));
+    EXPECT_THAT(lastWarnings, IsEmpty());
+}
+
+TEST(LightsFile, FixturesWithoutNumbersAreCounted)
+{
+    const Lights lights = read("{\"fixtures\": [" + kLamp + "}, " + kLamp + "}]}");
+    EXPECT_EQ(lights.idOf(0), 0);
+    EXPECT_EQ(lights.idOf(1), 1);
+    EXPECT_THAT(lastWarnings, IsEmpty());
+}
+
+// A person copies an entry to add a lamp.
+TEST(LightsFile, ACopiedFixtureGetsANumberOfItsOwn)
+{
+    const std::string lamp = kLamp + ", \"id\": 5}";
+    const Lights lights = read("{\"fixtures\": [" + lamp + "," + lamp + "," + kLamp + "}]}");
+    EXPECT_EQ(lights.idOf(0), 5);
+    EXPECT_EQ(lights.idOf(1), 6);
+    EXPECT_EQ(lights.idOf(2), 7);
+    EXPECT_THAT(lastWarnings, SizeIs(1));
+    EXPECT_THAT(refusal("{\"fixtures\": [" + kLamp + ", \"id\": \"five\"}]}"),
+                testing::HasSubstr("number of a fixture"));
+}
+
 TEST(LightsFile, SunComesBack)
 {
     Lights lights;

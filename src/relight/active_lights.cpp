@@ -51,10 +51,13 @@ ActiveLights activate(const Texels& texels, const Transport& transport, const Li
     active.sky = skyInBins(lighting.sky);
     active.shines.assign(surfels, 0);
     active.emission.assign(surfels, glm::vec3(0.0f));
-    for (const NewLight& light : lighting.lights)
-        if (!isDark(light.emission))
-            active.lights.push_back(
-                {light, {}, {}, false, light.emission, std::make_shared<const LightSource>(light)});
+    for (const NewLight& light : lighting.lights) {
+        if (isDark(light.emission)) continue;
+        ActiveLight& added = active.lights.emplace_back();
+        added.light = light;
+        added.emission = light.emission;
+        added.source = std::make_shared<const LightSource>(light);
+    }
     for (const LitFixture& lit : lighting.fixtures) {
         glm::vec3 radiance = lit.fixture.radiance;
         if (lit.isWindow) radiance += skyThroughPane(active.sky, -lit.fixture.normal);

@@ -1,6 +1,7 @@
 #include "relight/fixture_settings.h"
 
 #include "base/fail.h"
+#include "lights/fixture_named.h"
 #include "relight/light_emission.h"
 
 #include <charconv>
@@ -30,7 +31,7 @@ struct Setting
 {
     malformed(fmt::format("--fixture {}", setting),
               "is not a setting; say N=off, N=on, N=50%, N=2700K,800lm or N=window, where N is the "
-              "id of a fixture in lights.json, or all");
+              "number or the name of a fixture in lights.json, or all");
 }
 
 /// The number before `unit`, if `part` is such a thing.
@@ -123,13 +124,11 @@ void setFixture(Relighting& lighting, const Lights& captured, const std::string&
             lighting.fixtures[i] = fixtureUnder(wanted, captured.fixtures[i]);
         return;
     }
-    size_t place = 0;
-    const auto [end, error] = std::from_chars(all.data(), all.data() + equals, place);
-    if (error != std::errc() || end != all.data() + equals) refuse(setting);
-    if (place >= captured.fixtures.size())
+    const size_t place = placeOfNamed(captured, all.substr(0, equals));
+    if (place == captured.fixtures.size())
         malformed(fmt::format("--fixture {}", setting),
-                  fmt::format("there is no fixture {}; the room has {}, counted from 0", place,
-                              captured.fixtures.size()));
+                  fmt::format("there is no fixture {}; the room's are: {}", all.substr(0, equals),
+                              namesOf(captured)));
     lighting.fixtures[place] = fixtureUnder(wanted, captured.fixtures[place]);
 }
 

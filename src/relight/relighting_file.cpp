@@ -1,6 +1,7 @@
 #include "relight/relighting_file.h"
 #include "base/fail.h"
 #include "base/pi.shared.h"
+#include "lights/fixture_named.h"
 #include "lights/json_document.h"
 #include "lights/sun_item.h"
 #include "relamp/relight.h"
@@ -41,6 +42,7 @@ private:
     void readSky(const JsonItem& top);
     void readFixtures(const JsonItem& top);
     void readFixture(const JsonItem& item);
+    [[nodiscard]] size_t placeMeant(const JsonItem& item) const;
     void readLight(const JsonItem& item);
     void readShape(const JsonItem& item, NewLight& light) const;
     const IesPhotometry& photometryAt(const std::filesystem::path& file);
@@ -175,6 +177,21 @@ const IesPhotometry& LightsReader::photometryAt(const std::filesystem::path& fil
                                      : files_.ies.emplace(file, readIes(file)).first->second;
 }
 
+/// The place of the room's fixture that an item names by its number or its name.
+size_t LightsReader::placeMeant(const JsonItem& item) const
+{
+    const char* key = item.has("id") ? "id" : "name";
+    if (!item.has(key))
+        item.refuse("needs an \"id\" or \"name\" of the room's fixtures, or a \"centre\"");
+    const size_t place = item.has("id") ? captured_.placeOf(fixtureIdAt(item, "id"))
+                                        : placeOfNamed(captured_, item.text("name", ""));
+    if (place == captured_.fixtures.size())
+        item.refuse(fmt::format("\"{}\" is {}; the room's fixtures are: {}", key,
+                                printable(*item.find(key)), namesOf(captured_)),
+                    key);
+    return place;
+}
+
 void LightsReader::readFixture(const JsonItem& item)
 {
     item.warnOfUnknown({"id", "centre", "normal", "area", "radiance", "power", "error",
@@ -192,13 +209,7 @@ void LightsReader::readFixture(const JsonItem& item)
         lit.fixture.radiance = item.lightAt("radiance");
         place = placeOfFixture(captured_, lit.fixture.centre);
     } else {
-        const json* id = item.find("id");
-        if (id == nullptr) item.refuse("needs an \"id\" of the room's fixtures, or a \"centre\"");
-        if (!id->is_number_unsigned() || id->get<uint64_t>() >= captured_.fixtures.size())
-            item.refuse(fmt::format("\"id\" is {}; the room has {} fixtures, counted from 0",
-                                    printable(*id), captured_.fixtures.size()),
-                        "id");
-        place = id->get<size_t>();
+        place = placeMeant(item);
         lit.fixture = captured_.fixtures[place];
         if (item.has("radiance")) lit.fixture.radiance = item.lightAt("radiance");
     }

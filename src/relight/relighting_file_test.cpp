@@ -163,13 +163,15 @@ TEST(RelightingFile, NamesTheLineAndTheKeyOfWhatIsWrong)
         HasSubstr("\"size\""));
     EXPECT_THAT(refusalOfLight(shine + R"(, "on": "yes")"), HasSubstr("\"on\" must be true"));
     EXPECT_THAT(refusalOfLight(place + R"("ies": "nowhere.ies")"), HasSubstr("nowhere.ies"));
-    EXPECT_THAT(refusalOfLights(R"({"fixtures": [{"id": 2}]})"),
-                HasSubstr("the room has 2 fixtures"));
-    EXPECT_THAT(refusalOfLights(R"({"fixtures": [{"dim": 2}]})"), HasSubstr("needs an \"id\""));
-    EXPECT_THAT(refusalOfLights(R"({"fixtures": "bright"})"), HasSubstr("must be \"on\", \"off\""));
-    EXPECT_THAT(refusalOfLights(R"({"sky": 3})"), HasSubstr("\"sky\" must be an object"));
-    EXPECT_THAT(refusalOfLights(R"({"sky": {"environment": "no.exr"}})"), HasSubstr("no.exr"));
-    EXPECT_THAT(refusalOfLights("{\n\"lights\": [}"), HasSubstr("line 2"));
+    EXPECT_THAT(refusal(R"({"fixtures": [{"name": "window 2"}]})"),
+                HasSubstr("the room's fixtures are: fixture 0, fixture 1"));
+    EXPECT_THAT(refusal(R"({"fixtures": [{"id": 2}]})"),
+                HasSubstr("the room's fixtures are: fixture 0, fixture 1"));
+    EXPECT_THAT(refusal(R"({"fixtures": [{"dim": 2}]})"), HasSubstr("needs an \"id\""));
+    EXPECT_THAT(refusal(R"({"fixtures": "bright"})"), HasSubstr("must be \"on\", \"off\""));
+    EXPECT_THAT(refusal(R"({"sky": 3})"), HasSubstr("\"sky\" must be an object"));
+    EXPECT_THAT(refusal(R"({"sky": {"environment": "no.exr"}})"), HasSubstr("no.exr"));
+    EXPECT_THAT(refusal("{\n\"lights\": [}"), HasSubstr("line 2"));
 }
 
 TEST(RelightingReader, ReadsWhatTextsNameOnce)
@@ -216,12 +218,30 @@ TEST(FixtureSetting, DoesWhatAPersonSays)
     EXPECT_EQ(radiance(0), glm::vec3(0.0f));
 }
 
+TEST(FixtureSetting, KnowsAFixtureByItsNumberAndItsName)
+{
+    Lights captured = twoFixtures();
+    captured.fixtures[0].id = 5;
+    captured.fixtures[1].id = 0;
+    captured.fixtures[1].name = "window 0";
+    Relighting lighting = darkened(captured);
+    setFixture(lighting, captured, "5=on");
+    EXPECT_EQ(lighting.fixtures[0].fixture.radiance, captured.fixtures[0].radiance);
+    EXPECT_EQ(lighting.fixtures[1].fixture.radiance, glm::vec3(0.0f));
+    setFixture(lighting, captured, "Window 0=on");
+    EXPECT_EQ(lighting.fixtures[1].fixture.radiance, captured.fixtures[1].radiance);
+    setFixture(lighting, captured, "0=off");
+    EXPECT_EQ(lighting.fixtures[1].fixture.radiance, glm::vec3(0.0f));
+}
+
 TEST(FixtureSetting, OtherSayingsAreExplained)
 {
-    for (const char* setting : {"", "on", "0", "0=", "0=bright", "x=on", "-1=on", "0=2700K,", "0=K",
-                                "0=12K", "0=nanlm", "0=-3lm", "0=1e99lm", "=on"})
+    for (const char* setting : {"", "on", "0", "0=", "0=bright", "0=2700K,", "0=K", "0=12K",
+                                "0=nanlm", "0=-3lm", "0=1e99lm"})
         EXPECT_THAT(refusalOfSetting(setting), HasSubstr("N=off, N=on")) << setting;
-    EXPECT_THAT(refusalOfSetting("2=on"), HasSubstr("the room has 2"));
+    for (const char* setting : {"2=on", "x=on", "-1=on", "=on"})
+        EXPECT_THAT(refusalOfSetting(setting), HasSubstr("the room's are: fixture 0, fixture 1"))
+            << setting;
     EXPECT_THAT(refusalOfSetting("99999999999999999999999=on"), HasSubstr("--fixture"));
 }
 

@@ -1,4 +1,4 @@
-#include "relamp/scan.h"
+#include "scan/coarsened.h"
 
 #include "base/half.h"
 #include "base/parallel.h"
@@ -82,19 +82,36 @@ Image shrunk(const Image& image, int factor)
     return small;
 }
 
+/// How many pixels become one along each side.
+int factorFor(const Page& page, int longestSide)
+{
+    assert(longestSide >= 1);
+    int factor = 1;
+    while (!page.ofVertices && std::max(page.image.width, page.image.height) > longestSide * factor)
+        factor *= 2;
+    return factor;
+}
+
 } // namespace
 
 Scan coarsened(Scan scan, int longestSide)
 {
-    assert(longestSide >= 1);
-    for (Page& page : scan.pages) {
-        int factor = 1;
-        while (!page.ofVertices &&
-               std::max(page.image.width, page.image.height) > longestSide * factor)
-            factor *= 2;
-        if (factor > 1) page.image = shrunk(page.image, factor);
-    }
+    for (Page& page : scan.pages)
+        if (const int factor = factorFor(page, longestSide); factor > 1)
+            page.image = shrunk(page.image, factor);
     return scan;
+}
+
+Scan coarseCopyOf(const Scan& scan, int longestSide)
+{
+    Scan copy{.name = scan.name, .meshes = scan.meshes};
+    for (const Page& page : scan.pages) {
+        const int factor = factorFor(page, longestSide);
+        copy.pages.push_back({.name = page.name,
+                              .image = factor > 1 ? shrunk(page.image, factor) : page.image,
+                              .ofVertices = page.ofVertices});
+    }
+    return copy;
 }
 
 } // namespace relamp

@@ -6,6 +6,7 @@
 #include "fit/dials.h"
 #include "lights/emitters.h"
 #include "lights/expand.shared.h"
+#include "lights/fixture_labels.h"
 #include "lights/fixtures.h"
 #include "relamp/error.h"
 
@@ -31,6 +32,12 @@ Lights findLights(SurfelLight& light, const Texels& texels, const ThesisOptions&
     Lights lights;
     const int count = joinFixtures(light, texels, emitterOptions(thesis));
     lights.fixtures = fixturesFrom(light.emitters, count);
+    std::vector<std::vector<ClippedPatch>> surfaces(lights.fixtures.size());
+    for (const Emitter& emitter : light.emitters)
+        surfaces[static_cast<size_t>(emitter.fixture)].push_back(
+            {emitter.position, emitter.normal, emitter.area, emitter.surfel});
+    const std::vector<FixtureLabel> labels = labelsOf(texels, surfaces, progress);
+    for (size_t f = 0; f < labels.size(); ++f) putLabel(labels[f], lights.fixtures[f]);
     lights.points = pointLightsFrom(light.emitters, thesis.lightLevels);
     return lights;
 }

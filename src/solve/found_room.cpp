@@ -72,6 +72,24 @@ Fixture fixtureOf(const FoundLamp& lamp, std::span<const ClippedPatch> patches)
     return fixture;
 }
 
+/// Numbers and names for all that was found.
+void label(FoundLamps& found, const Texels& texels, Progress& progress)
+{
+    std::vector<std::vector<ClippedPatch>> surfaces;
+    for (const FoundLamp& lamp : found.lamps)
+        if (!lamp.isSunlit)
+            for (const auto& patches : singlesOf(lamp))
+                surfaces.emplace_back(patches.begin(), patches.end());
+    const std::vector<FixtureLabel> labels = labelsOf(texels, surfaces, progress);
+    auto next = labels.begin();
+    for (FoundLamp& lamp : found.lamps) {
+        if (lamp.isSunlit) continue;
+        const auto end = next + static_cast<std::ptrdiff_t>(singlesOf(lamp).size());
+        lamp.labels.assign(next, end);
+        next = end;
+    }
+}
+
 /// Irradiance from all lamps, one a hit list. Lamps that were not looked at yet are now.
 std::vector<glm::vec3> directOf(const Texels& texels, const RayScene& scene, const HitLists& hits,
                                 FoundLamps& found)
@@ -190,6 +208,7 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
     if (room.found.lamps.empty() && !room.sun)
         room.warnings.emplace_back("no lamp was found; the room is taken to be lit from "
                                    "outside alone. Point at one with --light or --lights");
+    if (!options.lights) label(room.found, texels, progress);
     return room;
 }
 
@@ -200,13 +219,16 @@ Lights lightsOf(const FoundRoom& room)
     if (room.sun) lights.sun = room.sun->sun;
     for (const FoundLamp& lamp : room.found.lamps) {
         if (lamp.isSunlit) continue;
-        for (const auto& patches : singlesOf(lamp)) {
-            const Fixture fixture = fixtureOf(lamp, patches);
+        const auto singles = singlesOf(lamp);
+        for (size_t i = 0; i < singles.size(); ++i) {
+            Fixture fixture = fixtureOf(lamp, singles[i]);
+            if (i < lamp.labels.size()) putLabel(lamp.labels[i], fixture);
             lights.points.push_back(
                 pointLightOf(fixture, static_cast<int>(lights.fixtures.size())));
-            lights.fixtures.push_back(fixture);
+            lights.fixtures.push_back(std::move(fixture));
         }
     }
+    numberOthers(lights.fixtures);
     return lights;
 }
 

@@ -104,10 +104,11 @@ TEST(LightDocument, IsReadAsItWasWritten)
     document.lamps = {spot, panel, sun};
     std::vector<std::string> notes;
 
-    const LightDocument read = documentFrom(textOf(document), "lights.json", twoFixtures(), notes);
+    const LightDocument read =
+        documentFrom(textOf(document, twoFixtures()), "lights.json", twoFixtures(), notes);
 
     EXPECT_THAT(notes, testing::IsEmpty());
-    EXPECT_EQ(textOf(read), textOf(document));
+    EXPECT_EQ(textOf(read, twoFixtures()), textOf(document, twoFixtures()));
     EXPECT_EQ(read.fixtures, document.fixtures);
 }
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "lights/surfel_radiance.h"
+#include "relamp/lights.h"
+#include "relamp/progress.h"
+#include "scan/texels.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace relamp
+{
+
+/// What people and files call a fixture.
+struct FixtureLabel
+{
+    int id = -1;      // none yet
+    std::string name; // "ceiling lamp 1"; or none
+};
+
+void putLabel(const FixtureLabel& label, Fixture& fixture);
+
+/// Gives fixtures without a number those behind all that are given.
+void numberOthers(std::vector<Fixture>& fixtures);
+
+/// Labels for fixtures that were found in a scan: `surfaces` are theirs, one a fixture.
+///
+/// A fixture's number is that of the burnt-out piece of the scan that it lies on. Pieces are
+/// counted on a coarse copy of the texture, those that end sharply first, each from the largest, so
+/// that the number does not depend on the quality of the search, its rays or what else it finds;
+/// some numbers are nobody's. What is too small for the coarse copy is counted behind, on `texels`.
+/// The name is the kind of lamp that stands at such a place, docs/method/fixture_labels.md, and the
+/// number.
+std::vector<FixtureLabel> labelsOf(const Texels& texels,
+                                   std::span<const std::vector<ClippedPatch>> surfaces,
+                                   Progress& progress);
+
+} // namespace relamp
