@@ -14,11 +14,13 @@ Verification verify(const std::filesystem::path& folder, const VerifyOptions& op
     FormerRun run = readFormerRun(folder);
     run.scan.allowOutside = options.allowOutside;
     Verification result;
-    result.scanFile = options.scan.empty() ? run.scanFile : options.scan;
+    result.scanFile = findScan(folder, run, options.scan);
     const Scan scan = scanOf(folder, run, result.scanFile, progress);
     const std::vector<Image> albedo = readAlbedo(folder, scan);
     DelightOptions asThen{.gather = run.gather};
     asThen.lights = readLights(folder / "lights.json", result.warnings);
+    for (size_t i = 0; i < asThen.lights->fixtures.size(); ++i)
+        result.fixtures.push_back(asThen.lights->nameOf(i));
 
     const RayScene scene(scan);
     Texels texels = rasterizeAtlas(scan, progress, surfelsOf(run.gather.quality));

@@ -7,7 +7,9 @@
 #include "relamp/result.h"
 #include "relamp/threads.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <map>
 #include <memory>
 #include <optional>
@@ -18,7 +20,8 @@
 namespace
 {
 
-constexpr int kDraftSide = 512; // pixels of a draft's textures, at most
+constexpr int kDraftSide = 512;    // pixels of a draft's textures, at most
+constexpr size_t kMostListed = 12; // lamps in the summary
 constexpr const char* kGatherGroup = "Dials of the gather solver (it needs none)";
 
 struct DelightArguments
@@ -32,6 +35,7 @@ struct DelightArguments
     std::vector<float> notLightsAt;
     bool quiet = false;
     bool json = false;
+    bool force = false;
 };
 
 void addDials(CLI::App& command, DelightArguments& arguments)
@@ -184,13 +188,22 @@ void printSummary(const DelightArguments& arguments, const relamp::Scan& scan,
                   const relamp::Decomposition& result, double seconds)
 {
     const relamp::Lights& lights = result.lights();
-    printOut("{}: {} lamps and windows (fixtures in lights.json), {} point lights in the GLB, {} "
-             "texels in {:.1f} s\n",
-             arguments.scan.file.string(), lights.fixtures.size(), lights.points.size(),
-             result.texelCount(), seconds);
-    printOut("{}/{}.glb is the room without its light; preview.png shows it as scanned, albedo, "
-             "shading\n",
-             arguments.folder.string(), scan.name);
+    std::string text = fmt::format("{}: {} lamps and windows (fixtures in lights.json), {} point "
+                                   "lights in the GLB, {} texels in {:.1f} s\n",
+                                   arguments.scan.file.string(), lights.fixtures.size(),
+                                   lights.points.size(), result.texelCount(), seconds);
+    for (size_t i = 0; i < std::min(lights.fixtures.size(), kMostListed); ++i) {
+        const glm::vec3 at = lights.fixtures[i].centre;
+        text +=
+            fmt::format("  {:<16} at {:.2f}, {:.2f}, {:.2f}\n", lights.nameOf(i), at.x, at.y, at.z);
+    }
+    if (lights.fixtures.size() > kMostListed)
+        text += fmt::format("  and {} more in {}/lights.json\n",
+                            lights.fixtures.size() - kMostListed, arguments.folder.string());
+    text += fmt::format("{}/{}.glb is the room without its light; preview.png shows it as scanned, "
+                        "albedo, shading\n",
+                        arguments.folder.string(), scan.name);
+    printAside(text);
     for (const std::string& warning : scan.warnings) printProblem("note: " + warning);
     for (const std::string& warning : result.warnings()) printProblem("note: " + warning);
 }
@@ -203,7 +216,8 @@ int run(DelightArguments& arguments)
     const Interrupt interrupt(progress);
     const relamp::ThreadLimit threads(arguments.scan.threads);
 
-    relamp::checkOutput(arguments.scan.file, arguments.folder);
+    const auto replacing = arguments.force ? relamp::Replacing::any : relamp::Replacing::unchanged;
+    relamp::checkOutput(arguments.scan.file, arguments.folder, replacing);
     relamp::checkDevice(arguments.options.engine);
     std::vector<std::string> notes;
     if (!arguments.lights.empty())
@@ -220,11 +234,11 @@ int run(DelightArguments& arguments)
     relamp::Scan scan = relamp::readScan(arguments.scan.file, arguments.scan.options, progress);
     scan.warnings.insert(scan.warnings.end(), notes.begin(), notes.end());
     const relamp::Decomposition result = relamp::delight(scan, arguments.options, progress);
-    const std::string report =
-        relamp::writeResult(scan, result, arguments.scan.file, arguments.folder, progress);
+    const std::string report = relamp::writeResult(scan, result, arguments.scan.file,
+                                                   arguments.folder, progress, replacing);
     endProgressDisplay(talk);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    if (arguments.json) printExactly(report);
+    if (arguments.json) printExactly(report); // endOutput tells whether it came
     if (talk == Talk::normal) printSummary(arguments, scan, result, elapsed.count());
     return 0;
 }
@@ -265,6 +279,8 @@ void addDelightCommand(CLI::App& app, Run& run)
                      "what is burnt out too)");
     addEngineArguments(command, arguments->options.engine,
                        "the light of lamps once they are found, and the thesis solver");
+    command.add_flag("--force", arguments->force,
+                     "Replace files of DIR that relamp did not write, or that were changed since");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
     command.add_flag("--json", arguments->json, "Print the report as JSON and nothing else");
     addGatherDials(command, *arguments);

@@ -37,6 +37,7 @@ struct RelightArguments
     std::vector<std::string> fixtures;
     std::filesystem::path output;
     bool bake = false;
+    bool force = false;
     bool keepNothing = false;
     bool quiet = false;
 };
@@ -59,6 +60,16 @@ bool isDark(const relamp::Relighting& lighting)
                        [](const auto& lit) { return lit.fixture.radiance == glm::vec3(0.0f); });
 }
 
+std::string nothingShines(const RelightArguments& arguments, const relamp::DelitRoom& room)
+{
+    if (room.captured.fixtures.empty())
+        return fmt::format("nothing shines, so all is black: {} tells of no lights of its own; "
+                           "bring new ones with --lights",
+                           arguments.room.file.string());
+    return "nothing shines, so all is black; --fixture all=on turns the room's own lights on, "
+           "--lights brings new ones";
+}
+
 /// What is asked for beside light, found before anything takes long.
 struct Wish
 {
@@ -76,9 +87,11 @@ Wish wishOf(const RelightArguments& arguments, const relamp::DelitRoom& room,
     return wish;
 }
 
-relamp::Film filmOf(const PictureArguments& picture, const Wish& wish)
+relamp::Film filmOf(const RelightArguments& arguments, const Wish& wish)
 {
+    const PictureArguments& picture = arguments.picture;
     relamp::Film film{.picture = picture.options, .framesPerSecond = picture.framesPerSecond};
+    if (arguments.force) film.replacing = relamp::Replacing::any;
     film.turns = picture.turntable > 0;
     film.frames = picture.turntable;
     if (wish.timeline) film.timeline = &*wish.timeline;
@@ -133,7 +146,7 @@ float writeRelit(const RelightArguments& arguments, relamp::Relighter& relighter
                  const relamp::Relighting& lighting, const Wish& wish, relamp::Progress& progress)
 {
     const relamp::Photographer photographer(relighter);
-    relamp::Film film = filmOf(arguments.picture, wish);
+    relamp::Film film = filmOf(arguments, wish);
     film.camera = wish.camera  ? *wish.camera
                   : film.turns ? photographer.goodPlaceToTurn()
                                : photographer.goodView();
@@ -168,12 +181,9 @@ float write(RelightArguments& arguments, const relamp::DelitRoom& room,
 {
     const Wish wish = wishOf(arguments, room, notes);
     if (arguments.picture.show != Show::relit) return writeUnlit(arguments, room, wish, progress);
-    if (arguments.picture.isFilm())
-        relamp::checkFilm(filmOf(arguments.picture, wish), arguments.output);
+    if (arguments.picture.isFilm()) relamp::checkFilm(filmOf(arguments, wish), arguments.output);
     const relamp::Relighting lighting = lightingOf(arguments, room.captured, notes);
-    if (isDark(lighting) && !wish.timeline)
-        notes.emplace_back("nothing shines, so all is black; --fixture all=on turns the room's own "
-                           "lights on, --lights brings new ones");
+    if (isDark(lighting) && !wish.timeline) notes.push_back(nothingShines(arguments, room));
     if (!arguments.keepNothing) arguments.options.transport = room.transport;
     relamp::Relighter relighter(room, arguments.options, progress);
     relighter.light(lighting, progress);
@@ -200,6 +210,16 @@ void checkPlace(const RelightArguments& arguments)
                                     output.string(), folder.string(), std::strerror(errno)));
 }
 
+void checkIsNotScan(const std::filesystem::path& output, const relamp::DelitRoom& room)
+{
+    std::error_code ignored;
+    if (std::filesystem::equivalent(output, room.scanFile, ignored))
+        throw relamp::Error(relamp::ErrorCode::cannotWrite,
+                            fmt::format("{}: is the scan itself and would be overwritten; name "
+                                        "another file with -o",
+                                        output.string()));
+}
+
 int run(RelightArguments& arguments)
 {
     const Talk talk = arguments.quiet ? Talk::quiet : Talk::normal;
@@ -213,15 +233,16 @@ int run(RelightArguments& arguments)
     arguments.delit.asScan = arguments.room.options;
     const relamp::DelitRoom room =
         relamp::readDelitRoom(arguments.room.file, arguments.delit, progress);
+    checkIsNotScan(arguments.output, room);
     std::vector<std::string> notes = room.warnings;
     const float exposure = write(arguments, room, notes, progress);
 
     endProgressDisplay(talk);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (talk == Talk::quiet) return 0;
-    printOut("{}: {} in {:.1f} s{}\n", arguments.room.file.string(), arguments.output.string(),
-             elapsed.count(),
-             isMeasured(arguments) ? fmt::format(", exposure {:.2f}", exposure) : "");
+    printAside(fmt::format(
+        "{}: {} in {:.1f} s{}\n", arguments.room.file.string(), arguments.output.string(),
+        elapsed.count(), isMeasured(arguments) ? fmt::format(", exposure {:.2f}", exposure) : ""));
     for (const std::string& note : notes) printProblem("note: " + note);
     return 0;
 }
@@ -287,16 +308,18 @@ void addLightOptions(CLI::App& command, RelightArguments& arguments)
                     "The new light: a lights file (docs/guide/lights.md)")
         ->type_name("FILE");
     command
-        .add_option(
-            "--fixture", arguments.fixtures,
-            "A lamp or window that delight found, by its number in lights.json, or all of them: "
-            "N=on, N=off, N=50%, N=2700K,800lm, N=window; off otherwise (repeatable)")
+        .add_option("--fixture", arguments.fixtures,
+                    "A lamp or window that delight found, by its number or name in lights.json, or "
+                    "all of them: "
+                    "N=on, N=off, N=50%, N=2700K,800lm, N=window; off otherwise (repeatable)")
         ->type_name("N=WHAT")
         ->allow_extra_args(false);
     command
         .add_option("--albedo", arguments.delit.albedo,
                     "Pictures to take for the room's albedo, one for each of its textures")
         ->type_name("FILE");
+    command.add_flag("--texture-is-albedo", arguments.delit.textureIsAlbedo,
+                     "SCAN is a model into whose texture no light was ever baked");
     command.add_option("--scan", arguments.delit.scan, "Where the scan is, if it was moved")
         ->type_name("FILE");
 }
@@ -326,6 +349,8 @@ void addRelightCommand(CLI::App& app, Run& run)
         "--no-transport", arguments->keepNothing,
         "Neither read nor write DIR/transport.bin, which keeps where bounce light goes, so "
         "that the next run is faster");
+    command.add_flag("--force", arguments->force,
+                     "Replace frames of a folder that relamp did not write, or that were changed");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
     command.footer(
         "Examples:\n"

@@ -31,6 +31,7 @@ nlohmann::ordered_json asJson(const VerifyArguments& arguments, const relamp::Ve
             {{"shading", bin.shading}, {"ratio", bin.ratio}, {"rmsError", bin.rmsError}});
     return {{"folder", arguments.folder.string()},
             {"scan", found.scanFile.string()},
+            {"fixtures", found.fixtures},
             {"samples", arguments.options.samples},
             {"seed", arguments.options.seed},
             {"places", found.places},
@@ -48,6 +49,8 @@ nlohmann::ordered_json asJson(const VerifyArguments& arguments, const relamp::Ve
 void print(const VerifyArguments& arguments, const relamp::Verification& found)
 {
     printOut("{}: albedo x light against {}\n", arguments.folder.string(), found.scanFile.string());
+    printOut("  lights    {}\n",
+             found.fixtures.empty() ? "none" : fmt::format("{}", fmt::join(found.fixtures, ", ")));
     printOut("  places    {} that are not burnt out, {} paths each\n", found.places,
              arguments.options.samples);
     printOut("  error     {:.4f} +- {:.4f} rms, {:.1f} dB; the scan's own rms is {:.3f}\n",

@@ -138,6 +138,7 @@ struct RelightOptions
 struct DelitRoom
 {
     Scan scan;
+    std::filesystem::path scanFile;  // that it was read from
     std::vector<Image> albedo;       // a page each, of its size
     std::vector<Image> confidence;   // the same, 0: a guess; empty: all can be trusted
     Lights captured;                 // what the scan was lit by
@@ -152,10 +153,13 @@ struct DelitOptions
     std::filesystem::path scan; // where the scan is now; empty: where the report says
     std::vector<std::filesystem::path> albedo; // instead of the room's own, one a page
     ScanOptions asScan; // how to read what is no folder; of a folder's scan, allowOutside alone
+    bool textureIsAlbedo = false; // of what relamp did not write: no light was ever baked into it
 };
 
-/// Reads what relamp delight wrote: its folder; or a GLB or other scan whose texture is an albedo.
-/// Throws Error with a sentence where something is missing or of another size.
+/// Reads what relamp delight wrote: its folder, or its GLB, in that folder, which stands for it, or
+/// anywhere else, with the lights that it tells of; or another scan whose texture is an albedo.
+/// Throws Error with a sentence where something is missing or of another size, or nothing says that
+/// the texture is an albedo.
 RELAMP_API DelitRoom readDelitRoom(const std::filesystem::path& folderOrScan,
                                    const DelitOptions& options, Progress& progress);
 

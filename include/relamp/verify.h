@@ -19,7 +19,7 @@ struct VerifyOptions
     int samples = 64;           // paths from every place, 2..65536
     int places = 20000;         // texels that are looked at, >= 1; evenly over the scan
     uint32_t seed = 1;          // of the random numbers
-    std::filesystem::path scan; // where the scan is now; empty: where the report says
+    std::filesystem::path scan; // where the scan is now; empty: as far from the result as it was
     bool allowOutside = false;  // as ScanOptions has it; no report can say it
 };
 
@@ -35,7 +35,8 @@ struct VerifiedBin
 struct Verification
 {
     std::filesystem::path scanFile;
-    size_t places = 0;           // that were compared: texels that are not burnt out
+    std::vector<std::string> fixtures; // names of those that shone
+    size_t places = 0;                 // that were compared: texels that are not burnt out
     float rmsError = 0.0f;       // radiance, 1 = the texture's white; the paths' noise taken off,
                                  // and no less than that could hide
     float standardError = 0.0f;  // of rmsError, by the scatter of the places
@@ -55,7 +56,8 @@ struct Verification
 /// surface is. All figures are weighted by area. The same seed gives the same figures on any number
 /// of threads.
 ///
-/// Throws Error with a sentence where the folder or the scan is missing, or the scan is another.
+/// Throws Error with a sentence where the folder or the scan is missing, or the scan is another
+/// file than it was.
 RELAMP_API Verification verify(const std::filesystem::path& folder, const VerifyOptions& options,
                                Progress& progress);
 

@@ -1,7 +1,12 @@
 #include "base/fail.h"
 #include "base/half.h"
+#include "lights/json_item.h"
+#include "lights/lights_from.h"
+#include "output/folder_record.h"
 #include "output/result_folder.h"
 #include "relamp/relight.h"
+#include "scan/gltf_read.h"
+#include "scan/gltf_write.h"
 #include "scan/texels.h"
 
 #include <algorithm>
@@ -53,7 +58,8 @@ DelitRoom roomOfFolder(const std::filesystem::path& folder, const DelitOptions& 
     FormerRun run = readFormerRun(folder);
     run.scan.allowOutside = options.asScan.allowOutside;
     DelitRoom room;
-    room.scan = scanOf(folder, run, options.scan.empty() ? run.scanFile : options.scan, progress);
+    room.scanFile = findScan(folder, run, options.scan);
+    room.scan = scanOf(folder, run, room.scanFile, progress);
     room.gather = run.gather;
     room.captured = readLights(folder / "lights.json", room.warnings);
     room.transport = folder / "transport.bin";
@@ -108,21 +114,92 @@ std::vector<Image> paintOf(const Scan& scan, Progress& progress)
     return albedo;
 }
 
+/// What a GLB says of itself, where relamp has written it; else an empty object.
+nlohmann::json signatureOf(const Scan& scan)
+{
+    if (!scan.gltf) return nlohmann::json::object();
+    const auto place = nlohmann::json::json_pointer("/asset/extras") / kSignature;
+    nlohmann::json signature = scan.gltf->document.value(place, nlohmann::json::object());
+    return signature.is_object() ? signature : nlohmann::json::object();
+}
+
+/// The lights of the room that a GLB tells of. They stand where the scan stood, read as then.
+Lights lightsOf(const nlohmann::json& signature, const std::filesystem::path& file,
+                const Scan& scan, std::vector<std::string>& warnings)
+{
+    if (!signature.contains("lights")) return {};
+    const std::string up = scan.options.up == UpAxis::z ? "z" : "y";
+    if (signature.value("up", nlohmann::json(up)) != up ||
+        signature.value("scale", nlohmann::json(scan.options.scale)) != scan.options.scale) {
+        warnings.push_back(fmt::format("{}: was made with --up {} --scale {}; say so again, or its "
+                                       "own lights are left out",
+                                       file.string(), printable(signature["up"]),
+                                       printable(signature["scale"])));
+        return {};
+    }
+    const std::string what = fmt::format("{}: its lights", file.string());
+    return lightsFrom(JsonDocument(what, signature["lights"].dump(), kLightsFormat), warnings);
+}
+
+DelitRoom roomOfScan(const std::filesystem::path& file, const DelitOptions& options,
+                     Progress& progress)
+{
+    DelitRoom room;
+    room.scanFile = file;
+    room.scan = readScan(file, options.asScan, progress);
+    room.isLit = false;
+    const nlohmann::json signature = signatureOf(room.scan);
+    const bool isAlbedo =
+        options.textureIsAlbedo || signature.value("textures", nlohmann::json()) == "albedo";
+    if (options.albedo.empty() && !isAlbedo)
+        fail(
+            ErrorCode::unsupported, file.string(),
+            fmt::format("its texture has the light of the room in it, as scans have. Take that out "
+                        "first, relamp delight {0} -o {1}, and relight {1}; or say "
+                        "--texture-is-albedo if no light was ever baked into it",
+                        file.string(), room.scan.name));
+    room.captured = lightsOf(signature, file, room.scan, room.warnings);
+    if (options.albedo.empty()) room.albedo = paintOf(room.scan, progress);
+    return room;
+}
+
+/// The folder whose result a GLB is, as long as nobody changed it; empty for any other file.
+std::filesystem::path folderOfResult(const std::filesystem::path& file)
+{
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    const FolderRecord record = FolderRecord::read(folder, kReport);
+    const bool isIts = file.extension() == ".glb" && record.isAsWritten(folder, file.filename());
+    return isIts ? folder : std::filesystem::path();
+}
+
+/// A GLB in the folder of its result stands for the folder; without the scan, for itself.
+DelitRoom roomOfFile(const std::filesystem::path& file, const DelitOptions& options,
+                     Progress& progress)
+{
+    const std::filesystem::path folder = folderOfResult(file);
+    if (folder.empty()) return roomOfScan(file, options, progress);
+    const FormerRun run = readFormerRun(folder);
+    std::error_code ignored;
+    if (!options.scan.empty() || std::filesystem::exists(run.scanFile, ignored))
+        return roomOfFolder(folder, options, progress);
+    DelitOptions asThen = options;
+    asThen.asScan = run.scan;
+    DelitRoom room = roomOfScan(file, asThen, progress);
+    room.warnings.push_back(fmt::format("{} is not there, so {} is lit as it is, with the lights "
+                                        "that it tells of; --scan FILE says where the scan is now",
+                                        run.scanFile.string(), file.string()));
+    return room;
+}
+
 } // namespace
 
 DelitRoom readDelitRoom(const std::filesystem::path& folderOrScan, const DelitOptions& options,
                         Progress& progress)
 {
     std::error_code ignored;
-    const bool isFolder = std::filesystem::is_directory(folderOrScan, ignored);
-    DelitRoom room;
-    if (isFolder) {
-        room = roomOfFolder(folderOrScan, options, progress);
-    } else {
-        room.scan = readScan(folderOrScan, options.asScan, progress);
-        room.isLit = false;
-        if (options.albedo.empty()) room.albedo = paintOf(room.scan, progress);
-    }
+    DelitRoom room = std::filesystem::is_directory(folderOrScan, ignored)
+                         ? roomOfFolder(folderOrScan, options, progress)
+                         : roomOfFile(folderOrScan, options, progress);
     if (!options.albedo.empty()) room.albedo = imagesOf(options.albedo, room.scan);
     room.warnings.insert(room.warnings.end(), room.scan.warnings.begin(), room.scan.warnings.end());
     return room;

@@ -1,9 +1,11 @@
 #include "relamp/relight.h"
 
+#include "scan/gltf_write.h"
 #include "scenes/gltf_files.h"
+#include "scenes/refusal.h"
 #include "scenes/temporary_folder.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 namespace relamp
 {
@@ -16,7 +18,7 @@ TEST(DelitRoom, BaseColourOfAPlainFileIsTextureTimesFactor)
     Progress progress;
     const auto albedoOf = [&](const std::string& name) {
         folder.write(name, file.glb());
-        return readDelitRoom(folder / name, {}, progress).albedo.at(0);
+        return readDelitRoom(folder / name, {.textureIsAlbedo = true}, progress).albedo.at(0);
     };
     const Image plain = albedoOf("plain.glb");
     file.material()["pbrMetallicRoughness"]["baseColorFactor"] = {0.5, 0.25, 1, 1};
@@ -25,6 +27,39 @@ TEST(DelitRoom, BaseColourOfAPlainFileIsTextureTimesFactor)
         const glm::vec3 expected = Radiance(plain)[pixel] * glm::vec3(0.5f, 0.25f, 1.0f);
         EXPECT_EQ(Radiance(tinted)[pixel], expected) << pixel;
     }
+}
+
+// A scan that was never delit would be lit twice.
+TEST(DelitRoom, AScanIsRefusedUnlessItsTextureIsSaidToBeAnAlbedo)
+{
+    const scenes::TemporaryFolder folder;
+    folder.write("plain.glb", scenes::texturedSquare().glb());
+    Progress progress;
+    const std::string refusal =
+        scenes::refusalOf([&] { readDelitRoom(folder / "plain.glb", {}, progress); });
+    EXPECT_THAT(refusal, testing::HasSubstr("relamp delight"));
+    EXPECT_THAT(refusal, testing::HasSubstr("--texture-is-albedo"));
+}
+
+// Wherever it was copied to.
+TEST(DelitRoom, AGlbThatRelampWroteTellsItsLights)
+{
+    const scenes::TemporaryFolder folder;
+    const Scan scan = scenes::read(scenes::texturedSquare().glb());
+    Lights lights;
+    lights.fixtures.push_back(
+        {.area = 1.0f, .radiance = glm::vec3(3.0f), .id = 7, .name = "ceiling lamp 7"});
+    Progress progress;
+    folder.write("delit.glb", writeGlb(scan, std::vector<RelitPage>(scan.pages.size()), lights));
+    const DelitRoom room = readDelitRoom(folder / "delit.glb", {}, progress);
+    ASSERT_EQ(room.captured.fixtures.size(), 1u);
+    EXPECT_EQ(room.captured.fixtures[0].id, 7);
+    EXPECT_EQ(room.captured.nameOf(0), "ceiling lamp 7");
+    EXPECT_EQ(room.captured.fixtures[0].radiance, glm::vec3(3.0f));
+    const ScanOptions otherwise{.up = UpAxis::z};
+    const DelitRoom turned = readDelitRoom(folder / "delit.glb", {.asScan = otherwise}, progress);
+    EXPECT_TRUE(turned.captured.fixtures.empty());
+    EXPECT_FALSE(turned.warnings.empty());
 }
 
 } // namespace relamp

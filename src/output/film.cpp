@@ -3,10 +3,12 @@
 #include "base/fail.h"
 #include "base/file.h"
 #include "image/light_meter.h"
+#include "output/folder_record.h"
 #include "output/small_picture.h"
 #include "output/staged_folder.h"
 #include "output/video_file.h"
 #include "relamp/printable.h"
+#include "relamp/version.h"
 
 #include <algorithm>
 #include <functional>
@@ -17,6 +19,8 @@ namespace relamp
 {
 namespace
 {
+
+constexpr const char* kList = "film.json"; // of a folder's frames
 
 /// Calls `take(frame)` for one after the other; what it gives is sRGB.
 using TakeFrame = std::function<std::vector<uint8_t>(int frame)>;
@@ -31,23 +35,24 @@ std::string nameOfFrame(int frame)
     return fmt::format("frame_{:04}.png", frame + 1);
 }
 
-/// Frames that a former film may have left in a folder.
-std::vector<std::string> framesIn(const std::filesystem::path& folder)
+bool isFrame(const std::string& name)
 {
-    const auto isFrame = [](const std::string& name) {
-        return name.size() == nameOfFrame(0).size() && name.starts_with("frame_") &&
-               name.ends_with(".png") &&
-               std::all_of(name.begin() + 6, name.begin() + 10,
-                           [](char c) { return c >= '0' && c <= '9'; });
-    };
-    std::vector<std::string> names;
-    std::error_code failure;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, failure))
-        if (isFrame(entry.path().filename().string()))
-            names.push_back(entry.path().filename().string());
-    return names;
+    return name.size() == nameOfFrame(0).size() && name.starts_with("frame_") &&
+           name.ends_with(".png") && std::all_of(name.begin() + 6, name.begin() + 10, [](char c) {
+               return c >= '0' && c <= '9';
+           });
 }
 
+void checkFolder(const std::filesystem::path& folder, Replacing replacing)
+{
+    Progress nobody;
+    const StagedFolder trial(folder, nobody);
+    if (replacing == Replacing::unchanged)
+        checkReplaceable(folder, FolderRecord::read(folder, kList),
+                         [](const std::string& name) { return name == kList || isFrame(name); });
+}
+
+/// The frames, and a list of them by which the next film knows its own.
 void writeFolder(const std::filesystem::path& folder, const Film& film, const TakeFrame& take,
                  Progress& progress)
 {
@@ -56,8 +61,13 @@ void writeFolder(const std::filesystem::path& folder, const Film& film, const Ta
         const auto png = encodePng(take(frame), sizeOf(film), 3);
         writeFile(staged / nameOfFrame(frame), std::as_bytes(std::span(png)));
     }
+    const FolderRecord record(staged.path(), kList);
+    const nlohmann::ordered_json list{{"program", std::string("relamp ") + version()},
+                                      {"files", record.asJson()}};
+    writeFile(staged / kList, list.dump(1, '\t') + "\n");
     progress.check();
-    staged.commit(nameOfFrame(film.frames - 1), framesIn(folder));
+    checkFolder(folder, film.replacing);
+    staged.commit(kList, FolderRecord::read(folder, kList).names());
 }
 
 void writeVideo(const std::filesystem::path& file, const Film& film, const TakeFrame& take,
@@ -141,11 +151,9 @@ bool isVideo(const std::filesystem::path& target)
 
 void checkFilm(const Film& film, const std::filesystem::path& target)
 {
+    if (!isVideo(target)) return checkFolder(target, film.replacing);
     Progress nobody;
-    if (isVideo(target))
-        const VideoFile trial(target, sizeOf(film), film.framesPerSecond, nobody);
-    else
-        const StagedFolder trial(target, nobody);
+    const VideoFile trial(target, sizeOf(film), film.framesPerSecond, nobody);
 }
 
 float automaticExposure(Relighter& relighter, const Photographer& photographer, const Film& film,

@@ -1,8 +1,6 @@
 #include "output/report.h"
 
-#include "base/file.h"
 #include "base/json.h"
-#include "relamp/error.h"
 #include "relamp/version.h"
 #include "relight/photometry.h"
 
@@ -40,25 +38,39 @@ const char* nameOf(Transfer transfer)
     return "auto";
 }
 
-ordered_json scanAsJson(const Scan& scan, const Decomposition& result,
-                        const std::filesystem::path& file)
+/// The way to the scan from the folder of its result, so that both can be moved together, and what
+/// tells it from other files.
+ordered_json sourceAsJson(const Written& written)
+{
+    std::error_code failure;
+    // Of a folder that is not there yet, only an absolute name is made canonical.
+    const auto folder = std::filesystem::absolute(written.folder, failure);
+    const auto way = std::filesystem::relative(written.scanFile, folder, failure);
+    ordered_json source{{"file", (way.empty() ? written.scanFile : way).generic_string()}};
+    if (std::filesystem::is_regular_file(written.scanFile, failure))
+        source.update(asJson(markOf(written.scanFile)));
+    return source;
+}
+
+ordered_json scanAsJson(const Scan& scan, const Decomposition& result, const Written& written)
 {
     ordered_json pages = ordered_json::array();
     for (const Page& page : scan.pages)
         pages.push_back(
             {{"name", page.name}, {"width", page.image.width}, {"height", page.image.height}});
-    return {{"file", file.string()},
-            {"up", scan.options.up == UpAxis::z ? "z" : "y"},
-            {"scale", scan.options.scale},
-            {"transfer", nameOf(scan.options.transfer)},
-            {"longestSide", scan.options.longestSide},
-            {"skippedMeshes", scan.options.skipMeshes},
-            {"triangles", scan.triangleCount()},
-            {"meshes", scan.meshes.size()},
-            {"pages", std::move(pages)},
-            {"texels", result.texelCount()},
-            {"squareMetres", std::round(result.area() * 1e3) / 1e3},
-            {"extent", toJson(boundsOf(scan).extent())}};
+    ordered_json json = sourceAsJson(written);
+    json.update({{"up", scan.options.up == UpAxis::z ? "z" : "y"},
+                 {"scale", scan.options.scale},
+                 {"transfer", nameOf(scan.options.transfer)},
+                 {"longestSide", scan.options.longestSide},
+                 {"skippedMeshes", scan.options.skipMeshes},
+                 {"triangles", scan.triangleCount()},
+                 {"meshes", scan.meshes.size()},
+                 {"pages", std::move(pages)},
+                 {"texels", result.texelCount()},
+                 {"squareMetres", std::round(result.area() * 1e3) / 1e3},
+                 {"extent", toJson(boundsOf(scan).extent())}});
+    return json;
 }
 
 ordered_json placesAsJson(const std::vector<glm::vec3>& places)
@@ -151,13 +163,18 @@ ordered_json lightsAsReport(const Decomposition& result)
 {
     const PhotometricWhite white;
     ordered_json fixtures = ordered_json::array();
-    for (const Fixture& fixture : result.lights().fixtures)
-        fixtures.push_back({{"centre", toJson(fixture.centre)},
+    const Lights& lights = result.lights();
+    for (size_t i = 0; i < lights.fixtures.size(); ++i) {
+        const Fixture& fixture = lights.fixtures[i];
+        fixtures.push_back({{"id", lights.idOf(i)},
+                            {"name", lights.nameOf(i)},
+                            {"centre", toJson(fixture.centre)},
                             {"area", shortest(fixture.area)},
                             {"power", toJson(fixture.power())},
                             {"lumens", shortest(white.luminance * luminanceOf(fixture.power()))},
                             {"error", toJson(fixture.error)},
                             {"determined", fixture.determined}});
+    }
     ordered_json json{{"white", {{"nits", white.luminance}}},
                       {"fixtures", std::move(fixtures)},
                       {"pointLights", result.lights().points.size()},
@@ -192,7 +209,7 @@ std::string reportAsJson(const Scan& scan, const Decomposition& result, const Wr
     const std::vector<std::string> ofResult = result.warnings();
     warnings.insert(warnings.end(), ofResult.begin(), ofResult.end());
     const ordered_json report{{"program", std::string("relamp ") + version()},
-                              {"scan", scanAsJson(scan, result, written.scanFile)},
+                              {"scan", scanAsJson(scan, result, written)},
                               {"options", optionsAsJson(result.optionsInForce())},
                               {"seconds", secondsAsJson(progress)},
                               {"lights", lightsAsReport(result)},
@@ -201,24 +218,8 @@ std::string reportAsJson(const Scan& scan, const Decomposition& result, const Wr
                                 {"rmsOfScan", shortest(result.closure().rmsInput)}}},
                               {"confidence", confidenceAsJson(written.area)},
                               {"warnings", warnings},
-                              {"files", written.files}};
+                              {"files", written.files.asJson()}};
     return textOf(report);
-}
-
-std::vector<std::string> filesOfFormerReport(const std::filesystem::path& folder)
-{
-    std::vector<std::string> names;
-    try {
-        const auto bytes = readFile(folder / "report.json", size_t{16} << 20);
-        const auto report =
-            parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, "report.json");
-        for (const auto& name : report.value("files", nlohmann::json::array()))
-            if (name.is_string() && name.get<std::string>().find('/') == std::string::npos)
-                names.push_back(name.get<std::string>());
-    } catch (const Error&) { // no report, or not ours: nothing of it is ours to remove
-        return {};
-    }
-    return names;
 }
 
 } // namespace relamp

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "output/folder_record.h"
 #include "relamp/delight.h"
 #include "relamp/progress.h"
 #include "relamp/scan.h"
@@ -7,7 +8,6 @@
 #include <array>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 namespace relamp
 {
@@ -16,7 +16,8 @@ namespace relamp
 struct Written
 {
     std::filesystem::path scanFile;
-    std::vector<std::string> files;     // names of all that was written
+    std::filesystem::path folder;       // where the result will be
+    FolderRecord files;                 // all that was written
     std::array<double, kDoubts> area{}; // m^2 of surface by Doubt
 };
 
@@ -24,8 +25,5 @@ struct Written
 /// lights, how well the loop closes, how much can be believed, warnings, what was written.
 std::string reportAsJson(const Scan& scan, const Decomposition& decomposition,
                          const Written& written, const Progress& progress);
-
-/// Names of the files that a former report in `folder` lists; none where there is no report.
-std::vector<std::string> filesOfFormerReport(const std::filesystem::path& folder);
 
 } // namespace relamp

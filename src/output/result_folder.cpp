@@ -3,6 +3,11 @@
 #include "base/fail.h"
 #include "lights/json_document.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
 namespace relamp
 {
 namespace
@@ -15,7 +20,16 @@ Transfer transferNamed(const std::string& name)
                               : Transfer::automatic;
 }
 
-FormerRun runFrom(const JsonItem& report)
+/// A way that begins at `folder` as it is from here. Both may lead through links.
+std::filesystem::path fromHere(const std::filesystem::path& folder, const std::string& way)
+{
+    std::error_code failure;
+    const auto place = std::filesystem::weakly_canonical(folder, failure) / way;
+    const auto here = std::filesystem::proximate(place, failure);
+    return failure || here.empty() ? place : here;
+}
+
+FormerRun runFrom(const JsonItem& report, const std::filesystem::path& folder)
 {
     constexpr std::int64_t kMostTriangles = std::int64_t{1} << 40;
     constexpr int kMostRays = 1024;
@@ -24,7 +38,12 @@ FormerRun runFrom(const JsonItem& report)
     const JsonItem scan = report.objectAt("scan");
     const JsonItem options = report.objectAt("options");
     FormerRun run;
-    run.scanFile = scan.textAt("file");
+    const auto mark = markFrom(*report.find("scan"));
+    if (!mark)
+        malformed((folder / kReport).string(),
+                  "does not tell which file the scan was, as relamp 0.1 did not");
+    run.scanMark = *mark;
+    run.scanFile = fromHere(folder, scan.textAt("file"));
     run.triangles = static_cast<size_t>(scan.whole("triangles", 0, kMostTriangles, 0));
     run.scan.up = scan.textAt("up") == "z" ? UpAxis::z : UpAxis::y;
     run.scan.scale = scan.numberAt("scale", 1e-6, 1e6);
@@ -39,7 +58,35 @@ FormerRun runFrom(const JsonItem& report)
     return run;
 }
 
+constexpr std::array<std::pair<const char*, const char*>, 7> kLayers{{{"albedo", "png"},
+                                                                      {"albedo", "exr"},
+                                                                      {"shading", "exr"},
+                                                                      {"direct", "exr"},
+                                                                      {"indirect", "exr"},
+                                                                      {"confidence", "png"},
+                                                                      {"reasons", "png"}}};
+
+/// Whether `name` is nameOfLayer(layer, page, pages, ending) for some page.
+bool isOfLayer(std::string_view name, std::string_view layer, std::string_view ending)
+{
+    if (!name.starts_with(layer) || !name.ends_with(ending)) return false;
+    name.remove_prefix(layer.size());
+    name.remove_suffix(ending.size());
+    if (name == ".") return true;
+    return name.size() > 2 && name.front() == '.' && name.back() == '.' &&
+           std::all_of(name.begin() + 1, name.end() - 1,
+                       [](char c) { return c >= '0' && c <= '9'; });
+}
+
 } // namespace
+
+bool isOfResult(const std::string& name, const std::string& scan)
+{
+    if (name == kReport || name == "lights.json" || name == "preview.png" || name == scan + ".glb")
+        return true;
+    return std::ranges::any_of(
+        kLayers, [&](const auto& layer) { return isOfLayer(name, layer.first, layer.second); });
+}
 
 std::string nameOfLayer(const char* layer, size_t page, size_t pages, const char* ending)
 {
@@ -49,29 +96,44 @@ std::string nameOfLayer(const char* layer, size_t page, size_t pages, const char
 
 FormerRun readFormerRun(const std::filesystem::path& folder)
 {
-    const std::filesystem::path file = folder / "report.json";
+    const std::filesystem::path file = folder / kReport;
     if (!std::filesystem::exists(file))
         fail(ErrorCode::cannotRead, folder.string(),
              "holds no report.json; name a folder that relamp delight has written");
     try {
         const JsonDocument document(file, nullptr);
-        return runFrom(document.top());
+        return runFrom(document.top(), folder);
     } catch (const Error& error) {
         throw Error(error.code(), fmt::format("{}.\nIt was edited, or is of another version; let "
-                                              "relamp delight write the folder anew",
+                                              "relamp delight write the folder anew, with --force",
                                               error.what()));
     }
 }
 
-Scan scanOf(const std::filesystem::path& folder, const FormerRun& run,
-            const std::filesystem::path& file, Progress& progress)
+std::filesystem::path findScan(const std::filesystem::path& folder, const FormerRun& run,
+                               const std::filesystem::path& now)
 {
+    const std::filesystem::path& file = now.empty() ? run.scanFile : now;
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
         fail(ErrorCode::cannotRead, file.string(),
              fmt::format("is not there, and {} was made from it; say where the scan is now with "
                          "--scan FILE",
                          folder.string()));
+    const FileMark mark = markOf(file);
+    if (mark == run.scanMark) return file;
+    const bool isOwn = std::filesystem::equivalent(std::filesystem::absolute(file).parent_path(),
+                                                   folder, ignored) &&
+                       FolderRecord::read(folder, kReport).lists(file.filename());
+    fail(ErrorCode::sizeMismatch, file.string(),
+         fmt::format("is {} ({}); {} was made from a file of {}. Name that one with --scan FILE",
+                     isOwn ? "what relamp wrote, not the scan" : "not the scan as it was",
+                     inWords(mark), folder.string(), inWords(run.scanMark)));
+}
+
+Scan scanOf(const std::filesystem::path& folder, const FormerRun& run,
+            const std::filesystem::path& file, Progress& progress)
+{
     Scan scan = readScan(file, run.scan, progress);
     if (scan.triangleCount() != run.triangles)
         fail(ErrorCode::sizeMismatch, file.string(),

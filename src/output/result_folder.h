@@ -1,5 +1,6 @@
 #pragma once
 
+#include "output/folder_record.h"
 #include "relamp/gather.h"
 #include "relamp/image.h"
 #include "relamp/lights.h"
@@ -14,13 +15,20 @@
 namespace relamp
 {
 
+inline constexpr const char* kReport = "report.json";
+
 /// "albedo.exr", or "albedo.2.exr" where there are several pages.
 std::string nameOfLayer(const char* layer, size_t page, size_t pages, const char* ending);
+
+/// Whether writeResult may write a file of that name, of a scan called `scan` with any number of
+/// pages.
+bool isOfResult(const std::string& name, const std::string& scan);
 
 /// What report.json says of how a result was made.
 struct FormerRun
 {
-    std::filesystem::path scanFile; // as it was given
+    std::filesystem::path scanFile; // from here; where it lay when the result was made
+    FileMark scanMark;
     ScanOptions scan;
     GatherOptions gather; // as far as the solver had any
     size_t triangles = 0;
@@ -29,8 +37,14 @@ struct FormerRun
 /// Throws Error(cannotRead | malformed) where `folder` holds no report.json that writeResult wrote.
 FormerRun readFormerRun(const std::filesystem::path& folder);
 
+/// Where the scan of a result is: `now`, or where it was where that is empty. Throws Error with a
+/// sentence where it is not there or is another file than it was; the files that a glTF or OBJ
+/// names are not looked at.
+std::filesystem::path findScan(const std::filesystem::path& folder, const FormerRun& run,
+                               const std::filesystem::path& now);
+
 /// The scan that a result was made from, read from `file` as it was read then. Throws Error with a
-/// sentence where it is not there or is another one.
+/// sentence where it is another one.
 Scan scanOf(const std::filesystem::path& folder, const FormerRun& run,
             const std::filesystem::path& file, Progress& progress);
 

@@ -2,6 +2,8 @@
 
 #include "base/fail.h"
 #include "base/file.h"
+#include "output/folder_record.h"
+#include "output/result_folder.h"
 
 namespace relamp
 {
@@ -14,6 +16,9 @@ StagedFile::StagedFile(const fs::path& file, Progress& progress) : file_(file)
     const fs::file_status status = fs::status(file, failure);
     if (fs::exists(status) && !fs::is_regular_file(status))
         cannotWrite(file, "is no file; name another with -o");
+    const fs::path folder = file.parent_path();
+    if (FolderRecord::read(folder, kReport).lists(file.filename()))
+        cannotWrite(file, "it is part of what relamp delight wrote; name another file with -o");
     staging_ = stageFile(file);
     progress.removeIfAbandoned(staging_);
 }

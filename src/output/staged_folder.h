@@ -34,10 +34,12 @@ public:
     /// of the folder named in `stale` and not written anew are removed.
     void commit(const std::string& last, const std::vector<std::string>& stale);
 
-    /// Names of the files written so far, sorted.
-    [[nodiscard]] std::vector<std::string> names() const;
+    /// Where all that was written so far lies.
+    [[nodiscard]] const std::filesystem::path& path() const { return staging_; }
 
 private:
+    [[nodiscard]] std::vector<std::string> names() const; // sorted
+
     std::filesystem::path folder_;
     std::filesystem::path staging_;
 };

@@ -164,8 +164,10 @@ void ResultWriter::writePreview(const PreviewPicture& picture)
 
 void ResultWriter::writeScan()
 {
-    Lights lights; // that a GLB can hold
+    Lights lights;                               // that a GLB can hold
+    lights.fixtures = result_.lights().fixtures; // that name the points
     lights.points = inTheOpen(result_.mergedLights(), *result_.state().scene);
+    lights.ambient = result_.lights().ambient;
     lights.sun = result_.lights().sun;
     writeFile(folder_ / (scan_.name + ".glb"), writeGlb(scan_, relit_, lights));
     writeFile(folder_ / "lights.json", lightsAsJson(result_.lights()));
@@ -197,23 +199,24 @@ void ResultWriter::run()
 
 std::string writeResult(const Scan& scan, const Decomposition& decomposition,
                         const std::filesystem::path& scanFile, const std::filesystem::path& folder,
-                        Progress& progress)
+                        Progress& progress, Replacing replacing)
 {
-    checkOutput(scanFile, folder);
+    checkOutput(scanFile, folder, replacing);
     StagedFolder staged(folder, progress);
     ResultWriter writer(scan, decomposition, staged, progress);
     writer.run();
-    std::vector<std::string> files = staged.names();
-    files.emplace_back("report.json");
-    std::string report =
-        reportAsJson(scan, decomposition, {scanFile, files, writer.area()}, progress);
-    writeFile(staged / "report.json", report);
+    std::string report = reportAsJson(
+        scan, decomposition,
+        {scanFile, folder, FolderRecord(staged.path(), kReport), writer.area()}, progress);
+    writeFile(staged / kReport, report);
     progress.check();
-    staged.commit("report.json", filesOfFormerReport(folder));
+    checkOutput(scanFile, folder, replacing); // somebody may have edited it meanwhile
+    staged.commit(kReport, FolderRecord::read(folder, kReport).names());
     return report;
 }
 
-void checkOutput(const std::filesystem::path& scanFile, const std::filesystem::path& folder)
+void checkOutput(const std::filesystem::path& scanFile, const std::filesystem::path& folder,
+                 Replacing replacing)
 {
     const std::filesystem::path glb = folder / (scanFile.stem().string() + ".glb");
     std::error_code ignored;
@@ -222,6 +225,10 @@ void checkOutput(const std::filesystem::path& scanFile, const std::filesystem::p
              "is the scan itself and would be overwritten; name another folder with -o");
     Progress nobody;
     const StagedFolder trial(folder, nobody);
+    if (replacing == Replacing::any) return;
+    const std::string scan = scanFile.stem();
+    checkReplaceable(folder, FolderRecord::read(folder, kReport),
+                     [&](const std::string& name) { return isOfResult(name, scan); });
 }
 
 const char* version()

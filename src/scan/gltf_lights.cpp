@@ -4,6 +4,7 @@
 #include "scan/gltf_read.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,6 +86,23 @@ json rotationTo(glm::vec3 direction)
     return {shortest(unit.x), shortest(unit.y), shortest(unit.z), shortest(unit.w)};
 }
 
+/// That of its fixture; where several points stand for one, with a number behind.
+std::vector<std::string> namesOfPoints(const Lights& lights)
+{
+    std::map<int, int> all;
+    for (const PointLight& point : lights.points) ++all[point.fixture];
+    std::map<int, int> used;
+    std::vector<std::string> names;
+    for (const PointLight& point : lights.points) {
+        const int before = used[point.fixture]++;
+        std::string name =
+            point.fixture < 0 ? "light" : lights.nameOf(static_cast<size_t>(point.fixture));
+        if (all[point.fixture] > 1) name += fmt::format(", part {}", before + 1);
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
 /// A point that stands for a surface that faces one way shines to that side alone, like a matte
 /// one. A spot of 180 degrees that fades from its axis goes as 3 cos^2 - 2 cos^3 in three.js, which
 /// has the flux pi of a cosine; Cycles takes that times another cosine, and so 0.7 of the flux. One
@@ -110,14 +128,14 @@ std::vector<PlacedLight> placedLights(const Lights& lights, const glm::mat4& wor
 {
     const float metresPerUnit = glm::length(glm::vec3(worldFromFile[0]));
     const glm::mat4 fileFromWorld = glm::inverse(worldFromFile);
+    const std::vector<std::string> names = namesOfPoints(lights);
     std::vector<PlacedLight> all;
     for (size_t i = 0; i < lights.points.size(); ++i)
-        all.push_back(
-            placed(lights.points[i], fmt::format("relamp {}", i), fileFromWorld, metresPerUnit));
+        all.push_back(placed(lights.points[i], names[i], fileFromWorld, metresPerUnit));
     if (lights.sun) {
         const glm::vec3 towards = glm::normalize(glm::mat3(fileFromWorld) * lights.sun->direction);
         all.push_back({"directional",
-                       "relamp sun",
+                       "sun",
                        lights.sun->irradiance,
                        {{"rotation", rotationTo(towards)}}}); // it shines along -z
     }

@@ -2,6 +2,7 @@
 
 #include "base/fail.h"
 #include "base/json.h"
+#include "relamp/version.h"
 #include "scan/gltf_from_scan.h"
 #include "scan/gltf_json.h"
 #include "scan/gltf_lights.h"
@@ -72,6 +73,7 @@ private:
     void setEmission(json& material, size_t page);
     void replaceVertexColors();
     void dropUnusedExtensions();
+    void sign(json told);
     std::string assemble();
 
     const Scan& scan_;
@@ -396,9 +398,29 @@ void GlbWriter::makeUnlit()
         used.push_back("KHR_materials_unlit");
 }
 
+/// Says who wrote the file and what `told` tells of it, and keeps what the scanner said of itself.
+void GlbWriter::sign(json told)
+{
+    json& asset = document_["asset"];
+    json& extras = asset["extras"];
+    if (!extras.is_object()) extras = json::object();
+    const json former = extras.value(kSignature, json::object());
+    const char* const key = "scanGenerator";
+    if (former.is_object() && former.contains(key))
+        told[key] = former[key];
+    else if (asset.contains("generator"))
+        told[key] = asset["generator"];
+    extras[kSignature] = std::move(told);
+    asset["generator"] = std::string("relamp ") + version();
+}
+
 std::string GlbWriter::write(const Lights& lights)
 {
     replaceContent();
+    sign({{"textures", "albedo"},
+          {"up", scan_.options.up == UpAxis::z ? "z" : "y"},
+          {"scale", scan_.options.scale},
+          {"lights", json::parse(lightsAsJson(lights))}});
     addLights(document_, lights, scan_.gltf ? scan_.worldFromFile : glm::mat4(1.0f));
     dropUnusedExtensions();
     return assemble();
@@ -407,6 +429,7 @@ std::string GlbWriter::write(const Lights& lights)
 std::string GlbWriter::writeUnlit()
 {
     replaceContent();
+    sign({{"textures", "light"}});
     makeUnlit();
     dropUnusedExtensions();
     return assemble();

@@ -25,6 +25,10 @@ struct RelitPage
     std::vector<float> vertexAlbedo; // of a page of vertices: linear RGB a vertex
 };
 
+/// Key of asset.extras under which a GLB says what relamp made of it: `"textures"`, which are
+/// `"albedo"` or `"light"`; of the former, how the scan was read and the room's lights.json.
+inline constexpr const char* kSignature = "relamp";
+
 /// The scan as a GLB that can be relit: as it came, but with albedo for base colour, emissive
 /// textures for what shines, lit materials, and the points and the sun of `lights` as
 /// KHR_lights_punctual.

@@ -1,6 +1,7 @@
 #include "scan/gltf_write.h"
 
 #include "relamp/error.h"
+#include "relamp/version.h"
 #include "scan/gltf_json.h"
 #include "scenes/gltf_files.h"
 #include "scenes/pictures.h"
@@ -130,6 +131,38 @@ TEST(GltfWrite, NodesNamesAndExtrasSurvive)
     EXPECT_EQ(written.document["materials"][0]["extras"]["id"], 7);
     EXPECT_EQ(written.document["materials"][0]["name"], "paint");
     EXPECT_EQ(written.document["asset"]["copyright"], "somebody");
+}
+
+// A person who finds the file later has to see that it is no scan.
+TEST(GltfWrite, SaysWhoWroteItAndKeepsWhoScanned)
+{
+    GltfFile file = scenes::texturedSquare();
+    file.document["asset"]["generator"] = "scanner 7";
+    file.document["asset"]["extras"] = {{"room", "kitchen"}};
+    Lights lights;
+    lights.ambient = glm::vec3(0.5f);
+    const Written written = rewrite(file, lights);
+    const json& asset = written.document["asset"];
+    EXPECT_EQ(asset["generator"], std::string("relamp ") + version());
+    EXPECT_EQ(asset["extras"]["room"], "kitchen");
+    EXPECT_EQ(asset["extras"]["relamp"]["scanGenerator"], "scanner 7");
+    EXPECT_EQ(asset["extras"]["relamp"]["textures"], "albedo");
+    EXPECT_EQ(asset["extras"]["relamp"]["lights"]["ambient"], json({0.5, 0.5, 0.5}));
+    const Written again = writeAgain(written.scan, greyPages(written.scan));
+    EXPECT_EQ(again.document["asset"]["extras"]["relamp"]["scanGenerator"], "scanner 7");
+}
+
+TEST(GltfWrite, LightsHaveTheNamesOfTheirFixtures)
+{
+    Lights lights;
+    lights.fixtures = {{.id = 4, .name = "ceiling lamp 4"}, {.id = 2, .name = "window 2"}};
+    for (const int fixture : {1, 0, 1})
+        lights.points.push_back({.intensity = glm::vec3(1.0f), .fixture = fixture});
+    const Written written = rewrite(scenes::texturedSquare(), lights);
+    const json& names = written.document["extensions"]["KHR_lights_punctual"]["lights"];
+    EXPECT_EQ(names[0]["name"], "window 2, part 1");
+    EXPECT_EQ(names[1]["name"], "ceiling lamp 4");
+    EXPECT_EQ(names[2]["name"], "window 2, part 2");
 }
 
 TEST(GltfWrite, WhatWasLeftOutOfTheScanStaysAsItCame)

@@ -163,12 +163,13 @@ TEST_F(PictureProgram, FilmsAreNumberedFrames)
         {"time": 0, "light": {"fixtures": [{"id": 0}]}},
         {"time": 1, "light": {"fixtures": [{"id": 0, "dim": 0}]}}]})");
     expectWritten({"--timeline", day, "--fps", "3", "-o", folder / "day"});
-    EXPECT_THAT(names("day"), ElementsAre("frame_0001.png", "frame_0002.png", "frame_0003.png"));
+    EXPECT_THAT(names("day"),
+                ElementsAre("film.json", "frame_0001.png", "frame_0002.png", "frame_0003.png"));
     EXPECT_GT(brightness(folder / "day/frame_0001.png"), brightness(folder / "day/frame_0002.png"));
     EXPECT_LT(brightness(folder / "day/frame_0003.png"), 0.01); // all is off
 
     expectWritten({"--turntable", "4", "--lights", lamp, "-o", folder / "turn"});
-    EXPECT_EQ(names("turn").size(), 4u);
+    EXPECT_EQ(names("turn").size(), 5u); // and the list of them
     EXPECT_NE(contentOf(folder / "turn/frame_0001.png"), contentOf(folder / "turn/frame_0003.png"));
 }
 

@@ -19,29 +19,28 @@ namespace relamp::golden
 namespace
 {
 
-[[noreturn]] void become(const std::vector<std::string>& arguments, const std::string& out,
-                         const std::string& err)
+[[noreturn]] void become(const char* program, const std::vector<std::string>& arguments,
+                         const std::string& out, const std::string& err)
 {
     dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), STDOUT_FILENO);
     dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), STDERR_FILENO);
-    std::vector<char*> argv{const_cast<char*>("relamp")};
+    setenv("RELAMP", RELAMP_PROGRAM, 1);
+    std::vector<char*> argv{const_cast<char*>(program)};
     for (const std::string& argument : arguments)
         argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
-    execv(RELAMP_PROGRAM, argv.data());
+    execv(program, argv.data());
     _exit(127);
 }
 
-} // namespace
-
-Outcome runRelamp(const std::vector<std::string>& arguments, double interruptAfter)
+Outcome run(const char* program, const std::vector<std::string>& arguments, double interruptAfter)
 {
     const scenes::TemporaryFolder folder;
     const std::string out = folder / "out";
     const std::string err = folder / "err";
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("cannot fork");
-    if (child == 0) become(arguments, out, err);
+    if (child == 0) become(program, arguments, out, err);
     if (interruptAfter > 0.0) {
         std::this_thread::sleep_for(std::chrono::duration<double>(interruptAfter));
         kill(child, SIGINT);
@@ -50,6 +49,18 @@ Outcome runRelamp(const std::vector<std::string>& arguments, double interruptAft
     waitpid(child, &status, 0);
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return {code, contentOf(out), contentOf(err)};
+}
+
+} // namespace
+
+Outcome runRelamp(const std::vector<std::string>& arguments, double interruptAfter)
+{
+    return run(RELAMP_PROGRAM, arguments, interruptAfter);
+}
+
+Outcome runInShell(const std::string& command)
+{
+    return run("/bin/sh", {"-c", command}, 0.0);
 }
 
 std::string contentOf(const std::filesystem::path& file)

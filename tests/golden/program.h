@@ -18,6 +18,9 @@ struct Outcome
 /// Runs relamp with `arguments`. With `interruptAfter` > 0 seconds it gets a Ctrl-C then.
 Outcome runRelamp(const std::vector<std::string>& arguments, double interruptAfter = 0.0);
 
+/// The same by a shell, which knows `>&-`; relamp is $RELAMP there.
+Outcome runInShell(const std::string& command);
+
 /// A file's bytes; none where it cannot be read.
 std::string contentOf(const std::filesystem::path& file);
 

@@ -1,0 +1,219 @@
+// What a result tells of itself, and what of it nobody loses: relamp on drafts of the sample room.
+
+#include "golden/program.h"
+#include "scenes/temporary_folder.h"
+
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace relamp::golden
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kScan = RELAMP_SAMPLES "/bedroom/scan.glb";
+
+nlohmann::json jsonOf(const fs::path& file)
+{
+    return nlohmann::json::parse(std::ifstream(file));
+}
+
+void append(const fs::path& file, const std::string& text)
+{
+    std::ofstream(file, std::ios::app) << text;
+}
+
+/// A scan and the draft of its result, made once; each test has a copy of both.
+class ResultProgram : public testing::Test
+{
+protected:
+    static void SetUpTestSuite()
+    {
+        shared = new scenes::TemporaryFolder;
+        fs::copy_file(kScan, *shared / "room.glb");
+        const Outcome run = runInShell("cd " + shared->path().string() +
+                                       " && $RELAMP delight room.glb -o out --quality draft");
+        ASSERT_EQ(run.exitCode, 0) << run.err;
+        said = run.out;
+    }
+    static void TearDownTestSuite() { delete shared; }
+
+    void SetUp() override { fs::copy(shared->path(), folder.path(), fs::copy_options::recursive); }
+
+    [[nodiscard]] Outcome delight(const std::vector<std::string>& more = {}) const
+    {
+        std::vector<std::string> arguments{"delight", folder / "room.glb", "-o",   folder / "out",
+                                           "-q",      "--quality",         "draft"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return runRelamp(arguments);
+    }
+    /// Where a shell stands and what it does there.
+    [[nodiscard]] Outcome inside(const std::string& where, const std::string& command) const
+    {
+        return runInShell("cd " + (folder / where).string() + " && " + command);
+    }
+    [[nodiscard]] Outcome relight(const std::string& room,
+                                  const std::vector<std::string>& more) const
+    {
+        std::vector<std::string> arguments{"relight", folder / room, "--bake", "-o",
+                                           folder / "baked.exr"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return runRelamp(arguments);
+    }
+
+    scenes::TemporaryFolder folder;
+    static inline scenes::TemporaryFolder* shared = nullptr;
+    static inline std::string said;
+};
+
+constexpr const char* kVerify = "$RELAMP verify --places 300 --samples 4 ";
+
+} // namespace
+
+TEST_F(ResultProgram, VerifyFindsTheScanFromAnyFolderAndAfterBothWereMoved)
+{
+    EXPECT_EQ(jsonOf(folder / "out/report.json")["scan"]["file"], "../room.glb");
+    const Outcome own = inside("out", std::string(kVerify) + ".");
+    EXPECT_EQ(own.exitCode, 0) << own.err;
+    EXPECT_THAT(own.out, HasSubstr("against ../room.glb"));
+    fs::create_directory(folder / "elsewhere");
+    for (const char* name : {"room.glb", "out"})
+        fs::rename(folder / name, folder / "elsewhere" / name);
+    const Outcome moved = inside(".", std::string(kVerify) + "elsewhere/out");
+    EXPECT_EQ(moved.exitCode, 0) << moved.err;
+    EXPECT_THAT(moved.out, HasSubstr("against elsewhere/room.glb"));
+    EXPECT_THAT(moved.out, HasSubstr("window 0"));
+}
+
+TEST_F(ResultProgram, VerifyRefusesAnotherFile)
+{
+    const Outcome own = inside("out", std::string(kVerify) + ". --scan room.glb");
+    EXPECT_EQ(own.exitCode, 1);
+    EXPECT_THAT(own.err, HasSubstr("what relamp wrote, not the scan"));
+    append(folder / "room.glb", "more");
+    const Outcome other = inside(".", std::string(kVerify) + "out");
+    EXPECT_EQ(other.exitCode, 1);
+    EXPECT_THAT(other.err, HasSubstr("room.glb: is not the scan as it was"));
+    EXPECT_THAT(other.err, HasSubstr("--scan FILE"));
+}
+
+TEST_F(ResultProgram, DelightKeepsWhatSomebodyEditedUnlessForced)
+{
+    EXPECT_EQ(delight().exitCode, 0); // again, and nobody has edited anything
+    append(folder / "out/lights.json", " ");
+    const auto edited = fs::file_size(folder / "out/lights.json");
+    const Outcome refused = delight();
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_THAT(refused.err, HasSubstr("lights.json"));
+    EXPECT_THAT(refused.err, Not(HasSubstr("albedo")));
+    EXPECT_EQ(fs::file_size(folder / "out/lights.json"), edited);
+    EXPECT_EQ(delight({"--force"}).exitCode, 0);
+    EXPECT_NE(fs::file_size(folder / "out/lights.json"), edited);
+}
+
+TEST_F(ResultProgram, DelightKeepsAStrangersFiles)
+{
+    fs::remove_all(folder / "out");
+    fs::create_directory(folder / "out");
+    append(folder / "out/lights.json", "mine");
+    append(folder / "out/notes.txt", "mine, and in nobody's way");
+    const Outcome refused = delight();
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_THAT(refused.err, HasSubstr("lights.json"));
+    EXPECT_THAT(refused.err, Not(HasSubstr("notes.txt")));
+    EXPECT_EQ(fs::file_size(folder / "out/lights.json"), 4u);
+    EXPECT_FALSE(fs::exists(folder / "out/report.json"));
+}
+
+TEST_F(ResultProgram, RelightRefusesAScanThatStillHasItsLight)
+{
+    const Outcome refused = relight("room.glb", {"--fixture", "all=on"});
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_THAT(refused.err, HasSubstr("relamp delight"));
+    const Outcome dark = relight("room.glb", {"--fixture", "all=on", "--texture-is-albedo"});
+    EXPECT_EQ(dark.exitCode, 0) << dark.err;
+    EXPECT_THAT(dark.err, HasSubstr("tells of no lights of its own"));
+}
+
+TEST_F(ResultProgram, TheModelOfAResultIsRelitAsTheResult)
+{
+    ASSERT_EQ(relight("out", {"--fixture", "all=on"}).exitCode, 0);
+    fs::rename(folder / "baked.exr", folder / "of_folder.exr");
+    const Outcome run = relight("out/room.glb", {"--fixture", "window 0=on", "--fixture", "2=on"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_THAT(run.err, Not(HasSubstr("nothing shines")));
+    const auto bytes = [&](const char* name) {
+        std::ifstream stream(folder / name, std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(stream), {});
+    };
+    EXPECT_TRUE(bytes("baked.exr") == bytes("of_folder.exr"));
+}
+
+TEST_F(ResultProgram, RelightWritesNeitherOverTheScanNorIntoTheResult)
+{
+    const auto write = [&](const std::string& to) {
+        return runRelamp(
+            {"relight", folder / "out", "--fixture", "all=on", "--bake", "-o", folder / to});
+    };
+    const auto before = fs::file_size(folder / "room.glb");
+    EXPECT_THAT(write("room.glb").err, HasSubstr("is the scan itself"));
+    EXPECT_EQ(fs::file_size(folder / "room.glb"), before);
+    EXPECT_THAT(write("out/albedo.exr").err, HasSubstr("is part of what relamp delight wrote"));
+}
+
+// The default quality finds one lamp more, and each of the draft's again.
+TEST_F(ResultProgram, ALampHasOneNumberAndNameInEveryQualityAndList)
+{
+    ASSERT_EQ(runRelamp({"delight", folder / "room.glb", "-o", folder / "fine", "-q"}).exitCode, 0);
+    const auto namesOf = [&](const nlohmann::json& fixtures) {
+        std::map<int, std::string> names;
+        for (const auto& fixture : fixtures) names[fixture["id"]] = fixture["name"];
+        return names;
+    };
+    const auto draft = namesOf(jsonOf(folder / "out/lights.json")["fixtures"]);
+    const auto fine = namesOf(jsonOf(folder / "fine/lights.json")["fixtures"]);
+    EXPECT_EQ(draft, (std::map<int, std::string>{{0, "window 0"}, {2, "ceiling lamp 2"}}));
+    for (const auto& [id, name] : draft) EXPECT_EQ(fine.at(id), name);
+    EXPECT_EQ(fine.size(), 3u);
+    EXPECT_EQ(namesOf(jsonOf(folder / "fine/report.json")["lights"]["fixtures"]), fine);
+    EXPECT_THAT(said, HasSubstr("ceiling lamp 2"));
+    const Outcome refused = relight("out", {"--fixture", "lamp=on"});
+    EXPECT_THAT(refused.err, HasSubstr("window 0, ceiling lamp 2"));
+}
+
+// The chatter is lost, the work is not; what was asked for on standard output is.
+TEST_F(ResultProgram, AClosedOutputFailsOnlyWhatIsPrintedThere)
+{
+    const std::string again = "$RELAMP delight room.glb -o out --quality draft ";
+    EXPECT_EQ(inside(".", again + ">&-").exitCode, 0);
+    EXPECT_EQ(inside(".", again + ">/dev/full").exitCode, 0);
+    for (const char* to : {">&-", ">/dev/full"}) {
+        const Outcome json = inside(".", again + "--json " + to);
+        EXPECT_EQ(json.exitCode, 1) << to;
+        EXPECT_THAT(json.err, HasSubstr("standard output: cannot be written")) << to;
+    }
+    EXPECT_EQ(jsonOf(folder / "out/report.json")["scan"]["file"], "../room.glb"); // nothing in it
+}
+
+TEST_F(ResultProgram, FilmsKeepAStrangersFrames)
+{
+    const std::string film = "$RELAMP relight out --turntable 2 --size 64x36 --fixture all=on -q "
+                             "-o film ";
+    ASSERT_EQ(inside(".", film).exitCode, 0);
+    EXPECT_EQ(inside(".", film).exitCode, 0);
+    append(folder / "film/frame_0002.png", "edited");
+    const Outcome refused = inside(".", film);
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_THAT(refused.err, HasSubstr("frame_0002.png"));
+    EXPECT_EQ(inside(".", film + "--force").exitCode, 0);
+}
+
+} // namespace relamp::golden
