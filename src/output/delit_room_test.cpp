@@ -1,5 +1,6 @@
 #include "relamp/relight.h"
 
+#include "image/write_image.h"
 #include "scan/gltf_write.h"
 #include "scenes/gltf_files.h"
 #include "scenes/refusal.h"
@@ -50,7 +51,9 @@ TEST(DelitRoom, AGlbThatRelampWroteTellsItsLights)
     lights.fixtures.push_back(
         {.area = 1.0f, .radiance = glm::vec3(3.0f), .id = 7, .name = "ceiling lamp 7"});
     Progress progress;
-    folder.write("delit.glb", writeGlb(scan, std::vector<RelitPage>(scan.pages.size()), lights));
+    const RelitPage grey{
+        .albedo = {encodePng(std::vector<uint8_t>(12, 128), {2, 2}, 3), "image/png"}};
+    folder.write("delit.glb", writeGlb(scan, {grey}, lights));
     const DelitRoom room = readDelitRoom(folder / "delit.glb", {}, progress);
     ASSERT_EQ(room.captured.fixtures.size(), 1u);
     EXPECT_EQ(room.captured.fixtures[0].id, 7);

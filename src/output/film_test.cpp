@@ -100,13 +100,26 @@ TEST_F(FilmOfABox, FramesAreNumberedAndALongerFilmLeavesNone)
     film.turns = true;
     write("frames");
     folder.write("frames/notes.txt", std::string("mine"));
-    EXPECT_THAT(names("frames"),
-                ElementsAre("frame_0001.png", "frame_0002.png", "frame_0003.png", "notes.txt"));
+    EXPECT_THAT(names("frames"), ElementsAre("film.json", "frame_0001.png", "frame_0002.png",
+                                             "frame_0003.png", "notes.txt"));
     EXPECT_NE(contentOf(folder / "frames/frame_0001.png"),
               contentOf(folder / "frames/frame_0002.png"));
     film.frames = 2;
     write("frames");
-    EXPECT_THAT(names("frames"), ElementsAre("frame_0001.png", "frame_0002.png", "notes.txt"));
+    EXPECT_THAT(names("frames"),
+                ElementsAre("film.json", "frame_0001.png", "frame_0002.png", "notes.txt"));
+}
+
+TEST_F(FilmOfABox, AStrangersFramesStayUnlessTheyMayGo)
+{
+    std::filesystem::create_directory(folder / "frames");
+    folder.write("frames/frame_0007.png", std::string("mine"));
+    EXPECT_THAT(refusal("frames"), testing::HasSubstr("frame_0007.png"));
+    EXPECT_THAT(names("frames"), ElementsAre("frame_0007.png"));
+    film.replacing = Replacing::any;
+    write("frames");
+    EXPECT_THAT(names("frames"), ElementsAre("film.json", "frame_0001.png", "frame_0002.png",
+                                             "frame_0003.png", "frame_0007.png"));
 }
 
 // A film of the same frame shows what a single picture does.
