@@ -260,20 +260,24 @@ bool setLight(Viewer& viewer, const Words& words)
     const size_t second = words[0].find('.', dot + 1);
     if (dot == std::string::npos || second == std::string::npos) return false;
     const std::string kind = words[0].substr(0, dot);
-    const float index = numberOf(words[0].substr(dot + 1, second - dot - 1));
+    const float number = numberOf(words[0].substr(dot + 1, second - dot - 1));
     const std::string what = words[0].substr(second + 1);
     if (kind != "lamp" && kind != "fixture" && kind != "scanned") return false;
     LightDocument& light = viewer.studio.edit.light;
     std::vector<FixtureItem>& fixtures =
         kind == "scanned" ? viewer.studio.edit.scanned.fixtures : light.fixtures;
     const size_t count = kind == "lamp" ? light.lamps.size() : fixtures.size();
-    if (!(index >= 0.0f) || index >= static_cast<float>(count))
-        wrongSetting(
-            fmt::format("there is no {}; there are {}", words[0].substr(0, second), count));
+    if (!(number >= 0.0f) || number > 1e9f)
+        wrongSetting(fmt::format("there is no {}; there are {}", words[0].substr(0, second), count));
+    const size_t index = kind == "lamp"
+                             ? static_cast<size_t>(number)
+                             : viewer.studio.captured().placeOf(static_cast<int>(number));
+    if (index >= count)
+        wrongSetting(fmt::format("there is no {}; there are {}", words[0].substr(0, second), count));
     if (kind == "lamp")
-        setLamp(light.lamps[static_cast<size_t>(index)], what, words);
+        setLamp(light.lamps[index], what, words);
     else
-        setFixture(fixtures[static_cast<size_t>(index)], what, words);
+        setFixture(fixtures[index], what, words);
     return true;
 }
 

@@ -63,7 +63,8 @@ protected:
     [[nodiscard]] Outcome relight(const std::string& room,
                                   const std::vector<std::string>& more) const
     {
-        std::vector<std::string> arguments{"relight", folder / room, "--bake", "-o",
+        std::vector<std::string> arguments{"relight",           folder / room, "--rays", "4",
+                                           "--shadow-rays",     "1",           "--bake", "-o",
                                            folder / "baked.exr"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return runRelamp(arguments);
