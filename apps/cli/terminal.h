@@ -19,8 +19,8 @@ relamp::Progress::Sink progressDisplay(Talk talk);
 /// Ends the bar's line, if there is one.
 void endProgressDisplay(Talk talk);
 
-/// Prints what is only said beside the work, to standard output. A terminal obeys nothing that is in
-/// it, and where nobody hears it, the work is done all the same.
+/// Prints what is only said beside the work, to standard output. A terminal obeys nothing that is
+/// in it, and where nobody hears it, the work is done all the same.
 void printAside(const std::string& text);
 
 /// "relamp: first line", the following lines indented under it, on standard error. A terminal obeys

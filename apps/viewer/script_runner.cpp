@@ -166,7 +166,8 @@ bool ScriptRunner::isDone(const ScriptCommand& command, Viewer& viewer) const
     const bool isStillThere = mustOpen_ && viewer.studio.hasFailed(); // what was open before
     if (!isStillThere && isThere(what, viewer)) return true;
     if (isStillThere || viewer.studio.failures() > failuresBefore_) failAs(viewer);
-    if (passed > kLongestWait) wrongCommand(fmt::format("{} did not come in {} s", what, kLongestWait));
+    if (passed > kLongestWait)
+        wrongCommand(fmt::format("{} did not come in {} s", what, kLongestWait));
     return false;
 }
 

@@ -268,12 +268,14 @@ bool setLight(Viewer& viewer, const Words& words)
         kind == "scanned" ? viewer.studio.edit.scanned.fixtures : light.fixtures;
     const size_t count = kind == "lamp" ? light.lamps.size() : fixtures.size();
     if (!(number >= 0.0f) || number > 1e9f)
-        wrongSetting(fmt::format("there is no {}; there are {}", words[0].substr(0, second), count));
+        wrongSetting(
+            fmt::format("there is no {}; there are {}", words[0].substr(0, second), count));
     const size_t index = kind == "lamp"
                              ? static_cast<size_t>(number)
                              : viewer.studio.captured().placeOf(static_cast<int>(number));
     if (index >= count)
-        wrongSetting(fmt::format("there is no {}; there are {}", words[0].substr(0, second), count));
+        wrongSetting(
+            fmt::format("there is no {}; there are {}", words[0].substr(0, second), count));
     if (kind == "lamp")
         setLamp(light.lamps[index], what, words);
     else
