@@ -12,6 +12,7 @@
 #include "scan/gltf_unpack.h"
 #include "scan/page_builder.h"
 #include "scan/scan_frame.h"
+#include "scan/scan_limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,9 +29,6 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kMostTriangles = size_t{1} << 26;
-constexpr size_t kMostVertices = size_t{1} << 28; // read; primitives may share them
-constexpr size_t kMostMeshes = size_t{1} << 16;
 constexpr size_t kLongestName = 200; // of a file, in a message
 
 tinygltf::Model parseModel(const std::string& glb, const std::string& name)
@@ -102,7 +100,7 @@ class GltfReader
 public:
     GltfReader(const std::filesystem::path& file, const ScanOptions& options, PlainGltf&& plain)
         : name_(file.string()), options_(options), skipped_(options),
-          source_(std::make_shared<GltfSource>())
+          source_(std::make_shared<GltfSource>()), bytes_(plain.binary.size())
     {
         model_ = parseModel(joinGlb(dumpJson(plain.document), plain.binary), name_);
         source_->document = std::move(plain.document);
@@ -113,14 +111,34 @@ public:
     Scan read(Progress& progress);
 
 private:
+    /// A primitive at a node.
+    struct Placed
+    {
+        GltfSource::MeshOrigin origin;
+        glm::mat4 worldFromLocal;
+    };
+    void checkAccessors() const;
     void visitScene();
     void visitNode(int index, const glm::mat4& worldFromParent);
-    void takePrimitive(GltfSource::MeshOrigin origin, const glm::mat4& worldFromLocal);
-    void count(const Mesh& mesh);
+    void place(const Placed& placed);
+    void count(const tinygltf::Primitive& primitive);
+    void takePrimitive(const Placed& placed);
+    [[nodiscard]] std::string nameOf(const GltfSource::MeshOrigin& origin) const;
+    [[nodiscard]] const tinygltf::Primitive& primitiveOf(const GltfSource::MeshOrigin& origin) const
+    {
+        return model_.meshes[static_cast<size_t>(origin.mesh)]
+            .primitives[static_cast<size_t>(origin.primitive)];
+    }
     void takeVertices(const tinygltf::Primitive& primitive, const glm::mat4& worldFromLocal,
                       const std::string& what, Mesh& mesh, std::vector<glm::vec3>& normals) const;
     void takeColor(const tinygltf::Primitive& primitive, const std::string& what, Mesh& mesh);
     int pageOfImage(int image);
+    [[nodiscard]] std::string nameOfImage(int image) const // in messages
+    {
+        return fmt::format("{}: image {} \"{}\"", name_, image,
+                           model_.images[static_cast<size_t>(image)].name);
+    }
+    [[nodiscard]] std::span<const std::byte> bytesOfImage(int image) const;
     void readPages(Progress& progress);
 
     void keepSource();
@@ -132,7 +150,9 @@ private:
     std::shared_ptr<GltfSource> source_;
     Scan scan_;
     std::vector<uint8_t> visited_; // of nodes
+    std::vector<Placed> placed_;
     std::map<int, int> pageOfImage_;
+    uint64_t bytes_; // of geometry and pictures, unpacked
     size_t triangles_ = 0;
     size_t vertices_ = 0;
 };
@@ -210,41 +230,88 @@ void GltfReader::takeColor(const tinygltf::Primitive& primitive, const std::stri
     mesh.page = pageOfImage(color.image);
 }
 
-/// One mesh may stand at many nodes: a small file can hold a scan too large for any machine.
-void GltfReader::count(const Mesh& mesh)
+/// Each is looked through when the scan is written, and many may lie on the same bytes.
+void GltfReader::checkAccessors() const
 {
-    triangles_ += mesh.triangles.size();
-    vertices_ += mesh.positions.size();
-    if (triangles_ > kMostTriangles || vertices_ > kMostVertices ||
-        scan_.meshes.size() >= kMostMeshes)
-        malformed(name_,
-                  "has more triangles, vertices or meshes than relamp works on; simplify it");
+    const size_t most = mostOfFile(kMostVertices, bytes_);
+    size_t elements = 0;
+    for (const tinygltf::Accessor& accessor : model_.accessors) {
+        elements += std::min(accessor.count, kMostVertices);
+        if (elements > most)
+            malformed(name_, fmt::format("its accessors announce more than {} elements, more than "
+                                         "a file of its size holds",
+                                         most));
+    }
 }
 
-void GltfReader::takePrimitive(GltfSource::MeshOrigin origin, const glm::mat4& worldFromLocal)
+std::string GltfReader::nameOf(const GltfSource::MeshOrigin& origin) const
 {
-    const tinygltf::Mesh& source = model_.meshes[static_cast<size_t>(origin.mesh)];
-    const tinygltf::Primitive& primitive = source.primitives[static_cast<size_t>(origin.primitive)];
-    const std::string& nodeName = model_.nodes[static_cast<size_t>(origin.node)].name;
-    Mesh mesh;
-    mesh.name = !source.name.empty() ? source.name
-                : !nodeName.empty()  ? nodeName
-                                     : fmt::format("mesh {}", origin.mesh);
-    const std::string what = fmt::format("{}: mesh \"{}\"", name_, mesh.name);
-    if (skipped_.holds(mesh.name)) return;
+    const std::string& ofMesh = model_.meshes[static_cast<size_t>(origin.mesh)].name;
+    const std::string& ofNode = model_.nodes[static_cast<size_t>(origin.node)].name;
+    return !ofMesh.empty()   ? ofMesh
+           : !ofNode.empty() ? ofNode
+                             : fmt::format("mesh {}", origin.mesh);
+}
+
+/// One mesh may stand at many nodes: a small file can hold a scan too large for any machine. To be
+/// called before anything of the primitive is read.
+void GltfReader::count(const tinygltf::Primitive& primitive)
+{
+    const auto elementsOf = [&](int accessor) {
+        return accessor >= 0 && static_cast<size_t>(accessor) < model_.accessors.size()
+                   ? std::min(model_.accessors[static_cast<size_t>(accessor)].count, kMostVertices)
+                   : 0;
+    };
+    const auto positions = primitive.attributes.find("POSITION");
+    const size_t vertices =
+        positions == primitive.attributes.end() ? 0 : elementsOf(positions->second);
+    const size_t corners = primitive.indices >= 0 ? elementsOf(primitive.indices) : vertices;
+    triangles_ += primitive.mode == TINYGLTF_MODE_TRIANGLES ? corners / 3 : corners;
+    vertices_ += vertices;
+    const size_t mostTriangles = mostOfFile(kMostTriangles, bytes_);
+    if (triangles_ > mostTriangles)
+        malformed(name_, fmt::format("has more than {} triangles, each mesh counted at each of its "
+                                     "nodes, more than relamp works on in a file of its size; "
+                                     "simplify it",
+                                     mostTriangles));
+    if (vertices_ > mostOfFile(kMostVertices, bytes_))
+        malformed(name_, fmt::format("has more than {} vertices, each mesh counted at each of its "
+                                     "nodes, more than relamp works on in a file of its size; "
+                                     "simplify it",
+                                     mostOfFile(kMostVertices, bytes_)));
+    if (placed_.size() >= kMostMeshes)
+        malformed(name_, fmt::format("has more than {} meshes, each counted at each of its nodes, "
+                                     "more than relamp works on; join them",
+                                     kMostMeshes));
+}
+
+void GltfReader::place(const Placed& placed)
+{
+    const std::string name = nameOf(placed.origin);
+    if (skipped_.holds(name)) return;
+    const tinygltf::Primitive& primitive = primitiveOf(placed.origin);
     if (primitive.mode < TINYGLTF_MODE_TRIANGLES || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
-        scan_.warnings.push_back(fmt::format(
-            "mesh \"{}\": points and lines have no surface and were left out", mesh.name));
+        scan_.warnings.push_back(
+            fmt::format("mesh \"{}\": points and lines have no surface and were left out", name));
         return;
     }
+    count(primitive);
+    placed_.push_back(placed);
+}
+
+void GltfReader::takePrimitive(const Placed& placed)
+{
+    const tinygltf::Primitive& primitive = primitiveOf(placed.origin);
+    Mesh mesh;
+    mesh.name = nameOf(placed.origin);
+    const std::string what = fmt::format("{}: mesh \"{}\"", name_, mesh.name);
     std::vector<glm::vec3> normals;
-    takeVertices(primitive, worldFromLocal, what, mesh, normals);
-    count(mesh);
+    takeVertices(primitive, placed.worldFromLocal, what, mesh, normals);
     takeColor(primitive, what, mesh);
     finishMesh(mesh, std::move(normals), name_, scan_.warnings);
     if (mesh.triangles.empty()) return;
     scan_.meshes.push_back(std::move(mesh));
-    source_->originOfMesh.push_back(origin);
+    source_->originOfMesh.push_back(placed.origin);
 }
 
 void GltfReader::visitNode(int root, const glm::mat4& worldFromParent)
@@ -275,7 +342,7 @@ void GltfReader::visitNode(int root, const glm::mat4& worldFromParent)
                 fmt::format("node {} is skinned; it is taken in its rest pose", index));
         const size_t primitives = model_.meshes[static_cast<size_t>(node.mesh)].primitives.size();
         for (size_t i = 0; i < primitives; ++i)
-            takePrimitive({index, node.mesh, static_cast<int>(i)}, worldFromNode);
+            place({{index, node.mesh, static_cast<int>(i)}, worldFromNode});
     }
 }
 
@@ -291,31 +358,38 @@ void GltfReader::visitScene()
         visitNode(node, scan_.worldFromFile);
 }
 
+std::span<const std::byte> GltfReader::bytesOfImage(int image) const
+{
+    const tinygltf::Image& source = model_.images[static_cast<size_t>(image)];
+    if (source.bufferView < 0)
+        malformed(nameOfImage(image),
+                  fmt::format("the picture file that it names is missing or unreadable: {}; put it "
+                              "beside the file",
+                              source.uri.substr(0, kLongestName)));
+    const auto& views = model_.bufferViews;
+    if (static_cast<size_t>(source.bufferView) >= views.size())
+        malformed(nameOfImage(image), "has no content");
+    const tinygltf::BufferView& view = views[static_cast<size_t>(source.bufferView)];
+    return std::as_bytes(
+        std::span(model_.buffers.at(0).data).subspan(view.byteOffset, view.byteLength));
+}
+
 void GltfReader::readPages(Progress& progress)
 {
     scan_.pages.resize(pageOfImage_.size());
     source_->imageOfPage.resize(scan_.pages.size());
     std::vector<std::pair<int, int>> imageAndPage(pageOfImage_.begin(), pageOfImage_.end());
+    uint64_t bytes = 0;
+    for (const auto& [image, page] : imageAndPage) bytes += bytesOfImage(image).size();
+    PagePixels pixels(scan_.pages.size(), bytes, name_);
     Progress::Stage stage(progress, "read", imageAndPage.size());
     forEach(imageAndPage.size(), [&](size_t i) {
         const auto [image, index] = imageAndPage[i];
-        const tinygltf::Image& source = model_.images[static_cast<size_t>(image)];
-        const std::string what = fmt::format("{}: image {} \"{}\"", name_, image, source.name);
-        if (source.bufferView < 0)
-            malformed(
-                what,
-                fmt::format("the picture file that it names is missing or unreadable: {}; put it "
-                            "beside the file",
-                            source.uri.substr(0, kLongestName)));
-        const auto& views = model_.bufferViews;
-        if (static_cast<size_t>(source.bufferView) >= views.size())
-            malformed(what, "has no content");
-        const tinygltf::BufferView& view = views[static_cast<size_t>(source.bufferView)];
-        const std::span bytes(model_.buffers.at(0).data);
+        const std::string& name = model_.images[static_cast<size_t>(image)].name;
         Page& page = scan_.pages[static_cast<size_t>(index)];
-        page.name = !source.name.empty() ? source.name : fmt::format("image {}", image);
-        page.image = readImage(std::as_bytes(bytes.subspan(view.byteOffset, view.byteLength)), what,
-                               options_.transfer);
+        page.name = !name.empty() ? name : fmt::format("image {}", image);
+        page.image = readImage(bytesOfImage(image), nameOfImage(image), options_.transfer);
+        pixels.add(page.image.pixels());
         source_->imageOfPage[static_cast<size_t>(index)] = image;
         stage.advance();
     });
@@ -334,7 +408,9 @@ void GltfReader::keepSource()
 Scan GltfReader::read(Progress& progress)
 {
     scan_.worldFromFile = worldFromFile(options_);
+    checkAccessors();
     visitScene();
+    for (const Placed& placed : placed_) takePrimitive(placed);
     readPages(progress);
     addVertexPage(scan_, options_.transfer, name_);
     skipped_.tell(scan_.warnings);

@@ -8,6 +8,7 @@
 #include "scan/gltf_shape.h"
 #include "scan/gltf_uri.h"
 #include "scan/scan_folder.h"
+#include "scan/scan_limits.h"
 
 #include <algorithm>
 #include <array>
@@ -60,6 +61,7 @@ public:
     std::vector<std::string> warnings;
 
 private:
+    void checkLists() const;
     void checkScene() const;
     json& section(const char* key) { return document_[key]; }
     void checkPlace(const std::string& uri, const std::string& what) const;
@@ -84,6 +86,27 @@ private:
     std::string name_;
     std::vector<std::pair<uint64_t, uint64_t>> bufferRange_; // offset and size in `binary`
 };
+
+/// Each item takes some hundred bytes of text, and some thousand of memory.
+void Unpacker::checkLists() const
+{
+    size_t primitives = 0;
+    const auto check = [&](const std::string& key, size_t count) {
+        if (count > kMostItems)
+            malformed(name_, fmt::format("has {} {}, and relamp works on {} at most; simplify it",
+                                         count, key, kMostItems));
+    };
+    for (const auto& [key, list] : document_.items()) {
+        if (!list.is_array()) continue;
+        check(key, list.size());
+        if (key != "meshes") continue;
+        for (const json& mesh : list) {
+            const auto found = mesh.is_object() ? mesh.find("primitives") : mesh.end();
+            if (found != mesh.end() && found->is_array()) primitives += found->size();
+        }
+        check("primitives", primitives);
+    }
+}
 
 void Unpacker::checkScene() const
 {
@@ -301,6 +324,7 @@ void Unpacker::dropExtension(const char* name)
 
 void Unpacker::run()
 {
+    checkLists();
     checkScene();
     for (const char* key : kSections)
         if (!document_.contains(key)) document_[key] = json::array();

@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr size_t kWidthOfVertexPage = 4096;
-constexpr size_t kMostPageVertices = size_t{1} << 26;
+constexpr size_t kMostColoredVertices = size_t{1} << 26;
 
 } // namespace
 
@@ -35,7 +35,7 @@ void addVertexPage(Scan& scan, Transfer transfer, const std::string& file)
         count += mesh.positions.size();
     }
     if (count == 0) return;
-    if (count > kMostPageVertices)
+    if (count > kMostColoredVertices)
         fail(ErrorCode::unsupported, file,
              "has more coloured vertices than relamp works on; simplify it");
 

@@ -5,12 +5,14 @@
 #include "scan/page_builder.h"
 #include "scan/ply_file.h"
 #include "scan/scan_frame.h"
+#include "scan/scan_limits.h"
 #include "scan/scan_textures.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string_view>
 
 #include <meshoptimizer.h>
@@ -80,6 +82,18 @@ bool facesHaveCoordinates(const PlyHeader& header)
         });
 }
 
+/// Whether faces or vertices have any.
+bool hasCoordinates(const PlyHeader& header)
+{
+    return facesHaveCoordinates(header) ||
+           std::any_of(
+               header.elements.begin(), header.elements.end(), [](const PlyElement& element) {
+                   return element.name == "vertex" &&
+                          std::any_of(element.properties.begin(), element.properties.end(),
+                                      [](const auto& property) { return slotOf(property) == u; });
+               });
+}
+
 class PlyReader
 {
 public:
@@ -88,7 +102,8 @@ public:
         : name_(file.string()), options_(options), skipped_(options),
           header_(parsePlyHeader(bytes, name_)),
           body_(bytes.subspan(header_.size), header_.encoding, name_), textures_(file, options),
-          hasCornerUvs_(facesHaveCoordinates(header_))
+          hasCornerUvs_(facesHaveCoordinates(header_)),
+          hasCoordinates_(!header_.textureFiles.empty() && hasCoordinates(header_))
     {
         scan_.name = file.stem().string();
         scan_.worldFromFile = worldFromFile(options);
@@ -104,6 +119,7 @@ private:
                      uint32_t texture);
     void skip(const PlyElement& element);
     Part& partOf(uint32_t texture);
+    void takeOwnVertices(const Part& part, Mesh& mesh, std::vector<glm::vec3>& normals);
     void finish(Part& part);
     int pageOf(const Part& part);
     void splitAtSeams(const Part& part, Mesh& mesh, std::vector<glm::vec3>& normals) const;
@@ -120,7 +136,10 @@ private:
     Mesh vertices_; // positions, uvs and colours, no triangles
     std::vector<glm::vec3> normals_;
     std::vector<Part> parts_;
+    std::map<uint32_t, size_t> partOfTexture_; // of these
+    std::vector<uint32_t> newIndex_;           // of vertices; while a part takes its own
     bool hasCornerUvs_;
+    bool hasCoordinates_; // and pictures
 };
 
 void PlyReader::takeVertex(const std::array<double, kSlots>& row,
@@ -161,9 +180,8 @@ void PlyReader::takeVertices(const PlyElement& element)
 
 Part& PlyReader::partOf(uint32_t texture)
 {
-    const auto isSame = [&](const Part& part) { return part.texture == texture; };
-    const auto found = std::find_if(parts_.begin(), parts_.end(), isSame);
-    return found != parts_.end() ? *found : parts_.emplace_back(Part{texture, {}, {}});
+    const auto [found, isNew] = partOfTexture_.try_emplace(texture, parts_.size());
+    return isNew ? parts_.emplace_back(Part{texture, {}, {}}) : parts_[found->second];
 }
 
 void PlyReader::takePolygon(const std::vector<double>& vertices, const std::vector<double>& uvs,
@@ -184,7 +202,6 @@ void PlyReader::takePolygon(const std::vector<double>& vertices, const std::vect
 
 void PlyReader::takeFaces(const PlyElement& element)
 {
-    constexpr uint32_t kMostTextures = 4096;
     std::vector<double> vertices;
     std::vector<double> uvs;
     std::vector<double> other;
@@ -199,7 +216,8 @@ void PlyReader::takeFaces(const PlyElement& element)
             body_.next(property, values);
             if (property.name == "texnumber" && !values.empty()) texture = indexFrom(values[0]);
         }
-        if (texture >= kMostTextures) texture = 0; // -1 says that a face has none
+        if (texture >= kMostPages) texture = 0; // -1 says that a face has none
+        if (!hasCoordinates_) texture = 0;      // no picture can be shown
         takePolygon(vertices, uvs, texture);
     }
 }
@@ -266,6 +284,24 @@ void PlyReader::checkColors() const
          "names a picture but has no texture coordinates.\nUnwrap it first.");
 }
 
+/// Those that its triangles use, in the order of the file: every part may use but a few of all.
+void PlyReader::takeOwnVertices(const Part& part, Mesh& mesh, std::vector<glm::vec3>& normals)
+{
+    std::vector<uint32_t> own;
+    for (const glm::uvec3& t : part.triangles) own.insert(own.end(), {t.x, t.y, t.z});
+    std::sort(own.begin(), own.end());
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+    newIndex_.resize(vertices_.positions.size());
+    for (const uint32_t vertex : own) {
+        newIndex_[vertex] = static_cast<uint32_t>(mesh.positions.size());
+        mesh.positions.push_back(vertices_.positions[vertex]);
+        mesh.uvs.push_back(vertices_.uvs[vertex]);
+        if (!normals_.empty()) normals.push_back(normals_[vertex]);
+    }
+    for (const glm::uvec3& t : part.triangles)
+        mesh.triangles.emplace_back(newIndex_[t.x], newIndex_[t.y], newIndex_[t.z]);
+}
+
 void PlyReader::finish(Part& part)
 {
     Mesh mesh;
@@ -277,16 +313,14 @@ void PlyReader::finish(Part& part)
     if (hasPictures && hasCornerUvs_) {
         splitAtSeams(part, mesh, normals);
         mesh.page = pageOf(part);
-    } else {
+    } else if (hasPictures && !vertices_.uvs.empty()) {
+        takeOwnVertices(part, mesh, normals);
+        mesh.page = pageOf(part);
+    } else { // all, in the order of the file
         mesh.positions = vertices_.positions;
         mesh.triangles = std::move(part.triangles);
         normals = normals_;
-        if (hasPictures && !vertices_.uvs.empty()) {
-            mesh.uvs = vertices_.uvs;
-            mesh.page = pageOf(part);
-        } else {
-            mesh.colors = vertices_.colors;
-        }
+        mesh.colors = vertices_.colors;
     }
     finishMesh(mesh, std::move(normals), name_, scan_.warnings);
     if (!mesh.triangles.empty()) scan_.meshes.push_back(std::move(mesh));

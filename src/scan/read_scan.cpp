@@ -4,6 +4,7 @@
 #include "scan/assimp_read.h"
 #include "scan/gltf_read.h"
 #include "scan/ply_read.h"
+#include "scan/scan_limits.h"
 
 #include <algorithm>
 #include <cctype>
@@ -73,6 +74,8 @@ Scan readScan(const std::filesystem::path& file, const ScanOptions& options, Pro
     Scan scan = readByFormat(file, options, progress);
     scan.file = file;
     scan.options = options;
+    checkCounts(scan, file.string());
+    shortenWarnings(scan.warnings);
     return options.longestSide > 0 ? coarsened(std::move(scan), options.longestSide) : scan;
 }
 

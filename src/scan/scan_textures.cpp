@@ -2,6 +2,7 @@
 
 #include "base/fail.h"
 #include "base/parallel.h"
+#include "scan/scan_limits.h"
 
 #include <algorithm>
 #include <span>
@@ -11,11 +12,9 @@ namespace relamp
 
 int ScanTextures::pageOf(const std::string& name, const std::string& namedBy)
 {
-    const auto isSame = [&](const Wanted& wanted) { return wanted.name == name; };
-    const auto found = std::find_if(wanted_.begin(), wanted_.end(), isSame);
-    const auto index = static_cast<int>(found - wanted_.begin());
-    if (found == wanted_.end()) wanted_.push_back({name, namedBy});
-    return index;
+    const auto [found, isNew] = indexOf_.try_emplace(name, static_cast<int>(wanted_.size()));
+    if (isNew) wanted_.push_back({name, namedBy});
+    return found->second;
 }
 
 std::filesystem::path ScanTextures::find(const Wanted& wanted) const
@@ -39,6 +38,14 @@ std::filesystem::path ScanTextures::find(const Wanted& wanted) const
 std::vector<Page> ScanTextures::read(const std::map<std::string, std::vector<std::byte>>& embedded,
                                      Progress& progress) const
 {
+    uint64_t bytes = 0;
+    std::error_code ignored;
+    for (const Wanted& wanted : wanted_) {
+        const auto inside = embedded.find(wanted.name);
+        bytes += inside != embedded.end() ? inside->second.size()
+                                          : std::filesystem::file_size(find(wanted), ignored);
+    }
+    PagePixels pixels(wanted_.size(), bytes, scanFile_.string());
     std::vector<Page> pages(wanted_.size());
     Progress::Stage stage(progress, "read", pages.size());
     forEach(pages.size(), [&](size_t i) {
@@ -50,6 +57,7 @@ std::vector<Page> ScanTextures::read(const std::map<std::string, std::vector<std
                             fmt::format("{}: texture \"{}\"", scanFile_.string(), wanted_[i].name),
                             transfer_)
                 : readImage(find(wanted_[i]), transfer_);
+        pixels.add(pages[i].image.pixels());
         stage.advance();
     });
     return pages;

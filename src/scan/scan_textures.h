@@ -40,6 +40,7 @@ private:
     ScanFolder folder_;
     Transfer transfer_;
     std::vector<Wanted> wanted_;
+    std::map<std::string, int> indexOf_; // of these, by name
 };
 
 } // namespace relamp
