@@ -24,8 +24,9 @@ constexpr float kRimFacing = 0.8f;   // cosine
 constexpr float kDark = 1e-4f;       // shading
 constexpr size_t kRaysOfSurfel = 12; // that say whether its texels need to be looked at
 constexpr size_t kRaysOfTexel = 4;
-constexpr size_t kPlacesOfTexel = 16; // that say how much of it is open
-constexpr double kInsideOut = 0.5;    // share of buried texels from which a scan is inside out
+constexpr uint32_t kTexelsOfSurfel = 16; // that are looked at, or up to twice as many
+constexpr size_t kPlacesOfTexel = 16;    // that say how much of it is open
+constexpr double kInsideOut = 0.5;       // share of buried texels from which a scan is inside out
 
 bool meetsBack(const RayScene& scene, const Ray& ray)
 {
@@ -132,7 +133,8 @@ double shareOf(const Texels& texels, const TexelMarks& buried)
 }
 
 /// A mark for each texel of a page: of surfels that `isAsked` is true for what `markOf` says of the
-/// texel, `otherwise` of others.
+/// texel, `otherwise` of others. Of a surfel of very many texels, a few that lie beside each other
+/// on the page share what it says of the middle one.
 template<class IsAsked, class MarkOf>
 std::vector<uint8_t> marksOf(const Texels& texels, size_t p, uint8_t otherwise,
                              const IsAsked& isAsked, const MarkOf& markOf)
@@ -143,8 +145,13 @@ std::vector<uint8_t> marksOf(const Texels& texels, size_t p, uint8_t otherwise,
     forEachChunk(page.runs.size() - 1, 64, [&](size_t begin, size_t end) {
         for (size_t run = begin; run < end; ++run) {
             if (!isAsked(page.runs[run].surfel)) continue;
-            for (uint32_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i)
-                marks[i] = markOf(prints, i);
+            const uint32_t endOfRun = page.runs[run + 1].begin;
+            const uint32_t together =
+                std::max((endOfRun - page.runs[run].begin) / kTexelsOfSurfel, 1u);
+            for (uint32_t i = page.runs[run].begin; i < endOfRun; i += together) {
+                const uint32_t count = std::min(together, endOfRun - i);
+                std::fill_n(&marks[i], count, markOf(prints, i + count / 2));
+            }
         }
     });
     return marks;
