@@ -7,6 +7,7 @@
 #include "lights/emitters.h"
 #include "lights/fixtures.h"
 #include "relamp/error.h"
+#include "scan/overlap.h"
 #include "scan/rays.h"
 #include "shading/buried.h"
 #include "shading/gathered_light.shared.h"

@@ -3,6 +3,7 @@
 #include "albedo/page_layers.h"
 #include "decomposition_state.h"
 #include "relamp/delighter.h"
+#include "scan/overlap.h"
 
 #include <utility>
 
@@ -46,6 +47,7 @@ std::vector<std::string> Decomposition::warnings() const
 {
     const Solution& solution = state_->solution;
     std::vector<std::string> warnings = solution.warnings;
+    if (auto note = noteOn(state_->texels->overlap)) warnings.push_back(std::move(*note));
     if (!solution.engine) return warnings;
     if (std::string note = solution.engine().note; !note.empty())
         warnings.push_back(std::move(note));

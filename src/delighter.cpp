@@ -2,6 +2,7 @@
 
 #include "decomposition_state.h"
 #include "relamp/error.h"
+#include "scan/overlap.h"
 #include "shading/buried.h"
 #include "solve/by_gather.h"
 #include "solve/by_pathtrace.h"

@@ -39,7 +39,14 @@ nlohmann::ordered_json asJson(const relamp::Inspection& found)
             {"squareMetres", found.squareMetres},
             {"millimetresPerTexel", found.millimetresPerTexel},
             {"extent", {extent.x, extent.y, extent.z}},
-            {"overlapShare", found.overlapShare},
+            {"overlapShare", found.overlap.share()},
+            {"overlap",
+             {{"tiled", found.overlap.tiled},
+              {"mirrored", found.overlap.mirrored},
+              {"copied", found.overlap.copied},
+              {"opposite", found.overlap.opposite},
+              {"alike", found.overlap.alike},
+              {"meshes", found.overlap.meshes}}},
             {"pages", std::move(pages)},
             {"problems", found.problems}};
 }
@@ -52,7 +59,7 @@ void print(const std::string& file, const relamp::Inspection& found)
              found.squareMetres);
     printOut("  size      {:.2f} x {:.2f} x {:.2f} m (x, y up, z)\n", extent.x, extent.y, extent.z);
     printOut("  texels    {} covered, {:.1f} mm each, {:.2f} % overlapping\n", found.texels,
-             found.millimetresPerTexel, 100.0 * found.overlapShare);
+             found.millimetresPerTexel, 100.0 * found.overlap.share());
     for (size_t i = 0; i < found.pages.size(); ++i) {
         const relamp::PageInspection& page = found.pages[i];
         if (page.ofVertices)

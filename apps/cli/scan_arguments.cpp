@@ -54,6 +54,8 @@ void addScanArguments(CLI::App& command, ScanArguments& arguments)
     command.add_flag("--allow-outside", options.allowOutside,
                      "Let the scan name files outside of its folder; a stranger's could carry them "
                      "off");
+    command.add_flag("--allow-overlap", options.allowOverlap,
+                     "Go on where many texels stand for several places");
     command.add_option("--threads", arguments.threads, "Threads to work with; 0 is one a core [0]")
         ->check(between(0, 1024))
         ->type_name("N");

@@ -50,15 +50,16 @@ struct DelightOptions
 /// Why an albedo cannot be believed.
 enum class Doubt : uint8_t {
     none,
-    clipped,        // the texture is burnt out there
-    shines,         // it is a lamp; its own colour cannot be seen
-    unlit,          // so little light that the division is a guess
-    unseen,         // most of what lights it is not in the scan
-    backFace,       // most of what it faces is seen from behind, where the texture says nothing
-    penumbra,       // the shadow edges in the texture are not where the lamps put them
-    whiterThanPaper // it got more light than was found, or shines by polish
+    clipped,         // the texture is burnt out there
+    shines,          // it is a lamp; its own colour cannot be seen
+    unlit,           // so little light that the division is a guess
+    unseen,          // most of what lights it is not in the scan
+    backFace,        // most of what it faces is seen from behind, where the texture says nothing
+    penumbra,        // the shadow edges in the texture are not where the lamps put them
+    whiterThanPaper, // it got more light than was found, or shines by polish
+    shared           // the texel stands for several places in different light
 };
-constexpr size_t kDoubts = 8;
+constexpr size_t kDoubts = 9;
 
 /// What delight makes of one page: pictures of the page's size. RGB as linear IEEE half floats,
 /// 3 * width * height; pixels that no surface covers continue what lies next to them.
@@ -117,7 +118,8 @@ private:
 /// Takes the light out of a scan, once; a Delighter does again and again. The scan must outlive the
 /// result.
 ///
-/// Throws Error(unsupported) where the scan's texels cannot be told apart (overlapping UVs) or a
+/// Throws Error(unsupported) where too many texels of the scan stand for several places (see
+/// ScanOptions::allowOverlap) or a
 /// GPU is asked for that this solver has no use for, Error(device) where one is that is not there,
 /// and Error(cancelled).
 RELAMP_API Decomposition delight(const Scan& scan, const DelightOptions& options,

@@ -23,6 +23,21 @@ struct PageInspection
     size_t charts = 0;     // connected pieces of its UV layout
 };
 
+/// Texels that stand for more than one place, by how these places are to each other: shares of all,
+/// 0..1.
+struct Overlap
+{
+    double tiled = 0.0;              // the texture starts anew beyond its edge
+    double mirrored = 0.0;           // two places show one part of it, one of them turned over
+    double copied = 0.0;             // two places show one part of it
+    double opposite = 0.0;           // two surfaces within 2 cm of each other that face apart
+    double alike = 0.0;              // likewise, facing alike: they get the same light
+    std::vector<std::string> meshes; // that have most of them, five at most
+
+    [[nodiscard]] double inOtherLight() const { return tiled + mirrored + copied + opposite; }
+    [[nodiscard]] double share() const { return inOtherLight() + alike; }
+};
+
 /// What a scan is, and what delight will make of it.
 struct Inspection
 {
@@ -32,7 +47,7 @@ struct Inspection
     double squareMetres = 0.0;
     double millimetresPerTexel = 0.0;
     Bounds bounds;
-    double overlapShare = 0.0; // of texels that stand for several places, 0..1
+    Overlap overlap;
     std::vector<PageInspection> pages;
     std::vector<std::string> problems; // a sentence each, with what to do about it
 };

@@ -15,7 +15,8 @@ static_assert(areSame(Doubt::none, kDoubtNone) && areSame(Doubt::clipped, kDoubt
               areSame(Doubt::shines, kDoubtShines) && areSame(Doubt::unlit, kDoubtUnlit) &&
               areSame(Doubt::unseen, kDoubtUnseen) && areSame(Doubt::backFace, kDoubtBackFace) &&
               areSame(Doubt::penumbra, kDoubtPenumbra) &&
-              areSame(Doubt::whiterThanPaper, kDoubtWhiterThanPaper));
+              areSame(Doubt::whiterThanPaper, kDoubtWhiterThanPaper) &&
+              areSame(Doubt::shared, kDoubtShared));
 
 } // namespace
 

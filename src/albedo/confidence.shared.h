@@ -19,6 +19,7 @@ const uint kDoubtUnseen = 4u;
 const uint kDoubtBackFace = 5u;
 const uint kDoubtPenumbra = 6u;
 const uint kDoubtWhiterThanPaper = 7u;
+const uint kDoubtShared = 8u;
 
 struct Rated
 {

@@ -1,5 +1,7 @@
 #include "albedo/confidence.h"
 
+#include "albedo/layer_parts.h"
+
 #include <gmock/gmock.h>
 
 namespace relamp
@@ -56,6 +58,17 @@ TEST(Confidence, DoubtsMultiply)
 {
     EXPECT_NEAR(confidenceOf(kGrey, true, kLit, kDarkest, {.seen = 0.5f, .edges = 0.5f}).value,
                 0.25f, 1e-6f);
+}
+
+// It keeps the doubt that weighs more than that the texel stands for several places.
+TEST(Confidence, OfTexelsOfSeveralPlacesIsAQuarter)
+{
+    PageLayers layers{.confidence = {255, 100, 40, 0},
+                      .doubt = {Doubt::none, Doubt::unseen, Doubt::unlit, Doubt::clipped}};
+    for (uint32_t pixel = 0; pixel < 4; ++pixel) doubtShared(pixel, layers);
+    EXPECT_THAT(layers.confidence, testing::ElementsAre(64, 25, 10, 0));
+    EXPECT_THAT(layers.doubt,
+                testing::ElementsAre(Doubt::shared, Doubt::shared, Doubt::unlit, Doubt::clipped));
 }
 
 } // namespace relamp

@@ -10,6 +10,7 @@ namespace relamp
 namespace
 {
 
+constexpr uint8_t kConfidenceOfShared = 64; // of 255: one place in four may be right
 constexpr double kUnitsOfArea = 1e9; // a square metre; a thousandth of a square millimetre is one
 
 } // namespace
@@ -34,6 +35,13 @@ void dropDarkEmission(PageLayers& layers)
 {
     const auto isDark = [](uint8_t value) { return value == 0; };
     if (std::all_of(layers.emission.begin(), layers.emission.end(), isDark)) layers.emission = {};
+}
+
+void doubtShared(uint32_t pixel, PageLayers& layers)
+{
+    uint8_t& confidence = layers.confidence[pixel];
+    if (confidence > kConfidenceOfShared) layers.doubt[pixel] = Doubt::shared;
+    confidence = static_cast<uint8_t>(confidence * kConfidenceOfShared / 255);
 }
 
 /// Whole numbers, whose sum does not depend on their order.

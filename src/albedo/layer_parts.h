@@ -24,6 +24,10 @@ void storeEmission(glm::vec3 radiance, uint32_t pixel, std::vector<uint8_t>& emi
 /// Empties the emission where nothing shines.
 void dropDarkEmission(PageLayers& layers);
 
+/// Rates a texel again that stands for several places in different light: its albedo is right for
+/// one of them at most. What has more against it keeps its doubt. Thread safe for different pixels.
+void doubtShared(uint32_t pixel, PageLayers& layers);
+
 /// Surface of a page by doubt.
 class AreaOfDoubts
 {

@@ -105,6 +105,7 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
                      solved_.trust.empty() ? SurfelTrust{} : solved_.trust[block.surfel[i]]);
     layers_.confidence[pixel] = confidence.byte();
     layers_.doubt[pixel] = confidence.doubt;
+    if (!texels_.isShared.empty() && texels_.isShared[pixel]) doubtShared(pixel, layers_);
     if (!solved_.fill.empty())
         fillChannels(radiance, total, solved_.fill[block.surfel[i]], albedo.lack[i], rho);
 }

@@ -158,6 +158,9 @@ PageLayers layersFrom(const LayerPictures& pictures, const Texels& texels, size_
     unpack(pictures.direct, layers.direct);
     unpack(pictures.indirect, layers.indirect);
     const bool anyShines = unpackRating(pictures.rating, layers);
+    const std::vector<bool>& isShared = texels.pages[page].isShared;
+    for (uint32_t pixel = 0; pixel < isShared.size(); ++pixel)
+        if (isShared[pixel] && layers.doubt[pixel] != Doubt::shines) doubtShared(pixel, layers);
     addEmissionAndAreas(texels, page, anyShines, layers);
     return layers;
 }

@@ -172,6 +172,20 @@ TEST_F(GpuPageLayers, TakeThePicturesOfAnotherPage)
     scenes::expectAlike(layersFrom(pictures, lit.texels, 0), lit.byCpu({}));
 }
 
+TEST_F(GpuPageLayers, RateTexelsOfSeveralPlacesAsTheCpuDoes)
+{
+    Scan scan = motleyRoom();
+    scan.meshes.push_back(scan.meshes[0]);
+    scan.meshes[1].triangles.resize(2); // a wall once more, in the middle of the room
+    scan.meshes[1].normals.resize(6);
+    for (glm::vec3& p : scan.meshes[1].positions) p += glm::vec3(1.0f);
+    Lit lit(std::move(scan));
+    lit.sayAll();
+    const PageLayers found = lit.byGpu(device(), {});
+    EXPECT_GT(found.area[static_cast<size_t>(Doubt::shared)], 1.0);
+    scenes::expectAlike(found, lit.byCpu({}));
+}
+
 // White is no end of a texture of floats.
 TEST_F(GpuPageLayers, NothingIsBurntOutWhereWhiteIsNoEnd)
 {

@@ -3,6 +3,7 @@
 #include "flatten/flatten.h"
 #include "image/gutter.h"
 #include "relamp/flattened.h"
+#include "scan/overlap.h"
 
 #include <utility>
 

@@ -1,6 +1,7 @@
 #include "output/report.h"
 
 #include "base/json.h"
+#include "decomposition_state.h"
 #include "relamp/version.h"
 #include "relight/photometry.h"
 
@@ -64,10 +65,12 @@ ordered_json scanAsJson(const Scan& scan, const Decomposition& result, const Wri
                  {"transfer", nameOf(scan.options.transfer)},
                  {"longestSide", scan.options.longestSide},
                  {"skippedMeshes", scan.options.skipMeshes},
+                 {"allowOverlap", scan.options.allowOverlap},
                  {"triangles", scan.triangleCount()},
                  {"meshes", scan.meshes.size()},
                  {"pages", std::move(pages)},
                  {"texels", result.texelCount()},
+                 {"overlapShare", std::round(result.state().texels->overlap.share() * 1e4) / 1e4},
                  {"squareMetres", std::round(result.area() * 1e3) / 1e3},
                  {"extent", toJson(boundsOf(scan).extent())}});
     return json;
@@ -191,8 +194,9 @@ ordered_json lightsAsReport(const Decomposition& result)
 /// Shares of the area.
 ordered_json confidenceAsJson(const std::array<double, kDoubts>& area)
 {
-    constexpr const char* kNames[kDoubts] = {"",       "clipped",  "shines",   "unlit",
-                                             "unseen", "backFace", "penumbra", "whiterThanPaper"};
+    constexpr const char* kNames[kDoubts] = {"",         "clipped",         "shines",
+                                             "unlit",    "unseen",          "backFace",
+                                             "penumbra", "whiterThanPaper", "shared"};
     const double all = std::max(std::accumulate(area.begin(), area.end(), 0.0), 1e-30);
     const auto share = [&](double part) { return std::round(part / all * 1e4) / 1e4; };
     ordered_json low = ordered_json::object();

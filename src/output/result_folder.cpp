@@ -50,6 +50,7 @@ FormerRun runFrom(const JsonItem& report, const std::filesystem::path& folder)
     run.scan.transfer = transferNamed(scan.textAt("transfer"));
     run.scan.longestSide = static_cast<int>(scan.whole("longestSide", 0, kLongestPageSide, 0));
     run.scan.skipMeshes = scan.texts("skippedMeshes");
+    run.scan.allowOverlap = scan.flag("allowOverlap", false);
     // Lamps are found on surfels as they were then, and so are the same.
     if (options.text("quality", "standard") == "draft") run.gather.quality = Quality::draft;
     run.gather.rays = static_cast<int>(options.whole("rays", 0, kMostRays, run.gather.rays));

@@ -4,6 +4,7 @@
 #include "relight/relighter_state.h"
 #include "relight/relit_page.h"
 #include "relight/room_transport.h"
+#include "scan/overlap.h"
 #include "shading/buried.h"
 #include "solve/found_room.h"
 

@@ -3,8 +3,12 @@
 #include "base/parallel.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <map>
 #include <numeric>
+
+#include <glm/common.hpp>
 
 namespace relamp
 {
@@ -13,6 +17,7 @@ namespace
 
 constexpr uint32_t kNobody = ~0u;
 constexpr int kRowsOfBand = 32;
+constexpr uint8_t kRepeated = 1u << kOverlapKinds; // a bit beside those of OverlapKind
 constexpr double kInside =
     0.01; // pixels from every edge; nearer, two neighbours may both touch a centre
 
@@ -69,6 +74,17 @@ struct PageSize
     int width;
     int height;
 };
+
+/// Which tile a triangle lies on; of axes that are not repeated, the first.
+glm::ivec2 tileOf(const Mesh& mesh, const glm::uvec3& triangle)
+{
+    constexpr double kFar = 1e9;
+    const glm::dvec2 sum = glm::dvec2(mesh.uvs[triangle.x]) + glm::dvec2(mesh.uvs[triangle.y]) +
+                           glm::dvec2(mesh.uvs[triangle.z]);
+    const glm::dvec2 tile = glm::clamp(glm::floor(sum / 3.0), -kFar, kFar);
+    return {mesh.wrapU == Wrap::clamp ? 0 : static_cast<int>(tile.x),
+            mesh.wrapV == Wrap::clamp ? 0 : static_cast<int>(tile.y)};
+}
 
 using Polygon = std::vector<glm::dvec2>;
 
@@ -150,41 +166,98 @@ private:
         uint32_t facet;
         PixelTriangle triangle;
         RowRange rows;
+        glm::ivec2 tile;     // of the plane that the page repeats over
+        bool isCopy = false; // what lies beyond the page, moved to where the page shows it
+    };
+    /// Rows that are drawn together.
+    struct Band
+    {
+        int firstRow;
+        std::vector<uint32_t> owner;      // of pixels: index of a candidate
+        std::vector<uint8_t> kinds;       // of pixels: a bit for each OverlapKind and kRepeated
+        std::map<size_t, uint32_t> front; // of pixels that skins share: the candidate that is seen
     };
 
-    void collect(const Facets& facets, uint32_t page);
+    void collect(uint32_t page);
+    void addCopies(const Candidate& candidate, const Mesh& mesh);
+    void add(const Candidate& candidate);
     void sortIntoBands();
-    void drawBand(int band, PageCoverage& coverage) const;
-    void drawFacet(const Candidate& candidate, RowRange rows, std::vector<uint32_t>& owner,
-                   PageCoverage& coverage) const;
+    void drawBand(int index, PageCoverage& coverage) const;
+    void drawFacet(uint32_t index, RowRange rows, Band& band, PageCoverage& coverage) const;
+    void contest(uint32_t index, glm::ivec2 pixel, size_t at, Band& band,
+                 PageCoverage& coverage) const;
 
     const Scan& scan_;
+    const Facets& facets_;
     PageSize size_;
     std::vector<Candidate> candidates_;
     std::vector<uint32_t> beginOfBand_; // into candidatesOfBand_
     std::vector<uint32_t> candidatesOfBand_;
     double outside_ = 0.0;
+    std::map<uint32_t, double> outsideOf_; // by mesh
 };
 
 PageRaster::PageRaster(const Scan& scan, const Facets& facets, uint32_t page)
-    : scan_(scan), size_{scan.pages[page].image.width, scan.pages[page].image.height}
+    : scan_(scan),
+      facets_(facets), size_{scan.pages[page].image.width, scan.pages[page].image.height}
 {
-    collect(facets, page);
+    collect(page);
     sortIntoBands();
 }
 
-void PageRaster::collect(const Facets& facets, uint32_t page)
+void PageRaster::add(const Candidate& candidate)
+{
+    const auto& corner = candidate.triangle.corner;
+    const auto [low, high] = std::minmax({corner[0].x, corner[1].x, corner[2].x});
+    const RowRange rows = rowsOf(candidate.triangle, size_.height);
+    if (high < 0.0 || low > size_.width - 1.0 || rows.begin >= rows.end) return;
+    candidates_.push_back(candidate);
+    candidates_.back().rows = rows;
+}
+
+/// Tiles far beyond the page are left out: what reaches there is counted, and refused as a rule.
+void PageRaster::addCopies(const Candidate& candidate, const Mesh& mesh)
+{
+    constexpr int kReach = 2; // tiles
+    const glm::dvec2 size(size_.width, size_.height);
+    const Wrap wraps[2] = {mesh.wrapU, mesh.wrapV};
+    for (int j = -kReach; j <= kReach; ++j)
+        for (int i = -kReach; i <= kReach; ++i) {
+            if (i == 0 && j == 0) continue;
+            Candidate copy = candidate;
+            copy.isCopy = true;
+            bool isShown = true;
+            for (int axis = 0; axis < 2; ++axis) {
+                const int tile = axis == 0 ? i : j;
+                isShown = isShown && (tile == 0 || wraps[axis] != Wrap::clamp);
+                for (glm::dvec2& corner : copy.triangle.corner) {
+                    corner[axis] -= tile * size[axis];
+                    if (wraps[axis] == Wrap::mirror && tile % 2 != 0)
+                        corner[axis] = size[axis] - 1.0 - corner[axis];
+                }
+            }
+            if (isShown) add(copy);
+        }
+}
+
+void PageRaster::collect(uint32_t page)
 {
     for (uint32_t m = 0; m < scan_.meshes.size(); ++m) {
         const Mesh& mesh = scan_.meshes[m];
         if (mesh.page != static_cast<int>(page)) continue;
         for (size_t i = 0; i < mesh.triangles.size(); ++i) {
-            const auto facet = static_cast<uint32_t>(facets.firstOfMesh[m] + i);
-            if (facets.facets[facet].texelArea <= 0.0f) continue;
-            const PixelTriangle triangle = pixelTriangle(scan_, mesh, mesh.triangles[i]);
-            outside_ += areaOutside(triangle, size_);
-            const RowRange rows = rowsOf(triangle, size_.height);
-            if (rows.begin < rows.end) candidates_.push_back({facet, triangle, rows});
+            const auto facet = static_cast<uint32_t>(facets_.firstOfMesh[m] + i);
+            if (facets_.facets[facet].texelArea <= 0.0f) continue;
+            const Candidate candidate{.facet = facet,
+                                      .triangle = pixelTriangle(scan_, mesh, mesh.triangles[i]),
+                                      .rows = {},
+                                      .tile = tileOf(mesh, mesh.triangles[i])};
+            add(candidate);
+            const double outside = areaOutside(candidate.triangle, size_);
+            if (outside <= 0.0) continue;
+            outside_ += outside;
+            outsideOf_[m] += outside;
+            addCopies(candidate, mesh);
         }
     }
 }
@@ -207,47 +280,79 @@ void PageRaster::sortIntoBands()
     forEachBand([&](size_t band, uint32_t i) { candidatesOfBand_[next[band]++] = i; });
 }
 
-void PageRaster::drawFacet(const Candidate& candidate, RowRange rows, std::vector<uint32_t>& owner,
-                           PageCoverage& coverage) const
+/// A second facet wants the inside of a texel.
+void PageRaster::contest(uint32_t index, glm::ivec2 pixel, size_t at, Band& band,
+                         PageCoverage& coverage) const
 {
+    const Candidate& owner = candidates_[band.owner[at]];
+    const Candidate& other = candidates_[index];
+    const Facet& ofOwner = facets_.facets[owner.facet];
+    const Facet& ofOther = facets_.facets[other.facet];
+    const OverlapKind kind = overlapKindOf(ofOwner, ofOther, pixel, owner.tile == other.tile);
+    if (band.kinds[at] % kRepeated == 0) {
+        coverage.inMesh[ofOwner.mesh] += 1.0;
+        if (ofOther.mesh != ofOwner.mesh) coverage.inMesh[ofOther.mesh] += 1.0;
+    }
+    band.kinds[at] = static_cast<uint8_t>(band.kinds[at] | 1u << static_cast<unsigned>(kind));
+    if (kind != OverlapKind::alike) return;
+    uint32_t& front = band.front.try_emplace(at, band.owner[at]).first->second;
+    if (isBefore(facets_.facets[candidates_[front].facet], ofOther, pixel)) front = index;
+}
+
+void PageRaster::drawFacet(uint32_t index, RowRange rows, Band& band, PageCoverage& coverage) const
+{
+    const Candidate& candidate = candidates_[index];
     const EdgeTriangle edges(candidate.triangle);
-    const int firstRow = rows.begin / kRowsOfBand * kRowsOfBand;
     for (int y = rows.begin; y < rows.end; ++y) {
         const Row row = edges.row(y, 0.0);
         const RowRange columns = columnsOf(row, size_.width);
         const Row inner = edges.row(y, kInside);
-        uint32_t* pixels =
-            owner.data() + static_cast<size_t>(y - firstRow) * static_cast<size_t>(size_.width);
+        const size_t first =
+            static_cast<size_t>(y - band.firstRow) * static_cast<size_t>(size_.width);
         for (int x = columns.begin; x < columns.end; ++x) {
-            if (pixels[x] == kNobody)
-                pixels[x] = candidate.facet;
-            else if (x >= inner.begin && x <= inner.end)
-                ++coverage.contested;
+            const size_t at = first + static_cast<size_t>(x);
+            const bool isInside = x >= inner.begin && x <= inner.end;
+            if (candidate.isCopy)
+                band.kinds[at] |= isInside ? kRepeated : uint8_t{0};
+            else if (band.owner[at] == kNobody)
+                band.owner[at] = index;
+            else if (isInside)
+                contest(index, {x, y}, at, band, coverage);
         }
     }
 }
 
-void PageRaster::drawBand(int band, PageCoverage& coverage) const
+void PageRaster::drawBand(int index, PageCoverage& coverage) const
 {
-    const int firstRow = band * kRowsOfBand;
+    const int firstRow = index * kRowsOfBand;
     const int endRow = std::min(firstRow + kRowsOfBand, size_.height);
     const auto width = static_cast<size_t>(size_.width);
-    std::vector<uint32_t> owner(width * static_cast<size_t>(endRow - firstRow), kNobody);
-    for (uint32_t i = beginOfBand_[static_cast<size_t>(band)];
-         i < beginOfBand_[static_cast<size_t>(band) + 1]; ++i) {
-        const Candidate& candidate = candidates_[candidatesOfBand_[i]];
-        const RowRange rows{std::max(candidate.rows.begin, firstRow),
-                            std::min(candidate.rows.end, endRow)};
-        drawFacet(candidate, rows, owner, coverage);
+    const size_t pixels = width * static_cast<size_t>(endRow - firstRow);
+    Band band{firstRow, std::vector<uint32_t>(pixels, kNobody), std::vector<uint8_t>(pixels), {}};
+    for (uint32_t i = beginOfBand_[static_cast<size_t>(index)];
+         i < beginOfBand_[static_cast<size_t>(index) + 1]; ++i) {
+        const RowRange& rows = candidates_[candidatesOfBand_[i]].rows;
+        drawFacet(candidatesOfBand_[i],
+                  {std::max(rows.begin, firstRow), std::min(rows.end, endRow)}, band, coverage);
     }
+    for (const auto& [at, front] : band.front)
+        coverage.inFront.emplace_back(
+            static_cast<uint32_t>(static_cast<size_t>(firstRow) * width + at),
+            candidates_[front].facet);
     const size_t covered =
-        owner.size() - static_cast<size_t>(std::count(owner.begin(), owner.end(), kNobody));
+        pixels - static_cast<size_t>(std::count(band.owner.begin(), band.owner.end(), kNobody));
     coverage.pixel.reserve(covered);
     coverage.facet.reserve(covered);
-    for (size_t i = 0; i < owner.size(); ++i) {
-        if (owner[i] == kNobody) continue;
-        coverage.pixel.push_back(static_cast<uint32_t>(static_cast<size_t>(firstRow) * width + i));
-        coverage.facet.push_back(owner[i]);
+    for (size_t i = 0; i < pixels; ++i) {
+        if (band.owner[i] == kNobody) continue;
+        const auto pixel = static_cast<uint32_t>(static_cast<size_t>(firstRow) * width + i);
+        coverage.pixel.push_back(pixel);
+        coverage.facet.push_back(candidates_[band.owner[i]].facet);
+        if (const unsigned kinds = band.kinds[i]; kinds >= kRepeated)
+            coverage.shared.push_back({pixel, OverlapKind::tiled, kinds > kRepeated});
+        else if (kinds != 0)
+            coverage.shared.push_back(
+                {pixel, static_cast<OverlapKind>(std::bit_width(kinds) - 1), true});
     }
 }
 
@@ -258,6 +363,7 @@ PageCoverage PageRaster::run()
 
     PageCoverage whole;
     whole.outside = outside_;
+    whole.inMesh = outsideOf_;
     size_t count = 0;
     for (const PageCoverage& band : bands) count += band.pixel.size();
     whole.pixel.reserve(count);
@@ -265,9 +371,12 @@ PageCoverage PageRaster::run()
     for (PageCoverage& band : bands) {
         whole.pixel.insert(whole.pixel.end(), band.pixel.begin(), band.pixel.end());
         whole.facet.insert(whole.facet.end(), band.facet.begin(), band.facet.end());
-        whole.contested += band.contested;
+        whole.shared.insert(whole.shared.end(), band.shared.begin(), band.shared.end());
+        whole.inFront.insert(whole.inFront.end(), band.inFront.begin(), band.inFront.end());
+        for (const auto& [mesh, texels] : band.inMesh) whole.inMesh[mesh] += texels;
         band = {};
     }
+    if (!whole.isOfSeamsAlone()) whole.showFronts();
     return whole;
 }
 
@@ -288,6 +397,18 @@ PageCoverage coverageOfVertices(const Scan& scan, const Facets& facets)
 }
 
 } // namespace
+
+bool PageCoverage::isOfSeamsAlone() const
+{
+    return static_cast<double>(shared.size()) <= kSeams * static_cast<double>(pixel.size());
+}
+
+void PageCoverage::showFronts()
+{
+    for (const auto& [where, front] : inFront)
+        facet[static_cast<size_t>(std::lower_bound(pixel.begin(), pixel.end(), where) -
+                                  pixel.begin())] = front;
+}
 
 PageCoverage rasterizePage(const Scan& scan, const Facets& facets, uint32_t page)
 {

@@ -3,11 +3,13 @@
 #include "image/burnt_out.shared.h"
 #include "relamp/printable.h"
 #include "scan/charts.h"
+#include "scan/overlap.h"
 #include "scan/texels.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -73,11 +75,7 @@ void findProblems(const Scan& scan, Inspection& result)
     auto& problems = result.problems;
     const glm::vec3 extent = result.bounds.extent();
     const float largest = std::max({extent.x, extent.y, extent.z});
-    if (result.overlapShare > 0.02)
-        problems.push_back(
-            fmt::format("{:.0f} % of its texels stand for several places. delight will refuse it: "
-                        "unwrap it without overlap and bake the texture",
-                        100.0 * result.overlapShare));
+    if (auto note = noteOn(result.overlap)) problems.push_back(std::move(*note));
     if (largest < kSmallestRoom || largest > kLargestRoom)
         problems.push_back(
             fmt::format("it is {:.2f} m long, hardly a room. If its unit is not the metre, say so "
@@ -119,7 +117,7 @@ Inspection inspect(const Scan& scan, Progress& progress)
     result.squareMetres = texels.area;
     result.millimetresPerTexel = 1e3 * std::sqrt(texels.area / static_cast<double>(texels.count()));
     result.bounds = boundsOf(scan);
-    result.overlapShare = texels.overlapShare;
+    result.overlap = texels.overlap;
     const std::vector<size_t> charts = countCharts(scan);
     for (size_t p = 0; p < scan.pages.size(); ++p) {
         result.pages.push_back(inspectPage(scan, texels, p));

@@ -5,10 +5,12 @@
 #include "scan/split_surfels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <utility>
 
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 namespace relamp
@@ -17,7 +19,6 @@ namespace
 {
 
 constexpr double kMostSurfels = 1.5e6;
-constexpr double kMostOverlap = 0.02; // share of texels; more is a tiled texture, not a seam
 constexpr size_t kChunk = size_t{1} << 16;
 constexpr size_t kAhead =
     24; // texels; surface order jumps over the page, and a look ahead hides that
@@ -159,6 +160,62 @@ PageTexels sortBySurfel(const PageCoverage& coverage, const PageKeys& keys,
     return page;
 }
 
+/// Gathers what pages have of it.
+class OverlapSum
+{
+public:
+    void add(const PageCoverage& coverage)
+    {
+        for (const auto& shared : coverage.shared)
+            if (shared.isWanted) texels_[static_cast<size_t>(shared.kind)] += 1.0;
+        texels_[static_cast<size_t>(OverlapKind::tiled)] += coverage.outside;
+        for (const auto& [mesh, texels] : coverage.inMesh) inMesh_[mesh] += texels;
+    }
+    [[nodiscard]] Overlap result(const Scan& scan, double covered) const;
+
+private:
+    std::array<double, kOverlapKinds> texels_{};
+    std::map<uint32_t, double> inMesh_;
+};
+
+Overlap OverlapSum::result(const Scan& scan, double covered) const
+{
+    constexpr size_t kMostNames = 5;
+    double sum = 0.0;
+    for (const double texels : texels_) sum += texels;
+    const auto share = [&](OverlapKind kind) { // what lies beyond the page may be more than all
+        return texels_[static_cast<size_t>(kind)] / std::max({sum, covered, 1.0});
+    };
+    Overlap overlap{.tiled = share(OverlapKind::tiled),
+                    .mirrored = share(OverlapKind::mirrored),
+                    .copied = share(OverlapKind::copied),
+                    .opposite = share(OverlapKind::opposite),
+                    .alike = share(OverlapKind::alike)};
+    std::vector<std::pair<double, uint32_t>> meshes;
+    for (const auto& [mesh, texels] : inMesh_) meshes.emplace_back(-texels, mesh);
+    std::sort(meshes.begin(), meshes.end());
+    for (const auto& [texels, mesh] : meshes) {
+        const std::string& name = scan.meshes[mesh].name;
+        if (overlap.meshes.size() < kMostNames &&
+            std::find(overlap.meshes.begin(), overlap.meshes.end(), name) == overlap.meshes.end())
+            overlap.meshes.push_back(name);
+    }
+    return overlap;
+}
+
+/// Which pixels stand for places in different light; none: empty.
+std::vector<bool> sharedPixels(const PageCoverage& coverage, size_t pixels)
+{
+    std::vector<bool> isShared;
+    if (coverage.isOfSeamsAlone()) return isShared;
+    for (const auto& shared : coverage.shared) {
+        if (shared.kind == OverlapKind::alike) continue;
+        isShared.resize(pixels);
+        isShared[shared.pixel] = true;
+    }
+    return isShared;
+}
+
 } // namespace
 
 size_t PageTexels::runOf(size_t texel) const
@@ -185,11 +242,11 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions&
     texels.facets = buildFacets(scan);
 
     std::vector<PageCoverage> coverages(pages);
-    double ambiguous = 0.0; // texels
+    OverlapSum overlap;
     for (size_t p = 0; p < pages; ++p) {
         coverages[p] = rasterizePage(scan, texels.facets, static_cast<uint32_t>(p));
         texels.area += areaOf(texels, coverages[p]);
-        ambiguous += static_cast<double>(coverages[p].contested) + coverages[p].outside;
+        overlap.add(coverages[p]);
         stage.advance();
     }
 
@@ -206,6 +263,7 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions&
     texels.pages.resize(pages);
     for (size_t p = 0; p < pages; ++p) {
         texels.pages[p] = sortBySurfel(coverages[p], keys[p], surfelKeys);
+        texels.pages[p].isShared = sharedPixels(coverages[p], scan.pages[p].image.pixels());
         coverages[p] = {};
         keys[p] = {};
         stage.advance();
@@ -215,24 +273,12 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions&
     if (surfels.layered) separateLayers(texels);
     if (surfels.connected) findNeighbors(texels.surfels);
 
-    const auto covered = static_cast<double>(texels.count());
-    texels.overlapShare = covered > 0.0 ? std::min(1.0, ambiguous / covered) : 0.0;
+    texels.overlap = overlap.result(scan, static_cast<double>(texels.count()));
     if (texels.count() == 0)
         fail(ErrorCode::unsupported, scan.title(),
              "no texel lies on any triangle: its texture coordinates have no extent. Unwrap it "
              "again");
     return texels;
-}
-
-void checkOverlap(const Texels& texels)
-{
-    if (texels.overlapShare <= kMostOverlap) return;
-    fail(ErrorCode::unsupported, texels.scan->title(),
-         fmt::format(
-             "{:.0f} % of its texels stand for several places (tiled or mirrored texture).\n"
-             "Light can only be taken off where every place has a texel of its own: unwrap it "
-             "without overlap and bake the texture.",
-             100.0 * texels.overlapShare));
 }
 
 TexelSite Texels::siteOf(size_t page, size_t texel) const

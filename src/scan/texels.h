@@ -2,6 +2,7 @@
 
 #include "base/lanes.h"
 #include "base/parallel.h"
+#include "relamp/inspect.h"
 #include "relamp/progress.h"
 #include "relamp/scan.h"
 #include "scan/facets.h"
@@ -28,7 +29,8 @@ struct PageTexels
 
     std::vector<uint32_t> pixel; // row * width + column
     std::vector<uint32_t> facet;
-    std::vector<Run> runs; // ascending; one more than there are, with begin = count()
+    std::vector<Run> runs;      // ascending; one more than there are, with begin = count()
+    std::vector<bool> isShared; // of pixels: stands for places in different light; empty: none does
 
     [[nodiscard]] size_t count() const { return pixel.size(); }
     /// Index of the run that a texel belongs to.
@@ -48,8 +50,8 @@ struct Texels
     Facets facets;
     std::vector<PageTexels> pages; // as Scan::pages
     Surfels surfels;
-    double area = 0.0;         // m^2 of all texels
-    double overlapShare = 0.0; // of texels that stand for more than one place, 0..1
+    double area = 0.0; // m^2 of all texels
+    Overlap overlap;
 
     [[nodiscard]] size_t count() const;
     /// Where texel `texel` of a page lies.
@@ -101,9 +103,6 @@ struct SurfelOptions
 
 /// Rasterises the atlas once and sorts its texels into surfels.
 Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions& surfels = {});
-
-/// Throws Error(unsupported), naming the share, where UVs overlap so much that texels mean nothing.
-void checkOverlap(const Texels& texels);
 
 /// A few texels as structure of arrays, the shape that all kernels work on. A kernel may read a
 /// group of lanes behind the last texel: what is there counts for nothing, but it is a number.

@@ -2,6 +2,7 @@
 
 #include "relamp/error.h"
 #include "relamp/threads.h"
+#include "scan/overlap.h"
 #include "scenes/scenes.h"
 
 #include <cmath>
@@ -164,7 +165,7 @@ TEST(Texels, OverlappingUvsAreRefusedWithTheirShare)
     scan.meshes.push_back(scan.meshes[0]);
     for (glm::vec3& p : scan.meshes[1].positions) p.y += 1.0f;
     const Texels texels = rasterize(scan);
-    EXPECT_NEAR(texels.overlapShare, 1.0, 0.05);
+    EXPECT_NEAR(texels.overlap.share(), 1.0, 0.05);
     try {
         checkOverlap(texels);
         FAIL() << "overlap was accepted";
@@ -178,7 +179,7 @@ TEST(Texels, TiledTexturesCountAsOverlapping)
 {
     Scan scan = scenes::square(2.0f, 64, kGreyPaint);
     for (glm::vec2& uv : scan.meshes[0].uvs) uv *= 4.0f;
-    EXPECT_GT(rasterize(scan).overlapShare, 0.5);
+    EXPECT_GT(rasterize(scan).overlap.share(), 0.5);
 }
 
 // Each triangle is moved so that its centroid lies on the page; of its half a page, an eighth hangs
@@ -190,7 +191,7 @@ TEST(Texels, WhatHangsOverAnyEdgeOfThePageIsAmbiguous)
         for (glm::vec2& uv : scan.meshes[0].uvs) uv += shift;
         const Texels texels = rasterize(scan);
         EXPECT_NEAR(static_cast<double>(texels.count()), 0.75 * 64 * 64, 64.0) << shift.x;
-        EXPECT_NEAR(texels.overlapShare, 1.0 / 3.0, 0.02) << shift.x;
+        EXPECT_NEAR(texels.overlap.share(), 1.0 / 3.0, 0.02) << shift.x;
     }
 }
 
@@ -201,7 +202,7 @@ TEST(Texels, UvsOnAnotherTileAreFoundByWrapping)
     for (glm::vec2& uv : scan.meshes[0].uvs) uv += glm::vec2(3.0f, -2.0f);
     const Texels texels = rasterize(scan);
     EXPECT_EQ(texels.count(), 64u * 64u);
-    EXPECT_EQ(texels.overlapShare, 0.0);
+    EXPECT_EQ(texels.overlap.share(), 0.0);
     forEachTexel(texels, [](const TexelBlock& block, size_t i, uint32_t) {
         ASSERT_NEAR(block.r[i], block.x[i], 2e-3f);
     });
@@ -211,7 +212,7 @@ TEST(Texels, AbsurdUvsNeitherHangNorCrash)
 {
     Scan scan = scenes::square(2.0f, 64, kGreyPaint);
     scan.meshes[0].uvs[0] = {-1e30f, 1e30f};
-    EXPECT_GE(rasterize(scan).overlapShare, 0.0);
+    EXPECT_GE(rasterize(scan).overlap.share(), 0.0);
 }
 
 } // namespace relamp

@@ -226,7 +226,7 @@ TEST_F(WrongGlb, OverlappingTextureCoordinatesAreRefusedWithTheirShare)
 {
     GltfFile file = scenes::texturedSquare();
     file.addNode({{"mesh", 0}, {"translation", {5, 0, 0}}});
-    expectRefused(file, "50 % of its texels stand for several places");
+    expectRefused(file, "50.00 % of its texels stand for several places");
 }
 
 TEST_F(WrongGlb, AMissingPictureIsNamed)
