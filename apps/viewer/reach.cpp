@@ -12,7 +12,7 @@ namespace
 constexpr int kDirections = 1024; // 0.11 rad apart
 constexpr float kSpread = 0.11f;  // rad, over which reaches are averaged: about as far
 constexpr float kNarrow = 0.25f;  // rad, half as wide as what is no wall
-constexpr float kFarthest = 200.0f;
+constexpr float kFarthestReach = 200.0f;
 constexpr float kShare = 0.9f;  // of the way to a wall
 constexpr float kSpace = 0.1f;  // m, to a wall
 constexpr float kLeast = 0.03f; // m, from the place
@@ -80,7 +80,7 @@ void Reach::lookAround(glm::vec3 place)
     if (place_ && glm::distance(*place_, place) < kSame) return;
     place_ = place;
     std::vector<float> seen = look_(place, directions());
-    for (float& distance : seen) distance = std::min(distance, kFarthest);
+    for (float& distance : seen) distance = std::min(distance, kFarthestReach);
     const auto larger = [](float a, float b) { return std::max(a, b); };
     const auto smaller = [](float a, float b) { return std::min(a, b); };
     walls_ = bestNearby(bestNearby(seen, larger), smaller);

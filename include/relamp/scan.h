@@ -26,8 +26,8 @@ struct ScanOptions
     Transfer transfer = Transfer::automatic;
     std::vector<std::string> skipMeshes; // names of meshes to leave out
     bool allowOverlap =
-        false;                 // work on it even where texels that stand for several places spoil it
-    int longestSide = 0;       // pixels; longer textures are halved until they fit; 0: none is
+        false;           // work on it even where texels that stand for several places spoil it
+    int longestSide = 0; // pixels; longer textures are halved until they fit; 0: none is
     bool allowOutside = false; // also files that lie outside of the scan's folder, which a
                                // stranger's scan could carry off
 };

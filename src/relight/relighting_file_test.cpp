@@ -163,15 +163,15 @@ TEST(RelightingFile, NamesTheLineAndTheKeyOfWhatIsWrong)
         HasSubstr("\"size\""));
     EXPECT_THAT(refusalOfLight(shine + R"(, "on": "yes")"), HasSubstr("\"on\" must be true"));
     EXPECT_THAT(refusalOfLight(place + R"("ies": "nowhere.ies")"), HasSubstr("nowhere.ies"));
-    EXPECT_THAT(refusal(R"({"fixtures": [{"name": "window 2"}]})"),
+    EXPECT_THAT(refusalOfLights(R"({"fixtures": [{"name": "window 2"}]})"),
                 HasSubstr("the room's fixtures are: fixture 0, fixture 1"));
-    EXPECT_THAT(refusal(R"({"fixtures": [{"id": 2}]})"),
+    EXPECT_THAT(refusalOfLights(R"({"fixtures": [{"id": 2}]})"),
                 HasSubstr("the room's fixtures are: fixture 0, fixture 1"));
-    EXPECT_THAT(refusal(R"({"fixtures": [{"dim": 2}]})"), HasSubstr("needs an \"id\""));
-    EXPECT_THAT(refusal(R"({"fixtures": "bright"})"), HasSubstr("must be \"on\", \"off\""));
-    EXPECT_THAT(refusal(R"({"sky": 3})"), HasSubstr("\"sky\" must be an object"));
-    EXPECT_THAT(refusal(R"({"sky": {"environment": "no.exr"}})"), HasSubstr("no.exr"));
-    EXPECT_THAT(refusal("{\n\"lights\": [}"), HasSubstr("line 2"));
+    EXPECT_THAT(refusalOfLights(R"({"fixtures": [{"dim": 2}]})"), HasSubstr("needs an \"id\""));
+    EXPECT_THAT(refusalOfLights(R"({"fixtures": "bright"})"), HasSubstr("must be \"on\", \"off\""));
+    EXPECT_THAT(refusalOfLights(R"({"sky": 3})"), HasSubstr("\"sky\" must be an object"));
+    EXPECT_THAT(refusalOfLights(R"({"sky": {"environment": "no.exr"}})"), HasSubstr("no.exr"));
+    EXPECT_THAT(refusalOfLights("{\n\"lights\": [}"), HasSubstr("line 2"));
 }
 
 TEST(RelightingReader, ReadsWhatTextsNameOnce)

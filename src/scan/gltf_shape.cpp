@@ -19,7 +19,7 @@ using nlohmann::json;
 
 constexpr uint64_t kMostBytes = uint64_t{1} << 53; // beyond, numbers of JSON are not exact
 constexpr uint64_t kMostItems = std::numeric_limits<int32_t>::max();
-constexpr double kBrightest = 65504.0; // the largest half float, as which light is kept
+constexpr double kBrightestFactor = 65504.0; // the largest half float, as which light is kept
 
 /// A member of an item, as a message names it.
 struct Place
@@ -132,8 +132,8 @@ void color(json& value, const Place& place)
 {
     numbers<4>(value, place);
     for (const json& item : value)
-        if (item < 0.0 || item > kBrightest)
-            place.fail(fmt::format("4 numbers from 0 to {}", kBrightest));
+        if (item < 0.0 || item > kBrightestFactor)
+            place.fail(fmt::format("4 numbers from 0 to {}", kBrightestFactor));
 }
 
 // ---- objects

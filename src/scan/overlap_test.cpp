@@ -18,7 +18,7 @@ namespace
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Texels rasterize(const Scan& scan)
+Texels rasterizeWhole(const Scan& scan)
 {
     Progress progress;
     return rasterizeAtlas(scan, progress);
@@ -51,7 +51,7 @@ size_t sharedPixels(const Texels& texels)
 
 TEST(Overlap, TwoChartsOnOnePartAreCopied)
 {
-    const Texels texels = rasterize(twoSquares({0.0f, 1.0f, 0.0f}));
+    const Texels texels = rasterizeWhole(twoSquares({0.0f, 1.0f, 0.0f}));
     EXPECT_NEAR(texels.overlap.copied, 1.0, 0.05);
     EXPECT_EQ(texels.overlap.share(), texels.overlap.copied);
     EXPECT_THAT(texels.overlap.meshes, ElementsAre("first", "second"));
@@ -62,14 +62,14 @@ TEST(Overlap, OneOfThemTurnedOverIsMirrored)
 {
     Scan scan = twoSquares({0.0f, 1.0f, 0.0f});
     for (glm::vec2& uv : scan.meshes[1].uvs) uv.x = 1.0f - uv.x;
-    EXPECT_NEAR(rasterize(scan).overlap.mirrored, 1.0, 0.05);
+    EXPECT_NEAR(rasterizeWhole(scan).overlap.mirrored, 1.0, 0.05);
 }
 
 TEST(Overlap, WhatLiesOnAnotherTileIsTiled)
 {
     Scan scan = twoSquares({0.0f, 1.0f, 0.0f});
     for (glm::vec2& uv : scan.meshes[1].uvs) uv.x += 1.0f;
-    EXPECT_NEAR(rasterize(scan).overlap.tiled, 1.0, 0.05);
+    EXPECT_NEAR(rasterizeWhole(scan).overlap.tiled, 1.0, 0.05);
 }
 
 // Half a page beyond the edge lies on the half that shows something else.
@@ -77,7 +77,7 @@ TEST(Overlap, WhatThePageRepeatsBeyondItsEdgeIsShared)
 {
     Scan scan = scenes::square(2.0f, 64, scenes::plain(glm::vec3(0.5f)));
     for (glm::vec2& uv : scan.meshes[0].uvs) uv.x = 1.5f * uv.x - 0.25f;
-    const Texels texels = rasterize(scan);
+    const Texels texels = rasterizeWhole(scan);
     EXPECT_GT(texels.overlap.tiled, 0.2);
     EXPECT_GT(sharedPixels(texels), 500u);
     EXPECT_LT(sharedPixels(texels), 4000u);
@@ -87,7 +87,7 @@ TEST(Overlap, WhatThePageRepeatsBeyondItsEdgeIsShared)
 TEST(Overlap, OfSkinsThatFaceAlikeTheOneInFrontHasTheTexels)
 {
     for (const float up : {0.005f, -0.005f}) {
-        const Texels texels = rasterize(twoSquares({0.0f, up, 0.0f}));
+        const Texels texels = rasterizeWhole(twoSquares({0.0f, up, 0.0f}));
         EXPECT_NEAR(texels.overlap.alike, 1.0, 0.05);
         EXPECT_EQ(texels.overlap.inOtherLight(), 0.0);
         EXPECT_EQ(sharedPixels(texels), 0u);
@@ -104,7 +104,7 @@ TEST(Overlap, SkinsThatFaceApartAreOpposite)
 {
     Scan scan = twoSquares({0.0f, -0.005f, 0.0f});
     turnOver(scan.meshes[1]);
-    const Texels texels = rasterize(scan);
+    const Texels texels = rasterizeWhole(scan);
     EXPECT_NEAR(texels.overlap.opposite, 1.0, 0.05);
     EXPECT_GT(sharedPixels(texels), 3900u);
 }
@@ -122,15 +122,18 @@ TEST(Overlap, IsSaidToAHundredthOfAPerCent)
 TEST(Overlap, ThatSpoilsARoomIsRefusedUnlessAllowed)
 {
     Scan scan = twoSquares({0.0f, 1.0f, 0.0f});
-    EXPECT_THAT(scenes::refusalOf([&] { checkOverlap(rasterize(scan)); }),
+    EXPECT_THAT(scenes::refusalOf([&] { checkOverlap(rasterizeWhole(scan)); }),
                 HasSubstr("--allow-overlap"));
     scan.options.allowOverlap = true;
-    EXPECT_EQ(scenes::refusalOf([&] { checkOverlap(rasterize(scan)); }), "");
+    EXPECT_EQ(scenes::refusalOf([&] { checkOverlap(rasterizeWhole(scan)); }), "");
 }
 
 TEST(Overlap, DoubledSkinsAlikeAreNeverRefused)
 {
-    EXPECT_EQ(scenes::refusalOf([] { checkOverlap(rasterize(twoSquares({0, 0.005f, 0}))); }), "");
+    EXPECT_EQ(scenes::refusalOf([] {
+                  checkOverlap(rasterizeWhole(twoSquares({0, 0.005f, 0})));
+              }),
+              "");
 }
 
 } // namespace relamp

@@ -55,7 +55,7 @@ std::shared_ptr<Reach> room(bool hasPole = false)
 }
 
 /// Near a corner, its place in the middle of the room.
-CameraRig rig(bool hasPole = false)
+CameraRig rigIn(bool hasPole = false)
 {
     CameraRig rig;
     const glm::vec3 eye(0.3f, 1.6f, 0.4f);
@@ -83,7 +83,7 @@ TEST(Reach, EndsALittleBeforeTheWalls)
 // hand expects.
 TEST(Reach, OrbitStaysInTheRoomAndNeverLeaps)
 {
-    CameraRig camera = rig();
+    CameraRig camera = rigIn();
     const glm::vec3 place = camera.place();
     glm::vec3 before = camera.position();
     for (int step = 0; step < 1200; ++step) {
@@ -102,7 +102,7 @@ TEST(Reach, OrbitStaysInTheRoomAndNeverLeaps)
 // What was shortened by a wall is as long as before where there is none.
 TEST(Reach, EyeBacksOffAgainBehindAWall)
 {
-    CameraRig camera = rig();
+    CameraRig camera = rigIn();
     camera.turn({1e-3f, 0.0f});
     camera.turn({-1e-3f, 0.0f});
     const float far = glm::distance(camera.position(), camera.place());
@@ -129,7 +129,7 @@ TEST(Reach, APoleIsNoWall)
 
 TEST(Reach, WheelAndShiftStopBeforeTheWall)
 {
-    CameraRig camera = rig();
+    CameraRig camera = rigIn();
     for (int i = 0; i < 50; ++i) camera.approach(-1.0f);
     EXPECT_TRUE(kRoom.contains(camera.position()));
     for (int i = 0; i < 50; ++i) camera.pan({0.1f, 0.05f});
@@ -140,7 +140,7 @@ TEST(Reach, WheelAndShiftStopBeforeTheWall)
 // A place on a wall, as a double click has it: the eye goes around before the wall.
 TEST(Reach, PlaceOnAWallIsTurnedAroundBeforeIt)
 {
-    CameraRig camera = rig();
+    CameraRig camera = rigIn();
     camera.lookAt({4, 1.2f, 2.5f});
     for (int step = 0; step < 400; ++step) {
         camera.turn({0.02f, 0.0f});
@@ -151,7 +151,7 @@ TEST(Reach, PlaceOnAWallIsTurnedAroundBeforeIt)
 // The whole room is framed from outside, and turned around there; the wheel leads back into it.
 TEST(Reach, FramingLeavesTheRoomAndTheWheelEntersIt)
 {
-    CameraRig camera = rig();
+    CameraRig camera = rigIn();
     camera.frame(kRoom, 1.6f);
     for (int i = 0; i < 100; ++i) {
         camera.turn({0.05f, 0.0f});
