@@ -18,7 +18,7 @@ namespace
 using nlohmann::json;
 
 constexpr uint64_t kMostBytes = uint64_t{1} << 53; // beyond, numbers of JSON are not exact
-constexpr uint64_t kMostItems = std::numeric_limits<int32_t>::max();
+constexpr uint64_t kLargestIndex = std::numeric_limits<int32_t>::max();
 constexpr double kBrightestFactor = 65504.0; // the largest half float, as which light is kept
 
 /// A member of an item, as a message names it.
@@ -80,7 +80,7 @@ void whole(json& value, const Place& place)
 }
 
 constexpr Check bytes = whole<0, kMostBytes>;
-constexpr Check index = whole<0, kMostItems>; // of an item of a list
+constexpr Check index = whole<0, kLargestIndex>; // of an item of a list
 
 void stride(json& value, const Place& place)
 {

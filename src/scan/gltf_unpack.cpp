@@ -44,6 +44,27 @@ bool hasExtension(const json& object, const char* name)
     return extensions != object.end() && extensions->contains(name);
 }
 
+/// Each item takes some hundred bytes of text, and some thousand of memory.
+void checkLists(const json& document, const std::string& file)
+{
+    size_t primitives = 0;
+    const auto check = [&](const std::string& key, size_t count) {
+        if (count > kMostItems)
+            malformed(file, fmt::format("has {} {}, and relamp works on {} at most; simplify it",
+                                        count, key, kMostItems));
+    };
+    for (const auto& [key, list] : document.items()) {
+        if (!list.is_array()) continue;
+        check(key, list.size());
+        if (key != "meshes") continue;
+        for (const json& mesh : list) {
+            const auto found = mesh.is_object() ? mesh.find("primitives") : mesh.end();
+            if (found != mesh.end() && found->is_array()) primitives += found->size();
+        }
+        check("primitives", primitives);
+    }
+}
+
 /// Rewrites a document step by step; the binary chunk grows as things are pulled into it.
 class Unpacker
 {
@@ -61,7 +82,6 @@ public:
     std::vector<std::string> warnings;
 
 private:
-    void checkLists() const;
     void checkScene() const;
     json& section(const char* key) { return document_[key]; }
     void checkPlace(const std::string& uri, const std::string& what) const;
@@ -86,27 +106,6 @@ private:
     std::string name_;
     std::vector<std::pair<uint64_t, uint64_t>> bufferRange_; // offset and size in `binary`
 };
-
-/// Each item takes some hundred bytes of text, and some thousand of memory.
-void Unpacker::checkLists() const
-{
-    size_t primitives = 0;
-    const auto check = [&](const std::string& key, size_t count) {
-        if (count > kMostItems)
-            malformed(name_, fmt::format("has {} {}, and relamp works on {} at most; simplify it",
-                                         count, key, kMostItems));
-    };
-    for (const auto& [key, list] : document_.items()) {
-        if (!list.is_array()) continue;
-        check(key, list.size());
-        if (key != "meshes") continue;
-        for (const json& mesh : list) {
-            const auto found = mesh.is_object() ? mesh.find("primitives") : mesh.end();
-            if (found != mesh.end() && found->is_array()) primitives += found->size();
-        }
-        check("primitives", primitives);
-    }
-}
 
 void Unpacker::checkScene() const
 {
@@ -324,7 +323,6 @@ void Unpacker::dropExtension(const char* name)
 
 void Unpacker::run()
 {
-    checkLists();
     checkScene();
     for (const char* key : kSections)
         if (!document_.contains(key)) document_[key] = json::array();
@@ -352,6 +350,7 @@ PlainGltf unpackGltf(std::span<const std::byte> bytes, const std::filesystem::pa
     const GltfChunks chunks = splitGltf(bytes, file.string());
     json document = parseJson(chunks.json, file.string());
     checkVersion(document, file.string());
+    checkLists(document, file.string());
     checkShape(document, file.string());
     checkExtensions(document, file.string());
     Unpacker unpacker(document, chunks.binary, bytes.size(), file, options);
