@@ -1,10 +1,12 @@
-#include "fuzz/fuzz.h"
+#include "fuzz/targets.h"
 #include "relamp/image.h"
 
 #include <cstring>
 
 #include <zlib.h>
 
+namespace relamp::fuzz
+{
 namespace
 {
 
@@ -26,22 +28,20 @@ void mendChecksums(std::span<uint8_t> png)
 
 } // namespace
 
-extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t most);
-
-extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t most, unsigned)
+size_t mutatePicture(uint8_t* data, size_t size, size_t most, unsigned /*seed*/)
 {
     const size_t mutated = LLVMFuzzerMutate(data, size, most);
     if (mutated > 4 && std::memcmp(data, "\x89PNG", 4) == 0) mendChecksums({data, mutated});
     return mutated;
 }
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
+void readPicture(Input input)
 {
-    using namespace relamp;
     for (const char* name : {"fuzz", "fuzz.tga"})
-        fuzz::expectResultOrSentence(name, [&] {
-            const Image image = readImage(fuzz::bytesOf(data, size), name);
+        expectResultOrSentence(input, [&] {
+            const Image image = readImage(bytesOf(input), name);
             if (image.encoded.size() + image.half.size() != 3 * image.pixels()) std::abort();
         });
-    return 0;
 }
+
+} // namespace relamp::fuzz

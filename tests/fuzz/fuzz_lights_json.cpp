@@ -1,15 +1,13 @@
-#include "fuzz/fuzz.h"
+#include "fuzz/targets.h"
 #include "relamp/lights.h"
 
 #include <vector>
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
+void relamp::fuzz::readLightsFile(Input input)
 {
-    using namespace relamp;
-    const std::filesystem::path file = fuzz::fileWith(fuzz::textOf(data, size), "lights.json");
-    fuzz::expectResultOrSentence(file, [&] {
+    const std::filesystem::path file = fileWith(textOf(input), "lights.json");
+    expectResultOrSentence(input, [&] {
         std::vector<std::string> warnings;
         lightsAsJson(readLights(file, warnings));
     });
-    return 0;
 }

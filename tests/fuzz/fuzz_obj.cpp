@@ -1,17 +1,70 @@
-#include "fuzz/fuzz.h"
-#include "relamp/scan.h"
+// The OBJ, and behind a NUL its material file.
 
-/// The OBJ, and behind a NUL its material file.
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
+#include "fuzz/expect_numbers.h"
+#include "fuzz/targets.h"
+#include "image/write_image.h"
+#include "relamp/result.h"
+
+#include <vector>
+
+namespace relamp::fuzz
 {
-    using namespace relamp;
-    const std::string_view text = fuzz::textOf(data, size);
+namespace
+{
+
+/// The scan of `input`, with what it names beside it.
+std::filesystem::path scanOf(Input input)
+{
+    const std::string_view text = textOf(input);
     const size_t end = std::min(text.find('\0'), text.size());
-    const std::filesystem::path obj = fuzz::fileWith(text.substr(0, end), "fuzz.obj");
-    fuzz::fileWith(text.substr(std::min(end + 1, text.size())), "fuzz.mtl");
-    fuzz::expectResultOrSentence(obj.parent_path(), [&] {
+    fileWith(text.substr(std::min(end + 1, text.size())), "fuzz.mtl");
+    return fileWith(text.substr(0, end), "fuzz.obj");
+}
+
+/// A small picture for materials to name, grey with a white corner.
+void putPicture()
+{
+    std::vector<uint8_t> pixels(3 * 16 * 16, 90);
+    std::fill_n(pixels.begin(), 3 * 16, 255);
+    const std::vector<uint8_t> png = encodePng(pixels, {16, 16}, 3);
+    fileWith(textOf(png), "b.png");
+}
+
+} // namespace
+
+void readObjFile(Input input)
+{
+    const std::filesystem::path obj = scanOf(input);
+    expectResultOrSentence(input, [&] {
         Progress progress;
         readScan(obj, {}, progress);
     });
-    return 0;
 }
+
+/// What relamp delight does, and what reads its result.
+void delightObjFile(Input input)
+{
+    static const bool isPictureThere = (putPicture(), true);
+    (void)isPictureThere;
+    const std::filesystem::path obj = scanOf(input);
+    const std::filesystem::path result = folder() / "out";
+    expectResultOrSentence(input, [&] {
+        Progress progress;
+        const Scan scan = readScan(obj, {.longestSide = 64}, progress);
+        const Decomposition found =
+            delight(scan,
+                    {.gather = {.quality = Quality::draft, .rays = 4, .shadowRays = 1},
+                     .engine = {.engine = Engine::cpu}},
+                    progress);
+        writeResult(scan, found, obj, result, progress);
+        const DelitRoom room = readDelitRoom(result, {.scan = obj}, progress);
+        for (const Image& page : room.albedo) expectNumbers(page);
+        expectNumbers(room.captured);
+        readScan(result / "fuzz.glb", {}, progress);
+    });
+    std::filesystem::remove_all(result);
+    for (const auto& entry : std::filesystem::directory_iterator(folder()))
+        if (entry.path().filename().native().starts_with('.')) std::abort(); // half a result
+}
+
+} // namespace relamp::fuzz

@@ -1,12 +1,10 @@
-#include "fuzz/fuzz.h"
+#include "fuzz/targets.h"
 #include "scan/ply_read.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
+void relamp::fuzz::readPlyFile(Input input)
 {
-    using namespace relamp;
-    fuzz::expectResultOrSentence("fuzz.ply", [&] {
+    expectResultOrSentence(input, [&] {
         Progress progress;
-        readPly(fuzz::bytesOf(data, size), "fuzz.ply", {}, progress);
+        readPly(bytesOf(input), "fuzz.ply", {}, progress);
     });
-    return 0;
 }

@@ -1,7 +1,17 @@
 // Writes small good files of every kind, a folder a fuzz target, into the folder that it is given.
 
+#include "base/file.h"
+#include "base/half.h"
+#include "fuzz/result_files.h"
+#include "image/transfer.h"
+#include "image/write_image.h"
+#include "relamp/relight.h"
+#include "relamp/result.h"
+#include "scan/gltf_write.h"
 #include "scenes/gltf_files.h"
 #include "scenes/pictures.h"
+#include "scenes/scenes.h"
+#include "scenes/temporary_folder.h"
 
 #include <filesystem>
 #include <fstream>
@@ -10,6 +20,7 @@
 namespace
 {
 
+using namespace relamp;
 using namespace relamp::scenes;
 
 class Seeds
@@ -68,15 +79,15 @@ void addGltf(Seeds& seeds)
 {
     const std::vector files{texturedSquare(), coloredSquare(), dracoSquare(),
                             meshoptSquare(),  sparseSquare(),  richSquare()};
-    for (const GltfFile& file : files) seeds.add("glb", file.glb());
-    seeds.add("gltf_json", coloredSquare().gltf("data:;base64,AAAAAAAAAAAAAIA/AACAPwAAgD8="));
-    seeds.add("gltf_json", sparseSquare().gltf("gone.bin"));
+    for (const GltfFile& file : files) seeds.add("gltf", file.glb());
+    seeds.add("gltf", coloredSquare().gltf("data:;base64,AAAAAAAAAAAAAIA/AACAPwAAgD8="));
+    seeds.add("gltf", sparseSquare().gltf("gone.bin"));
     GltfFile corners; // all in the text: nine floats of positions, no other bytes
     corners.addAccessor(Bytes(36), 3, {});
     corners.addMesh({{"POSITION", 0}, {"COLOR_0", 0}});
     corners.addNode({{"mesh", 0}});
     corners.document["images"] = {{{"uri", "data:image/png;base64,iVBORw0KGgo="}}};
-    seeds.add("gltf_json",
+    seeds.add("gltf",
               corners.gltf("data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"));
 }
 
@@ -115,6 +126,44 @@ void addImages(Seeds& seeds)
     seeds.add("image", palettePng());
 }
 
+/// A closed room with a lamp in its ceiling, as a GLB whose texture shows the light.
+std::string litRoom()
+{
+    const Scan room = scenes::room({2, 2, 2}, 4, [](glm::vec3 place, glm::vec3 normal) {
+        const bool isLamp = normal.y < -0.5f && glm::distance(place, {1, 2, 1}) < 0.5f;
+        return isLamp ? glm::vec3(1.0f) : glm::vec3(0.2f + 0.1f * place.y, 0.3f, 0.3f);
+    });
+    const SrgbFromHalf byteFrom;
+    std::vector<uint8_t> bytes;
+    for (const uint16_t half : room.pages[0].image.half) bytes.push_back(byteFrom(half));
+    const Size size{room.pages[0].image.width, room.pages[0].image.height};
+    return writeUnlitGlb(room, {{.albedo = {encodePng(bytes, size, 3), "image/png"}}});
+}
+
+/// The same room, and what delight and relight leave of it.
+void addResult(Seeds& seeds)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.write("fuzz.glb", litRoom());
+    Progress progress;
+    const Scan scan = readScan(file, {}, progress);
+    DelightOptions options{.gather = {.quality = Quality::draft, .rays = 4, .shadowRays = 1}};
+    options.gather.lights = {{1, 2, 1}};
+    options.engine.engine = Engine::cpu;
+    writeResult(scan, delight(scan, options, progress), file, folder / "out", progress);
+    const DelitRoom room = readDelitRoom(folder / "out", {.scan = file}, progress);
+    const RelightOptions again{
+        .rays = 4, .transport = room.transport, .engine = {.engine = Engine::cpu}};
+    const Relighter relighter(room, again, progress);
+    fuzz::ResultFiles files;
+    for (size_t i = 0; i < fuzz::kFilesOfResult.size(); ++i) {
+        const auto bytes = readFile(folder / fuzz::kFilesOfResult[i]);
+        files[static_cast<uint8_t>(i)] = {reinterpret_cast<const char*>(bytes.data()),
+                                          bytes.size()};
+    }
+    seeds.add("result", fuzz::joined(files));
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -127,12 +176,18 @@ int main(int argc, char** argv)
     addGltf(seeds);
     addPly(seeds);
     addImages(seeds);
+    addResult(seeds);
     const std::string obj =
         "mtllib fuzz.mtl\no wall\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nvt 0 0\nvn 0 0 1\n"
         "usemtl paint\nf 1/1/1 2/1/1 3/1/1\nf -3 -2 -1\nf 1//1 2//1 3//1\n";
     const std::string mtl = "newmtl paint\nKd 1 1 1\nmap_Kd -s 1 1 1 -clamp on a b.png\n";
     seeds.add("obj", obj + '\0' + mtl);
     seeds.add("obj", obj);
+    seeds.add(
+        "obj",
+        "mtllib fuzz.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\n"
+        "usemtl paint\nf 1/1 2/2 3/3\nf 3/3 2/2 4/4\n" +
+            std::string("\0newmtl paint\nmap_Kd b.png\n", 27));
     seeds.add("lights_json",
               std::string(R"({"format": "relamp lights 1", "units": "", "fixtures": [{"id": 0,
         "centre": [0, 1, 2], "normal": [0, -1, 0], "area": 1, "radiance": [1, 2, 3], "power": [1, 2, 3], "on": true}],
