@@ -44,9 +44,8 @@ void readObjFile(Input input)
 /// What relamp delight does, and what reads its result.
 void delightObjFile(Input input)
 {
-    static const bool isPictureThere = (putPicture(), true);
-    (void)isPictureThere;
     const std::filesystem::path obj = scanOf(input);
+    putPicture();
     const std::filesystem::path result = folder() / "out";
     expectResultOrSentence(input, [&] {
         Progress progress;
@@ -57,7 +56,7 @@ void delightObjFile(Input input)
                      .engine = {.engine = Engine::cpu}},
                     progress);
         writeResult(scan, found, obj, result, progress);
-        const DelitRoom room = readDelitRoom(result, {.scan = obj}, progress);
+        const DelitRoom room = readDelitRoom(result, {}, progress);
         for (const Image& page : room.albedo) expectNumbers(page);
         expectNumbers(room.captured);
         readScan(result / "fuzz.glb", {}, progress);

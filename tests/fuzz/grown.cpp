@@ -12,7 +12,7 @@ namespace
 
 constexpr size_t kLargest = size_t{4} << 20; // bytes of JSON, which take a sanitized parser seconds
 
-/// Behind the string whose opening quote is at `at`.
+/// Where the string is closed that is opened at `at`.
 size_t endOfString(std::string_view json, size_t at)
 {
     for (++at; at < json.size() && json[at] != '"'; ++at)

@@ -151,7 +151,7 @@ void addResult(Seeds& seeds)
     options.gather.lights = {{1, 2, 1}};
     options.engine.engine = Engine::cpu;
     writeResult(scan, delight(scan, options, progress), file, folder / "out", progress);
-    const DelitRoom room = readDelitRoom(folder / "out", {.scan = file}, progress);
+    const DelitRoom room = readDelitRoom(folder / "out", {}, progress);
     const RelightOptions again{
         .rays = 4, .transport = room.transport, .engine = {.engine = Engine::cpu}};
     const Relighter relighter(room, again, progress);

@@ -128,7 +128,7 @@ def judge(case, outcome, folder, before):
 def judge_killed(case, outcome, folder, before):
     if case.kill[0] in (signal.SIGKILL, signal.SIGHUP):  # the end of a terminal is not waited for
         return ""
-    if outcome.code not in (0, 1, 130):
+    if outcome.code not in (0, 1, 130, -case.kill[0]):  # the signal itself, before anything was begun
         return f"exit code {outcome.code} after a signal"
     if outcome.code and set(everything(folder)) - set(before):
         return "something left after a signal"
@@ -240,7 +240,6 @@ def halves(exr):
 
 def try_case(program, case, folder, keep):
     """Runs it in a folder of its own; the outcome, and what was wrong. What failed is kept."""
-    shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
     put(folder, case.files)
     before = everything(folder)
@@ -257,4 +256,5 @@ def try_case(program, case, folder, keep):
         words = " ".join(repr(arg)[:300] for arg in case.args)
         (kept / "what").write_text(f"{wrong}: exit {outcome.code}, {outcome.seconds:.1f} s, {outcome.memory >> 20} MiB\n"
                                    f"relamp {words}\n{outcome.err[-6000:]}\n{outcome.out[-2000:]}", errors="replace")
+    shutil.rmtree(folder, ignore_errors=True)
     return outcome, wrong

@@ -64,7 +64,7 @@ def run_all(asked, program, seeds, scratch):
             number, case = numbered
             if time.monotonic() - start > asked.seconds / len(kinds):
                 return
-            outcome, wrong = try_case(program, case, scratch / f"{number % (4 * asked.jobs)}-{kind}", asked.keep)
+            outcome, wrong = try_case(program, case, scratch / f"{number}-{kind}", asked.keep)
             counts["cases"] += 1
             counts[outcome.code if outcome.code in (0, 1, 2) else "else"] += 1
             if wrong:

@@ -224,7 +224,7 @@ def places_hostile(seeds, random):
         for size in (0, 1, 100, 300, 1000, 1500, 2000, 4000, 8000, 16000, 32000, 64000, 100000, 130000, 1 << 20):
             for name, args, output in (("delight", delight, "new"), ("relight", relight, "a.png"), ("verify", verify, "")):
                 yield Case(f"places {name} files up to {size}", files, args, output, {resource.RLIMIT_FSIZE: size})
-        for count in (4, 6, 8, 10, 12, 16, 24, 32):
+        for count in (12, 16, 24, 32, 64):  # below, a sanitizer cannot look at memory
             for name, args, output in (("delight", delight, "new"), ("relight", relight, "a.png"), ("verify", verify, "")):
                 yield Case(f"places {name} {count} files open", files, args, output, {resource.RLIMIT_NOFILE: count})
         for name, args, output in (("info", ["info", "room.glb"], ""), ("delight", delight[:-7] + delight[-6:], "new"),
