@@ -51,7 +51,8 @@ size_t sharedPixels(const Texels& texels)
 
 TEST(Overlap, TwoChartsOnOnePartAreCopied)
 {
-    const Texels texels = rasterizeWhole(twoSquares({0.0f, 1.0f, 0.0f}));
+    const Scan scan = twoSquares({0.0f, 1.0f, 0.0f});
+    const Texels texels = rasterizeWhole(scan);
     EXPECT_NEAR(texels.overlap.copied, 1.0, 0.05);
     EXPECT_EQ(texels.overlap.share(), texels.overlap.copied);
     EXPECT_THAT(texels.overlap.meshes, ElementsAre("first", "second"));
@@ -87,7 +88,8 @@ TEST(Overlap, WhatThePageRepeatsBeyondItsEdgeIsShared)
 TEST(Overlap, OfSkinsThatFaceAlikeTheOneInFrontHasTheTexels)
 {
     for (const float up : {0.005f, -0.005f}) {
-        const Texels texels = rasterizeWhole(twoSquares({0.0f, up, 0.0f}));
+        const Scan scan = twoSquares({0.0f, up, 0.0f});
+        const Texels texels = rasterizeWhole(scan);
         EXPECT_NEAR(texels.overlap.alike, 1.0, 0.05);
         EXPECT_EQ(texels.overlap.inOtherLight(), 0.0);
         EXPECT_EQ(sharedPixels(texels), 0u);
