@@ -90,7 +90,7 @@ bool spoils(const Overlap& overlap)
 void checkOverlap(const Texels& texels)
 {
     if (!spoils(texels.overlap) || texels.scan->options.allowOverlap) return;
-    fail(ErrorCode::unsupported, texels.scan->name,
+    fail(ErrorCode::unsupported, texels.scan->title(),
          sentenceOn(texels.overlap) +
              ".\nLight can only be taken off where every place has a texel of its own: unwrap them "
              "without overlap and bake the texture, leave them out with --skip-mesh, or go on all "

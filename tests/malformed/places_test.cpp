@@ -100,8 +100,8 @@ TEST_F(Output, WithoutANameIsRefused)
 {
     write(smallTextPly());
     const golden::Outcome run = golden::runRelamp({"delight", folder / "room.ply", "-o", ""});
-    EXPECT_EQ(run.exitCode, 1);
-    EXPECT_THAT(run.err, StartsWith("relamp: the output folder: has no name"));
+    EXPECT_EQ(run.exitCode, 2);
+    EXPECT_THAT(run.err, StartsWith("relamp: --output: is empty"));
 }
 
 // Each limit strikes another file of the result; the preview needs the most.

@@ -37,7 +37,8 @@ protected:
                                           const std::string& output = "out.png") const
     {
         std::vector<std::string> arguments{
-            "relight", folder / smallGlb().name, "-q", "--size", "16x16", "-o", folder / output};
+            "relight", folder / smallGlb().name, "--texture-is-albedo", "-q", "--size", "16x16",
+            "-o",      folder / output};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return golden::runRelamp(arguments);
     }
