@@ -4,6 +4,7 @@ import dataclasses
 import json
 import os
 import pathlib
+import re
 import resource
 import shutil
 import signal
@@ -171,7 +172,8 @@ def names(case):
     words = set()
     for name in [os.fsdecode(name) for name in case.files] + [arg for arg in case.args if arg]:
         words |= {name[:40], pathlib.PurePath(name).name[:40] or name, pathlib.PurePath(name).stem[:40] or name}
-    return {word for word in words if word} | {"standard output", "memory"}
+    words |= {part for word in words for part in re.split(r"[^ -~]", word)}  # what is not printable is not printed
+    return {word for word in words if word} | {"standard output", "memory", "GPU", "Vulkan"}
 
 
 def judge_result(case, outcome, folder):

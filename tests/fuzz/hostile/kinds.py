@@ -208,7 +208,7 @@ def usage_wrong(seeds, random):
 
     for case in mixed(random, cases()):
         # An option that is taken may name another output or ask for films: then it is judged by its words alone.
-        if any(option in case.args for option in ("--output", "-o=", "--turntable", "--timeline", "--bake", "--help")):
+        if any(option in case.args for option in ("--output", "--output=", "--turntable", "--timeline", "--bake", "--help", "--help=")):
             case.output = ""
         yield case
 
