@@ -95,7 +95,9 @@ case ${1-help} in
         ;;
     *)
         begin
-        build release relamp_cli
+        targets=(relamp_cli)
+        [[ $1 == view ]] && targets+=(relamp_view)
+        build release "${targets[@]}"
         exec "$build/release/apps/cli/relamp" "$@" 9>&-
         ;;
 esac
