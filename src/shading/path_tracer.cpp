@@ -2,6 +2,7 @@
 
 #include "base/pi.shared.h"
 #include "scan/surface_point.h"
+#include "shading/area_direct.h"
 #include "shading/area_direct.shared.h"
 #include "shading/sampling.shared.h"
 
