@@ -68,7 +68,8 @@ Facet facetOfTriangle(const Scan& scan, uint32_t meshIndex, size_t triangle)
     return facet;
 }
 
-/// A vertex stands for a third of every triangle around it.
+/// A vertex stands for a third of every triangle around it. Where sheets lie back to back it faces
+/// as the first of them: what faces away is left out of the mean, which would be none otherwise.
 void addVertexFacets(const Scan& scan, uint32_t meshIndex, std::vector<Facet>& facets)
 {
     const Mesh& mesh = scan.meshes[meshIndex];
@@ -83,8 +84,10 @@ void addVertexFacets(const Scan& scan, uint32_t meshIndex, std::vector<Facet>& f
         const float area =
             0.5f * glm::length(glm::cross(mesh.positions[v.y] - a, mesh.positions[v.z] - a));
         for (int c = 0; c < 3; ++c) {
-            vertices[v[c]].texelArea += area / 3.0f;
-            vertices[v[c]].normal += area * mesh.normals[3 * i + static_cast<size_t>(c)];
+            Facet& vertex = vertices[v[c]];
+            vertex.texelArea += area / 3.0f;
+            const glm::vec3 normal = mesh.normals[3 * i + static_cast<size_t>(c)];
+            if (glm::dot(vertex.normal, normal) >= 0.0f) vertex.normal += area * normal;
         }
     }
     facets.insert(facets.end(), vertices.begin(), vertices.end());
@@ -104,6 +107,16 @@ double pixelFrom(double coordinate, double tile, Wrap wrap, int size)
 }
 
 } // namespace
+
+TexelSite siteOn(const Facet& facet, glm::vec2 pixel)
+{
+    constexpr float kCancelled = 1e-6f; // length of a mean of unit normals
+    const glm::vec2 way = pixel - facet.pixel;
+    const glm::vec3 normal = facet.normal + way.x * facet.normalX + way.y * facet.normalY;
+    const float length = glm::length(normal);
+    return {facet.position + way.x * facet.positionX + way.y * facet.positionY,
+            length > kCancelled ? normal / length : glm::normalize(facet.normal)};
+}
 
 PixelTriangle pixelTriangle(const Scan& scan, const Mesh& mesh, const glm::uvec3& triangle)
 {

@@ -29,6 +29,17 @@ struct Facet
     uint32_t mesh = 0;      // index into Scan::meshes
 };
 
+/// A place on a surface.
+struct TexelSite
+{
+    glm::vec3 position; // world, m
+    glm::vec3 normal;   // unit
+};
+
+/// Where `pixel` (column, row) of a facet's page lies. A little beyond a triangle, where the
+/// normals of its corners may cancel out, it faces as its first corner.
+TexelSite siteOn(const Facet& facet, glm::vec2 pixel);
+
 /// All facets of a scan: its triangles, mesh after mesh, then the vertices of its page of vertices.
 struct Facets
 {

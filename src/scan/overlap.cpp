@@ -17,12 +17,6 @@ constexpr double kMostApart = 0.03; // share of texels; measured, see docs/metho
 constexpr float kSkins = 0.02f;     // m, between two surfaces that are one thing's
 constexpr float kLeastStep = 5e-4f; // m, of one before the other
 
-glm::vec3 placeOn(const Facet& facet, glm::vec2 pixel)
-{
-    const glm::vec2 way = pixel - facet.pixel;
-    return facet.position + way.x * facet.positionX + way.y * facet.positionY;
-}
-
 /// Whether the page is seen the right way round in the room.
 bool isTurnedOver(const Facet& facet)
 {
@@ -57,7 +51,7 @@ std::string sentenceOn(const Overlap& overlap)
 
 OverlapKind overlapKindOf(const Facet& a, const Facet& b, glm::vec2 pixel, bool isSameTile)
 {
-    const glm::vec3 way = placeOn(b, pixel) - placeOn(a, pixel);
+    const glm::vec3 way = siteOn(b, pixel).position - siteOn(a, pixel).position;
     if (glm::dot(way, way) < kSkins * kSkins)
         return glm::dot(a.normal, b.normal) > 0.0f ? OverlapKind::alike : OverlapKind::opposite;
     if (!isSameTile) return OverlapKind::tiled;
@@ -66,8 +60,8 @@ OverlapKind overlapKindOf(const Facet& a, const Facet& b, glm::vec2 pixel, bool 
 
 bool isBefore(const Facet& a, const Facet& b, glm::vec2 pixel)
 {
-    return glm::dot(placeOn(b, pixel) - placeOn(a, pixel), glm::normalize(a.normal + b.normal)) >
-           kLeastStep;
+    return glm::dot(siteOn(b, pixel).position - siteOn(a, pixel).position,
+                    glm::normalize(a.normal + b.normal)) > kLeastStep;
 }
 
 std::optional<std::string> noteOn(const Overlap& overlap)

@@ -23,15 +23,6 @@ constexpr size_t kChunk = size_t{1} << 16;
 constexpr size_t kAhead =
     24; // texels; surface order jumps over the page, and a look ahead hides that
 
-TexelSite siteOn(const Facet& facet, float column, float row)
-{
-    const float dx = column - facet.pixel.x;
-    const float dy = row - facet.pixel.y;
-    const glm::vec3 normal = facet.normal + dx * facet.normalX + dy * facet.normalY;
-    return {facet.position + dx * facet.positionX + dy * facet.positionY,
-            normal / std::max(glm::length(normal), 1e-12f)};
-}
-
 /// Columns and rows of pixels, without an integer division: half a pixel keeps the quotient clear
 /// of whole numbers, which a double's rounding could miss.
 void splitPixels(std::span<const uint32_t> pixels, uint32_t width, float* columns, float* rows)
@@ -108,8 +99,8 @@ PageKeys keysOf(const Texels& texels, const PageCoverage& coverage, size_t page)
         for (size_t i = begin; i < end; ++i) {
             const uint32_t pixel = coverage.pixel[i];
             const TexelSite site =
-                siteOn(texels.facets.facets[coverage.facet[i]], static_cast<float>(pixel % width),
-                       static_cast<float>(pixel / width));
+                siteOn(texels.facets.facets[coverage.facet[i]],
+                       {static_cast<float>(pixel % width), static_cast<float>(pixel / width)});
             keys.ofTexel[i] = texels.surfels.grid.keyOf(site.position, site.normal);
             if (distinct.empty() || distinct.back() != keys.ofTexel[i])
                 distinct.push_back(keys.ofTexel[i]);
@@ -285,8 +276,8 @@ TexelSite Texels::siteOf(size_t page, size_t texel) const
 {
     const uint32_t pixel = pages[page].pixel[texel];
     const uint32_t width = widthOf(*this, page);
-    return siteOn(facets.facets[pages[page].facet[texel]], static_cast<float>(pixel % width),
-                  static_cast<float>(pixel / width));
+    return siteOn(facets.facets[pages[page].facet[texel]],
+                  {static_cast<float>(pixel % width), static_cast<float>(pixel / width)});
 }
 
 SurfelSites::SurfelSites(const Texels& texels) : texels_(texels), ranges_(texels.surfels.count())

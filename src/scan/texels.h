@@ -37,12 +37,6 @@ struct PageTexels
     [[nodiscard]] size_t runOf(size_t texel) const;
 };
 
-struct TexelSite
-{
-    glm::vec3 position; // world, m
-    glm::vec3 normal;   // unit
-};
-
 /// Every place of the scan that shows light, as the stages see it.
 struct Texels
 {

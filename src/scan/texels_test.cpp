@@ -2,6 +2,7 @@
 
 #include "relamp/error.h"
 #include "relamp/threads.h"
+#include "scan/footprints.h"
 #include "scan/overlap.h"
 #include "scenes/scenes.h"
 
@@ -72,6 +73,31 @@ TEST(Texels, VerticesShareTheAreaOfTheirTriangles)
 
 // Pixel (column, row) of a page that a square fills has its centre at (column + 1/2, row + 1/2) /
 // pixels.
+// Sheets back to back share their vertices, and normals that cancel out are none: a ray along one
+// ended the program.
+TEST(Texels, VerticesOfTwoSheetsBackToBackFaceAsTheFirst)
+{
+    Scan scan = vertexColored();
+    Mesh& mesh = scan.meshes[0];
+    const std::vector<glm::uvec3> front = mesh.triangles;
+    const glm::vec3 normal = mesh.normals[0];
+    for (const glm::uvec3& t : front) mesh.triangles.emplace_back(t.x, t.z, t.y);
+    mesh.normals.resize(2 * mesh.normals.size(), -normal);
+    const Texels texels = rasterize(scan);
+    for (size_t i = 0; i < texels.pages[0].count(); ++i) {
+        EXPECT_EQ(texels.siteOf(0, i).normal, normal);
+        EXPECT_EQ(Footprints(texels, 0).at(i, glm::vec2(0.5f)).normal, normal);
+    }
+}
+
+// Beyond a sliver's rim the normals of its corners may cancel out.
+TEST(Texels, SiteWhereNormalsCancelOutFacesAsItsFirstCorner)
+{
+    const Facet facet{.normal = {0, 2, 0}, .normalX = {0, -1, 0}};
+    EXPECT_EQ(siteOn(facet, {2, 0}).normal, glm::vec3(0, 1, 0));
+    EXPECT_EQ(siteOn(facet, {3, 0}).normal, glm::vec3(0, -1, 0));
+}
+
 TEST(Texels, LieWhereTheirPixelCentresAre)
 {
     const Scan scan = scenes::square(2.0f, 64, kGreyPaint);
