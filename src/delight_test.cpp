@@ -1,7 +1,7 @@
 #include "relamp/delight.h"
 
 #include "base/half.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "decomposition_state.h"
 #include "relamp/error.h"
 #include "relamp/threads.h"

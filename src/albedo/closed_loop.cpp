@@ -2,8 +2,8 @@
 
 #include "albedo/divide.shared.h"
 #include "base/parallel.h"
+#include "base/radiometry.shared.h"
 #include "base/random.h"
-#include "lights/expand.shared.h"
 #include "shading/lit_sides.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "albedo/closure.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "scenes/scenes.h"
 #include "shading/direct.shared.h"
 

@@ -1,8 +1,8 @@
 #include "albedo/doubts.h"
 
 #include "base/parallel.h"
+#include "base/radiometry.shared.h"
 #include "base/ramp.shared.h"
-#include "lights/expand.shared.h"
 
 #include <algorithm>
 #include <cmath>

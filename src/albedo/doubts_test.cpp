@@ -1,6 +1,5 @@
 #include "albedo/doubts.h"
 
-#include "lights/expand.shared.h"
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"
 

@@ -1,5 +1,5 @@
 #include "albedo/gather_closure.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 
 #include <cmath>
 

@@ -5,7 +5,7 @@
 #include "albedo/fill.shared.h"
 #include "albedo/page_layers.gpu.h"
 #include "albedo/page_layers.shared.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "lights/emitters.shared.h"
 #include "shading/buried.shared.h"
 

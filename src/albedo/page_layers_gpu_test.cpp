@@ -1,7 +1,7 @@
 #include "albedo/page_layers_gpu.h"
 
 #include "base/half.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "scenes/apart_layers.h"
 #include "scenes/gpu_scene.h"
 #include "scenes/scenes.h"

@@ -1,7 +1,6 @@
 #include "fit/bright_walls.h"
 
-#include "base/pi.shared.h"
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "fit/dials.h"
 
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "fit/gained.h"
 
 #include "base/parallel.h"
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 
 #include <algorithm>
 #include <cmath>

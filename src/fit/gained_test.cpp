@@ -1,4 +1,4 @@
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "fit/gained.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "fit/given_lamps.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "lights/shining.h"
 #include "shading/sampling.shared.h"
 

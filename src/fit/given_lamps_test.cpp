@@ -1,4 +1,4 @@
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "fit/given_lamps.h"
 #include "scenes/axes.h"
 

@@ -1,6 +1,6 @@
 #include "fit/lamp_evidence.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "scenes/lit_room.h"
 #include "scenes/surfaces.h"
 

@@ -1,6 +1,7 @@
 #include "fit/lamps.h"
 
 #include "base/call_all.h"
+#include "base/radiometry.shared.h"
 #include "fit/bright_walls.h"
 #include "fit/gained.h"
 #include "fit/lamp_evidence.h"
@@ -9,7 +10,6 @@
 #include "fit/missed.h"
 #include "fit/powers.h"
 #include "fit/suspects.h"
-#include "lights/expand.shared.h"
 #include "shading/lamp_body.h"
 
 #include <algorithm>

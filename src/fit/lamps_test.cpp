@@ -1,6 +1,5 @@
 #include "fit/lamps.h"
 
-#include "lights/expand.shared.h"
 #include "scenes/lit_room.h"
 #include "scenes/many_lamps.h"
 #include "scenes/surfaces.h"

@@ -1,4 +1,4 @@
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "fit/missed.h"
 
 #include <gtest/gtest.h>

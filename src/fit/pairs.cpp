@@ -1,6 +1,6 @@
 #include "fit/pairs.h"
 
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 
 #include <cmath>
 #include <random>

@@ -1,8 +1,8 @@
 #include "fit/powers.h"
 
 #include "base/parallel.h"
+#include "base/radiometry.shared.h"
 #include "fit/squares.h"
-#include "lights/expand.shared.h"
 
 #include <algorithm>
 #include <array>

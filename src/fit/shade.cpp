@@ -1,8 +1,7 @@
 #include "fit/shade.h"
 
 #include "base/parallel.h"
-#include "base/pi.shared.h"
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 #include "shading/gathered_light.h"
 
 #include <algorithm>

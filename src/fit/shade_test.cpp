@@ -1,6 +1,6 @@
 #include "fit/shade.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"
 

@@ -1,9 +1,8 @@
 #include "fit/stray.h"
 
 #include "base/parallel.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "fit/pairs.h"
-#include "lights/expand.shared.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,8 @@
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "lights/candidates.h"
-#include "lights/expand.shared.h"
 #include "shading/sampling.shared.h"
 
 #include <algorithm>

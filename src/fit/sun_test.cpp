@@ -1,8 +1,7 @@
 #include "fit/sun.h"
 
 #include "base/half.h"
-#include "base/pi.shared.h"
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 #include "relamp/delight.h"
 #include "scenes/lit_room.h"
 #include "scenes/sun_room.h"

@@ -1,8 +1,8 @@
 #include "fit/suspects.h"
 
 #include "base/disjoint_sets.h"
+#include "base/radiometry.shared.h"
 #include "fit/lamp_groups.h"
-#include "lights/expand.shared.h"
 
 #include <algorithm>
 #include <map>

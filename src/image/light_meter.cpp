@@ -1,6 +1,7 @@
 #include "image/light_meter.h"
 
 #include "base/half.h"
+#include "base/radiometry.shared.h"
 
 #include <algorithm>
 #include <cassert>
@@ -27,9 +28,9 @@ void LightMeter::add(const Image& picture)
         const glm::vec3 rgb(floatFromHalf(picture.half[3 * i]),
                             floatFromHalf(picture.half[3 * i + 1]),
                             floatFromHalf(picture.half[3 * i + 2]));
-        const float luminance = glm::dot(rgb, {0.2126f, 0.7152f, 0.0722f}); // Rec. 709
-        if (luminance <= 0.0f) continue;
-        logs_ += std::log2(kDelta + luminance);
+        const float brightness = luminance(rgb);
+        if (brightness <= 0.0f) continue;
+        logs_ += std::log2(kDelta + brightness);
         ++pixels_;
     }
 }

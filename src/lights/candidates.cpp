@@ -2,7 +2,7 @@
 
 #include "base/biweight.shared.h"
 #include "base/disjoint_sets.h"
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
+#include "base/radiometry.shared.h"
 #include "image/burnt_out.shared.h"
 #include "lights/emitters.shared.h"
 #include "lights/expand.shared.h"

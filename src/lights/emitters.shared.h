@@ -1,8 +1,8 @@
 #ifndef RELAMP_EMITTERS_SHARED_H
 #define RELAMP_EMITTERS_SHARED_H
 
+#include "base/radiometry.shared.h"
 #include "image/burnt_out.shared.h"
-#include "lights/expand.shared.h"
 
 SHARED_BEGIN
 

@@ -1,15 +1,9 @@
 #ifndef RELAMP_EXPAND_SHARED_H
 #define RELAMP_EXPAND_SHARED_H
 
-#include "base/shared.h"
+#include "base/radiometry.shared.h"
 
 SHARED_BEGIN
-
-// Rec. 709 luminance of linear RGB.
-SHARED_FN float luminance(vec3 rgb)
-{
-    return dot(rgb, vec3(0.2126f, 0.7152f, 0.0722f));
-}
 
 // Inverse of Reinhard's tone curve L / (1 + k L), k = 1 - 1 / peak (Reinhard et al. 2002, without
 // the burn-out term): leaves the dark as it is and takes white to `peak`. Keeps the hue.

@@ -1,7 +1,6 @@
 #include "lights/fixtures.h"
 
-#include "base/pi.shared.h"
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 #include "lights/median_cut.h"
 
 #include <algorithm>

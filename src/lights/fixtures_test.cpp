@@ -1,6 +1,6 @@
 #include "lights/fixtures.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "lights/expand.shared.h"
 #include "scenes/scenes.h"
 

@@ -1,6 +1,6 @@
 #include "relamp/lights.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "scenes/refusal.h"
 #include "scenes/temporary_folder.h"
 

@@ -1,6 +1,7 @@
 #include "output/report.h"
 
 #include "base/json.h"
+#include "base/radiometry.shared.h"
 #include "decomposition_state.h"
 #include "relamp/version.h"
 #include "relight/photometry.h"
@@ -174,7 +175,7 @@ ordered_json lightsAsReport(const Decomposition& result)
                             {"centre", toJson(fixture.centre)},
                             {"area", shortest(fixture.area)},
                             {"power", toJson(fixture.power())},
-                            {"lumens", shortest(white.luminance * luminanceOf(fixture.power()))},
+                            {"lumens", shortest(white.luminance * luminance(fixture.power()))},
                             {"error", toJson(fixture.error)},
                             {"determined", fixture.determined}});
     }

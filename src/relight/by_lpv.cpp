@@ -1,6 +1,6 @@
 #include "relight/by_lpv.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "shading/rsm.h"
 #include "shading/thesis.h"
 

@@ -1,6 +1,6 @@
 #include "relight/by_paths.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "relight/relit_page.h"
 #include "relight/sky_bins.h"
 #include "shading/lamp_surface.h"

@@ -1,7 +1,7 @@
 #include "relight/by_radiosity.h"
 
 #include "base/parallel.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "shading/gathered_light.h"
 #include "shading/lit_sides.h"
 

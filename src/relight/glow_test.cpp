@@ -1,6 +1,6 @@
 #include "relight/glow.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "scenes/radiosity.h"
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"

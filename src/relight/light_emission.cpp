@@ -1,6 +1,6 @@
 #include "relight/light_emission.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "relight/ies.h"
 
 #include <algorithm>
@@ -66,7 +66,7 @@ EmissionWish emissionWishOf(const JsonItem& item)
     }
     if (item.has("colour")) {
         const glm::vec3 colour = item.lightAt("colour");
-        const float brightness = luminanceOf(colour);
+        const float brightness = luminance(colour);
         if (brightness <= 0.0f) item.refuse("\"colour\" is black", "colour");
         if (wish.kelvin) item.refuse("\"colour\" and \"kelvin\" say the same; name one", "colour");
         wish.colour = colour / brightness;
@@ -119,7 +119,7 @@ glm::vec3 emissionOf(const JsonItem& item, const NewLight& light, const Photomet
 glm::vec3 radianceUnder(const EmissionWish& wish, const Fixture& captured,
                         const PhotometricWhite& white)
 {
-    const float brightness = luminanceOf(captured.radiance);
+    const float brightness = luminance(captured.radiance);
     const glm::vec3 own = brightness > 0.0f ? captured.radiance / brightness : kWhite;
     const glm::vec3 colour = wish.colourOr(own, white);
     if (!wish.lumens) return brightness * colour;

@@ -2,7 +2,7 @@
 
 #include "base/biweight.shared.h"
 #include "base/parallel.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "relight/relighter_state.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "relight/light_source.h"
 
 #include "base/lanes.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "shading/area_direct.shared.h"
 #include "shading/sampling.shared.h"
 

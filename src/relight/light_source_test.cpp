@@ -1,6 +1,6 @@
 #include "relight/light_source.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "scenes/axes.h"
 #include "scenes/radiosity.h"
 #include "scenes/scenes.h"

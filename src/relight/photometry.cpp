@@ -1,5 +1,7 @@
 #include "relight/photometry.h"
 
+#include "base/radiometry.shared.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -48,7 +50,7 @@ glm::dvec3 rec709FromXyz(glm::dvec3 xyz)
 glm::vec3 withLuminanceOne(glm::vec3 rgb)
 {
     rgb = glm::max(rgb, glm::vec3(0.0f));
-    return rgb / luminanceOf(rgb);
+    return rgb / luminance(rgb);
 }
 
 } // namespace

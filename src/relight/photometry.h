@@ -28,12 +28,6 @@ glm::vec3 blackbodyColour(float kelvin);
 /// The same as a camera sees it that is balanced for `white.kelvin`: r = g = b there.
 glm::vec3 blackbodyColour(float kelvin, const PhotometricWhite& white);
 
-/// Luminance of linear Rec. 709, in its unit.
-constexpr float luminanceOf(glm::vec3 rgb)
-{
-    return 0.2126f * rgb.r + 0.7152f * rgb.g + 0.0722f * rgb.b;
-}
-
 /// Radiance of a surface of `nits` cd/m^2; also irradiance from lux, radiant intensity (radiance
 /// m^2) from candela and flux (radiance m^2 sr) from lumens. `colour` has luminance 1.
 glm::vec3 radiometric(float photometric, glm::vec3 colour, const PhotometricWhite& white);

@@ -1,5 +1,6 @@
 #include "relight/photometry.h"
 
+#include "base/radiometry.shared.h"
 #include "relamp/error.h"
 #include "relight/light_emission.h"
 
@@ -18,7 +19,7 @@ const PhotometricWhite kNits{.luminance = 1.0f}; // so that radiance is in cd/m^
 /// CIE 1931 chromaticity of linear Rec. 709.
 glm::vec2 chromaticityOf(glm::vec3 rgb)
 {
-    const glm::vec3 xyz(0.4124f * rgb.r + 0.3576f * rgb.g + 0.1805f * rgb.b, luminanceOf(rgb),
+    const glm::vec3 xyz(0.4124f * rgb.r + 0.3576f * rgb.g + 0.1805f * rgb.b, luminance(rgb),
                         0.0193f * rgb.r + 0.1192f * rgb.g + 0.9505f * rgb.b);
     return glm::vec2(xyz) / (xyz.x + xyz.y + xyz.z);
 }
@@ -29,9 +30,9 @@ glm::vec2 chromaticityOf(glm::vec3 rgb)
 TEST(Photometry, LumensOfAKnownLamp)
 {
     const glm::vec3 intensity = intensityFromLumens(800.0f, kSphere, glm::vec3(1.0f), kNits);
-    EXPECT_NEAR(luminanceOf(intensity), 63.66f, 0.01f);
+    EXPECT_NEAR(luminance(intensity), 63.66f, 0.01f);
     // Two metres under it: 63.66 / 4 = 15.9 lux, and a white sheet there shows E / pi.
-    EXPECT_NEAR(luminanceOf(intensity) / 4.0f, 15.92f, 0.01f);
+    EXPECT_NEAR(luminance(intensity) / 4.0f, 15.92f, 0.01f);
 }
 
 TEST(Photometry, LumensDoNotDependOnTheColour)
@@ -39,7 +40,7 @@ TEST(Photometry, LumensDoNotDependOnTheColour)
     for (const float kelvin : {1500.0f, 2700.0f, 6504.0f, 20000.0f}) {
         const glm::vec3 intensity =
             intensityFromLumens(800.0f, kSphere, blackbodyColour(kelvin), kNits);
-        EXPECT_NEAR(luminanceOf(intensity), 63.66f, 0.01f) << kelvin;
+        EXPECT_NEAR(luminance(intensity), 63.66f, 0.01f) << kelvin;
     }
 }
 
@@ -48,15 +49,15 @@ TEST(Photometry, LumensDoNotDependOnTheColour)
 TEST(Photometry, UnitsOfALightsFileAgree)
 {
     const JsonLines lines("{}");
-    const auto luminance = [&](const nlohmann::json& light) {
+    const auto photometric = [&](const nlohmann::json& light) {
         const JsonItem item{light, "lamp.json: light 0", lines, ""};
-        return luminanceOf(emissionOf(item, NewLight{}, kNits));
+        return luminance(emissionOf(item, NewLight{}, kNits));
     };
-    EXPECT_NEAR(luminance({{"watts", 10}}), 6830.0f / kSphere, 0.01f);
-    EXPECT_NEAR(luminance({{"lumens", 6830}, {"kelvin", 2700}}), 6830.0f / kSphere, 0.01f);
-    EXPECT_NEAR(luminance({{"candela", 543.5}}), 543.5f, 0.01f);
-    EXPECT_NEAR(luminance({{"intensity", {2, 2, 2}}}), 2.0f, 1e-5f);
-    EXPECT_THROW(luminance({{"watts", 1}, {"lumens", 1}}), Error);
+    EXPECT_NEAR(photometric({{"watts", 10}}), 6830.0f / kSphere, 0.01f);
+    EXPECT_NEAR(photometric({{"lumens", 6830}, {"kelvin", 2700}}), 6830.0f / kSphere, 0.01f);
+    EXPECT_NEAR(photometric({{"candela", 543.5}}), 543.5f, 0.01f);
+    EXPECT_NEAR(photometric({{"intensity", {2, 2, 2}}}), 2.0f, 1e-5f);
+    EXPECT_THROW(photometric({{"watts", 1}, {"lumens", 1}}), Error);
 }
 
 // A matte panel of A m^2 and luminance L sends pi L A lumens.
@@ -86,7 +87,7 @@ TEST(Photometry, ColoursHaveLuminanceOneAndNoNegativeChannel)
 {
     for (float kelvin = kColdestKelvin; kelvin <= kHottestKelvin; kelvin *= 1.1f) {
         const glm::vec3 colour = blackbodyColour(kelvin);
-        EXPECT_NEAR(luminanceOf(colour), 1.0f, 1e-5f);
+        EXPECT_NEAR(luminance(colour), 1.0f, 1e-5f);
         EXPECT_GE(std::min({colour.r, colour.g, colour.b}), 0.0f);
     }
 }

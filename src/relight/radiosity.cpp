@@ -1,8 +1,7 @@
 #include "relight/radiosity.h"
 
 #include "base/parallel.h"
-#include "base/pi.shared.h"
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 #include "relight/follow_bounces.h"
 #include "relight/radiosity.shared.h"
 

@@ -1,6 +1,6 @@
 #include "relight/radiosity.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "relight/sky_bins.h"
 #include "scenes/radiosity.h"
 #include "scenes/scenes.h"

@@ -1,7 +1,7 @@
 #include "relamp/relight.h"
 
 #include "base/half.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "relamp/error.h"
 #include "relamp/threads.h"
 #include "relight/relighter_state.h"

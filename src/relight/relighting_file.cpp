@@ -1,6 +1,6 @@
 #include "relight/relighting_file.h"
 #include "base/fail.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "lights/fixture_named.h"
 #include "lights/json_document.h"
 #include "lights/sun_item.h"

@@ -1,4 +1,4 @@
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "relamp/relight.h"
 #include "relight/photometry.h"
 #include "scenes/refusal.h"
@@ -91,7 +91,7 @@ TEST(RelightingFile, LumensOfAKnownLamp)
         {"position": [1, 2, 3], "lumens": 800, "kelvin": 2700}]})");
     const PhotometricWhite white;
     const auto photometric = [&](size_t i) {
-        return luminanceOf(lighting.lights[i].emission) * white.luminance;
+        return luminance(lighting.lights[i].emission) * white.luminance;
     };
     EXPECT_NEAR(photometric(0), 800.0f / (4.0f * kPi), 0.01f);
     EXPECT_NEAR(photometric(1), 800.0f / (kPi * kPi * 0.25f), 0.1f);
@@ -210,8 +210,7 @@ TEST(FixtureSetting, DoesWhatAPersonSays)
     setFixture(lighting, captured, "0=50%");
     EXPECT_EQ(radiance(0), glm::vec3(4, 3, 2));
     setFixture(lighting, captured, "1=2700K,800lm");
-    EXPECT_NEAR(luminanceOf(radiance(1)) * PhotometricWhite{}.luminance, 800.0f / (kPi * 0.1f),
-                1.0f);
+    EXPECT_NEAR(luminance(radiance(1)) * PhotometricWhite{}.luminance, 800.0f / (kPi * 0.1f), 1.0f);
     EXPECT_GT(radiance(1).r, radiance(1).b);
     setFixture(lighting, captured, "0=window");
     EXPECT_TRUE(lighting.fixtures[0].isWindow);

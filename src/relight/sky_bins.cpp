@@ -1,7 +1,7 @@
 #include "relight/sky_bins.h"
 
 #include "base/parallel.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "relight/sky_bins.shared.h"
 
 #include <algorithm>

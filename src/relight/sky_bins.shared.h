@@ -1,7 +1,7 @@
 #ifndef RELAMP_SKY_BINS_SHARED_H
 #define RELAMP_SKY_BINS_SHARED_H
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 
 SHARED_BEGIN
 

@@ -1,4 +1,4 @@
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "scan/even_normals.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "scan/finish_mesh.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "scenes/refusal.h"
 
 #include <cmath>

@@ -1,8 +1,7 @@
 #include "shading/buried.h"
 
 #include "base/parallel.h"
-#include "base/pi.shared.h"
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 #include "scan/footprints.h"
 #include "shading/buried.shared.h"
 #include "shading/hit_lists.h"

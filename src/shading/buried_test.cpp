@@ -1,7 +1,6 @@
 #include "shading/buried.h"
 
-#include "base/pi.shared.h"
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 #include "scenes/scenes.h"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 #include "shading/gather.gpu.h"
 #include "shading/gather.shared.h"
 

@@ -1,7 +1,7 @@
 #include "shading/gather.h"
 
 #include "base/parallel.h"
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 #include "shading/gather.shared.h"
 
 namespace relamp

@@ -1,7 +1,6 @@
 #include "shading/gather.h"
 
-#include "base/pi.shared.h"
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 #include "scenes/axes.h"
 #include "scenes/radiosity.h"
 #include "scenes/surfaces.h"

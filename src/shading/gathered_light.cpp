@@ -3,8 +3,7 @@
 #include "base/instruction_set.h"
 #include "base/lanes.h"
 #include "base/parallel.h"
-#include "base/pi.shared.h"
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 #include "shading/gathered_light.shared.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "shading/hit_lists.h"
 
 #include "base/parallel.h"
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 #include "scan/surface_point.h"
 #include "shading/sampling.shared.h"
 

@@ -1,6 +1,6 @@
 #include "shading/hit_lists.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "relamp/threads.h"
 #include "scenes/axes.h"
 #include "scenes/radiosity.h"

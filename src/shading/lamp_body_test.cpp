@@ -1,6 +1,6 @@
 #include "shading/lamp_body.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"
 

@@ -1,7 +1,7 @@
 #include "shading/lamp_patches.h"
 
 #include "base/lanes.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "shading/lamp_patches.shared.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "shading/lamp_patches.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "scenes/axes.h"
 #include "scenes/radiosity.h"
 #include "scenes/surfaces.h"

@@ -1,6 +1,6 @@
 #include "shading/lamp_surface.h"
 
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,7 @@
 #include "shading/lit_sides.h"
 
 #include "base/parallel.h"
-#include "base/pi.shared.h"
-#include "lights/expand.shared.h"
+#include "base/radiometry.shared.h"
 #include "shading/lamp_patches.h"
 #include "shading/lit_sides.shared.h"
 #include "shading/sampling.shared.h"

@@ -1,7 +1,7 @@
 #ifndef RELAMP_LIT_SIDES_SHARED_H
 #define RELAMP_LIT_SIDES_SHARED_H
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "image/burnt_out.shared.h"
 
 SHARED_BEGIN

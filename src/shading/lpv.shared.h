@@ -1,7 +1,7 @@
 #ifndef RELAMP_LPV_SHARED_H
 #define RELAMP_LPV_SHARED_H
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 
 SHARED_BEGIN
 

@@ -1,6 +1,6 @@
 #include "shading/path_tracer.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "scan/surface_point.h"
 #include "shading/area_direct.h"
 #include "shading/area_direct.shared.h"

@@ -1,6 +1,6 @@
 #include "shading/path_tracer.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "scenes/scenes.h"
 
 #include <cmath>

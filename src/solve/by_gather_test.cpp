@@ -1,7 +1,7 @@
 #include "solve/by_gather.h"
 
 #include "base/half.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "scenes/lit_room.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "albedo/gather_closure.h"
 #include "base/parallel.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 
 #include <algorithm>
 #include <memory>

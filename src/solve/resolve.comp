@@ -1,9 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "fit/stray.shared.h"
-#include "lights/expand.shared.h"
 #include "scan/texels.gpu.h"
 #include "shading/gathered_light.shared.h"
 #include "solve/resolve.gpu.h"

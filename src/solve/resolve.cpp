@@ -2,9 +2,9 @@
 
 #include "base/call_all.h"
 #include "base/parallel.h"
+#include "base/radiometry.shared.h"
 #include "fit/lamp_groups.h"
 #include "fit/shade.h"
-#include "lights/expand.shared.h"
 
 #include <algorithm>
 #include <utility>

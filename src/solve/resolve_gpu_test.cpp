@@ -1,6 +1,6 @@
 #include "solve/resolve_gpu.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "scenes/apart_layers.h"
 #include "scenes/gpu_scene.h"
 #include "scenes/lit_room.h"

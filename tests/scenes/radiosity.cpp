@@ -1,7 +1,7 @@
 #include "scenes/radiosity.h"
 
 #include "base/parallel.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 
 #include <algorithm>
 #include <array>

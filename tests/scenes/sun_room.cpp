@@ -1,5 +1,5 @@
 #include "scenes/sun_room.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 
 namespace relamp::scenes
 {

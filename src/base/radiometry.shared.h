@@ -1,0 +1,18 @@
+#ifndef RELAMP_RADIOMETRY_SHARED_H
+#define RELAMP_RADIOMETRY_SHARED_H
+
+#include "base/shared.h"
+
+SHARED_BEGIN
+
+SHARED_CONST kPi = 3.14159265f;
+
+// Rec. 709 luminance of linear RGB.
+SHARED_FN float luminance(vec3 rgb)
+{
+    return dot(rgb, vec3(0.2126f, 0.7152f, 0.0722f));
+}
+
+SHARED_END
+
+#endif
