@@ -205,7 +205,7 @@ float LightSource::intensityTowards(glm::vec3 direction) const
 void LightSource::open(const TexelBlock& block, float* irradiance, InstructionSet set) const
 {
     if (const auto* surface = std::get_if<Surface>(&shape_))
-        return openIrradiance(block, surface->patches, irradiance, set);
+        return openIrradiance(block, surface->patches, Geometry::exact, irradiance, set);
     if (const auto* sun = std::get_if<Sun>(&shape_)) {
         const FacingArgs args{&block, sun->towards, irradiance};
         return runKernel<facingKernel>(set, args);

@@ -2,6 +2,7 @@
 
 #include "base/radiometry.shared.h"
 #include "relight/sky_bins.h"
+#include "scenes/form_factors.h"
 #include "scenes/radiosity.h"
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"
@@ -46,7 +47,7 @@ TEST(Radiosity, FurnaceReachesTheGeometricSeries)
         double sum = 0.0;
         for (const glm::vec3 irradiance : bounced.irradiance)
             sum += static_cast<double>(irradiance.g);
-        EXPECT_NEAR(sum / static_cast<double>(room.surfels()), exact, 0.01f * exact) << rho;
+        EXPECT_NEAR(sum / static_cast<double>(room.surfels()), exact, 0.005f * exact) << rho;
     }
 }
 
@@ -79,6 +80,34 @@ TEST(Radiosity, ColourBleedsByTheFormFactorOfTheWalls)
         EXPECT_NEAR(mean.r / count, 0.8f * factor, 0.02f * factor);
         EXPECT_NEAR(mean.b / count, 0.1f * factor, 0.005f * factor);
     }
+}
+
+// A lit ceiling throws its light on a black floor and on black walls by their configuration
+// factors.
+TEST(Radiosity, CeilingLightsFloorAndWallsByTheTextbook)
+{
+    const BouncingRoom room(scenes::room({4.0f, 2.5f, 5.0f}, 64, scenes::plain(glm::vec3(0.5f))));
+    const Surfels& surfels = room.surfaces.texels.surfels;
+    std::vector<glm::vec3> albedo(room.surfels(), glm::vec3(0.0f));
+    std::vector<glm::vec3> direct = room.everywhere(0.0f);
+    for (const uint32_t s : room.surfaces.facing({0, -1, 0})) {
+        albedo[s] = glm::vec3(0.8f);
+        direct[s] = glm::vec3(kPi / 0.8f);
+    }
+    const Bounced bounced = bounce(room.transport, albedo, direct, {});
+    const auto meanOf = [&](glm::vec3 normal) {
+        double sum = 0.0;
+        double area = 0.0;
+        for (const uint32_t s : room.surfaces.facing(normal)) {
+            sum += static_cast<double>(surfels.area[s] * bounced.irradiance[s].g / kPi);
+            area += static_cast<double>(surfels.area[s]);
+        }
+        return sum / area;
+    };
+    const double onFloor = scenes::opposite(4.0, 5.0, 2.5);
+    EXPECT_NEAR(meanOf({0, 1, 0}), onFloor, 0.005 * onFloor);
+    const double onWall = scenes::adjacent(5.0, 2.5, 4.0); // x = 0
+    EXPECT_NEAR(meanOf({1, 0, 0}), onWall, 0.005 * onWall);
 }
 
 TEST(Radiosity, OpenGroundReceivesTheWholeSky)

@@ -1,6 +1,7 @@
 #include "shading/area_direct.h"
 
 #include "shading/area_direct.shared.h"
+#include "shading/mesh_noise.shared.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +9,6 @@
 
 namespace relamp
 {
-namespace
-{
-
-} // namespace
-
 AreaLight::AreaLight(std::vector<ClippedPatch> patches) : patches_(std::move(patches))
 {
     float area = 0.0f;
@@ -89,6 +85,8 @@ void AreaSampler::look()
         const glm::vec3 normal(looks_.nx[i], looks_.ny[i], looks_.nz[i]);
         const glm::vec3 facing(looks_.fx[i], looks_.fy[i], looks_.fz[i]);
         received[i] = looks_.area[i] * patchFormFactor(way, normal, facing, looks_.patch[i]);
+        if (geometry_ == Geometry::scanned)
+            received[i] *= shareBeyondMeshNoise(way, normal, facing);
         distance[i] = glm::length(way);
         wayX[i] = way.x / distance[i];
         wayY[i] = way.y / distance[i];
@@ -129,7 +127,7 @@ AreaSample sampleAreaLight(const RayScene& scene, const AreaLight& light, glm::v
 {
     const TexelSite site{position, normal};
     AreaSample sum;
-    AreaSampler sampler(scene, light);
+    AreaSampler sampler(scene, light, Geometry::exact);
     sampler.add({&site, 1}, samples, shift, sum);
     sampler.finish();
     return sum;

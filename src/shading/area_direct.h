@@ -4,6 +4,7 @@
 #include "scan/rays.h"
 #include "scan/texels.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,12 @@ namespace relamp
 
 constexpr float kOffLamp =
     0.015f; // m, at which shadow rays end: its surface is as uneven as any of a scan
+
+/// How positions and normals are taken where light is computed. `exact`: as they are; for whatever
+/// is to be true of the room that they make up. `scanned`: as a scan has them, with errors; for
+/// estimating what its own lamps brought as it was captured, without what errors of the mesh alone
+/// would bring (mesh_noise.shared.h).
+enum class Geometry : uint8_t { exact, scanned };
 
 /// A lamp as something that points can be sampled on: its burnt-out patches, and where in their
 /// order an area is reached.
@@ -52,7 +59,9 @@ struct AreaSample
 class AreaSampler
 {
 public:
-    AreaSampler(const RayScene& scene, const AreaLight& light) : scene_(scene), light_(light) {}
+    AreaSampler(const RayScene& scene, const AreaLight& light, Geometry geometry)
+        : scene_(scene), light_(light), geometry_(geometry)
+    {}
 
     /// The mean of several sites on surfaces: `samples` points from each, evenly over the lamp's
     /// area and all sites together, shifted by `shift` (0..1), each with a shadow ray where it
@@ -81,6 +90,7 @@ private:
 
     const RayScene& scene_;
     const AreaLight& light_;
+    Geometry geometry_;
     Looks looks_;
     size_t looking_ = 0;
     Ray rays_[kBatch];
@@ -89,7 +99,7 @@ private:
     size_t count_ = 0;
 };
 
-/// At one site: `position` is on the surface, `normal` its unit normal.
+/// At one site, exact: `position` is on the surface, `normal` its unit normal.
 AreaSample sampleAreaLight(const RayScene& scene, const AreaLight& light, glm::vec3 position,
                            glm::vec3 normal, size_t samples, float shift);
 

@@ -2,6 +2,7 @@
 
 #include "base/radiometry.shared.h"
 #include "scenes/axes.h"
+#include "scenes/form_factors.h"
 #include "scenes/radiosity.h"
 #include "scenes/surfaces.h"
 
@@ -27,6 +28,20 @@ Scan brightCeiling()
 }
 
 } // namespace
+
+// A closed box whose walls emit e and reflect rho shows e / (1 - rho) everywhere; what it gathers
+// of that, and reflects, makes up just that with what it emits.
+TEST(Gather, FurnaceKeepsTheGeometricSeries)
+{
+    const float emission = 0.3f;
+    for (const float rho : {0.2f, 0.5f, 0.65f}) {
+        const float shown = emission / (1.0f - rho);
+        const scenes::Surfaces box(scenes::room(kGatherRoom, 32, scenes::plain(glm::vec3(shown))));
+        const Gathered gathered = gather(scenes::hitListsOf(box, 32), fieldOf(box.radiance));
+        for (const glm::vec3 irradiance : gathered.irradiance)
+            ASSERT_NEAR(emission + rho * irradiance.g / kPi, shown, 0.005f * shown) << rho;
+    }
+}
 
 // Radiance L from everywhere is an irradiance of pi L, however the rays fall.
 TEST(Gather, FurnaceGivesPiTimesItsRadiance)
@@ -83,6 +98,27 @@ TEST(Gather, CeilingLightsTheFloorByItsFormFactor)
     }
     EXPECT_NEAR(sum, expected, 0.01f * expected);
     EXPECT_LT(far, floor.size() / 20); // two standard errors, and even points beat random ones
+}
+
+// The same all over floor and walls, by their configuration factors.
+TEST(Gather, CeilingLightsFloorAndWallsByTheTextbook)
+{
+    const scenes::Surfaces box(brightCeiling());
+    const Gathered gathered = gather(scenes::hitListsOf(box, 256), fieldOf(box.radiance));
+    const auto meanOf = [&](glm::vec3 normal) {
+        double sum = 0.0;
+        double area = 0.0;
+        for (const uint32_t s : box.facing(normal)) {
+            const auto own = static_cast<double>(box.texels.surfels.area[s]);
+            sum += own * static_cast<double>(gathered.irradiance[s].g / (0.9f * kPi));
+            area += own;
+        }
+        return sum / area;
+    };
+    const double onFloor = scenes::opposite(2.0, 3.0, 1.5);
+    EXPECT_NEAR(meanOf(kUp), onFloor, 0.005 * onFloor);
+    const double onWall = scenes::adjacent(3.0, 1.5, 2.0);
+    EXPECT_NEAR(meanOf({1, 0, 0}), onWall, 0.005 * onWall);
 }
 
 TEST(Gather, LampsAreLeftOut)

@@ -107,7 +107,7 @@ void shadeDirect(const GatheredLight& light, const PageTexels& page, size_t begi
             isSeen |= light.visibility->at(l, surfel, block, first, end, share);
         });
         if (!isSeen) continue;
-        openIrradiance(block, light.lamps[l].patches, open);
+        openIrradiance(block, light.lamps[l].patches, Geometry::scanned, open);
         const glm::vec3 radiance = light.lamps[l].radiance / kPi;
         for (size_t i = 0; i < block.count; ++i) {
             out.r[i] += open[i] * share[i] * radiance.r;
@@ -142,7 +142,7 @@ SurfelLighting lightOnSurfels(const Surfels& surfels, const GatheredLight& light
         float open[TexelBlock::kPadded];
         std::vector<float> partly(block.count, 0.0f);
         for (size_t l = 0; l < light.lamps.size(); ++l) {
-            openIrradiance(block, light.lamps[l].patches, open);
+            openIrradiance(block, light.lamps[l].patches, Geometry::scanned, open);
             for (size_t i = 0; i < block.count; ++i) {
                 const auto s = static_cast<uint32_t>(begin + i);
                 light.visibility->at(l, s, block, i, i + 1, share);

@@ -3,6 +3,7 @@
 #include "base/lanes.h"
 #include "base/radiometry.shared.h"
 #include "shading/lamp_patches.shared.h"
+#include "shading/mesh_noise.shared.h"
 
 #include <algorithm>
 #include <cmath>
@@ -145,6 +146,7 @@ struct OpenArgs
     float* irradiance;
 };
 
+template<Geometry geometry>
 void openKernel(const OpenArgs& args)
 {
     const TexelBlock& block = *args.block;
@@ -176,7 +178,10 @@ void openKernel(const OpenArgs& args)
                     shareOfParts(dot(way, way), lamp.farSquared[j], lamp.perRamp[j]);
                 const float wide = wideFormFactor(way, normal, facing, lamp.spread[j]);
                 const float near = leaf * nearFormFactor(way, normal, facing, lamp.area[j]);
-                sum[lane] += own[lane] * lamp.area[j] * (wide + share * (near - wide));
+                float factor = wide + share * (near - wide);
+                if constexpr (geometry == Geometry::scanned)
+                    factor *= shareBeyondMeshNoise(way, normal, facing);
+                sum[lane] += own[lane] * lamp.area[j] * factor;
                 parts[lane] = own[lane] * share;
                 any |= parts[lane] > 0.0f ? 1u : 0u;
             }
@@ -194,11 +199,14 @@ LampPatches::LampPatches(const AreaLight& light)
     Planter(light.patches(), *this).plant();
 }
 
-void openIrradiance(const TexelBlock& block, const LampPatches& lamp, float* irradiance,
-                    InstructionSet set)
+void openIrradiance(const TexelBlock& block, const LampPatches& lamp, Geometry geometry,
+                    float* irradiance, InstructionSet set)
 {
     const OpenArgs args{&block, &lamp, irradiance};
-    runKernel<openKernel>(set, args);
+    if (geometry == Geometry::scanned)
+        runKernel<openKernel<Geometry::scanned>>(set, args);
+    else
+        runKernel<openKernel<Geometry::exact>>(set, args);
 }
 
 } // namespace relamp

@@ -32,7 +32,7 @@ struct LampPatches
 };
 
 /// Irradiance of a lamp of radiance 1 that nothing stands before, at the texels of a block.
-void openIrradiance(const TexelBlock& block, const LampPatches& lamp, float* irradiance,
-                    InstructionSet set = bestInstructionSet());
+void openIrradiance(const TexelBlock& block, const LampPatches& lamp, Geometry geometry,
+                    float* irradiance, InstructionSet set = bestInstructionSet());
 
 } // namespace relamp

@@ -1,7 +1,7 @@
 #ifndef RELAMP_LAMP_PATCHES_SHARED_H
 #define RELAMP_LAMP_PATCHES_SHARED_H
 
-#include "base/shared.h"
+#include "base/radiometry.shared.h"
 #include "shading/area_direct.shared.h"
 
 SHARED_BEGIN
@@ -20,9 +20,8 @@ SHARED_FN float shareOfParts(float squared, float farSquared, float perRamp)
 SHARED_FN float wideFormFactor(vec3 way, vec3 normal, vec3 facing, float spread)
 {
     const float squared = max(dot(way, way), 1e-12f);
-    const float lost = lostToTilt(normal, facing, sqrt(squared));
-    const float received = dot(way, normal) - lost;
-    const float sent = -dot(way, facing) - lost;
+    const float received = dot(way, normal);
+    const float sent = -dot(way, facing);
     const float perSquared = 1.0f / squared;
     const float turned = dot(normal, facing);
     const float second = 4.0f * sent * (received - turned * sent) -
@@ -34,7 +33,7 @@ SHARED_FN float wideFormFactor(vec3 way, vec3 normal, vec3 facing, float spread)
 // The same of a patch that nothing smaller stands for, near by: on its axis that is a disc's.
 SHARED_FN float nearFormFactor(vec3 way, vec3 normal, vec3 facing, float area)
 {
-    return patchFormFactor(way, normal, facing, 0.318309886f * area);
+    return patchFormFactor(way, normal, facing, area / kPi);
 }
 
 SHARED_END

@@ -2,6 +2,7 @@
 
 #include "base/radiometry.shared.h"
 #include "scenes/axes.h"
+#include "scenes/form_factors.h"
 #include "scenes/radiosity.h"
 #include "scenes/surfaces.h"
 #include "shading/lamp_patches.shared.h"
@@ -28,7 +29,7 @@ float openAt(const LampPatches& lamp, glm::vec3 place, glm::vec3 normal,
     TexelBlock block;
     scenes::addTexel(block, place, normal);
     float irradiance[TexelBlock::kPadded];
-    openIrradiance(block, lamp, irradiance, set);
+    openIrradiance(block, lamp, Geometry::exact, irradiance, set);
     return irradiance[0];
 }
 
@@ -84,6 +85,35 @@ TEST(LampPatches, FromAfarFewPatchesAreAsGoodAsAll)
     const LampPatches lamp(scenes::lightOf(pane, 50));
     const float exact = scenes::irradianceFrom(pane, {0.4f, -0.5f, 2.0f}, kUp);
     EXPECT_NEAR(openAt(lamp, {0.4f, -0.5f, 2.0f}, kUp), exact, 0.01f * exact);
+}
+
+// A ceiling on floor and walls, as people's lights are computed and as a scan's own lamps are.
+TEST(LampPatches, CeilingLightsFloorAndWallsByTheTextbook)
+{
+    const std::vector<scenes::Panel> walls = scenes::wallsOf({4.0f, 2.5f, 5.0f});
+    const LampPatches lamp(scenes::lightOf(walls[1], 250));
+    const auto meanOver = [&](const scenes::Panel& wall, Geometry geometry) {
+        constexpr int kAcross = 100;
+        double sum = 0.0;
+        for (int v = 0; v < kAcross; ++v) {
+            TexelBlock block;
+            for (int u = 0; u < kAcross; ++u)
+                scenes::addTexel(block,
+                                 wall.at((static_cast<float>(u) + 0.5f) / kAcross,
+                                         (static_cast<float>(v) + 0.5f) / kAcross),
+                                 wall.normal());
+            float irradiance[TexelBlock::kPadded];
+            openIrradiance(block, lamp, geometry, irradiance);
+            for (int u = 0; u < kAcross; ++u) sum += static_cast<double>(irradiance[u] / kPi);
+        }
+        return sum / (kAcross * kAcross);
+    };
+    const double onFloor = scenes::opposite(4.0, 5.0, 2.5);
+    const double onWall = scenes::adjacent(5.0, 2.5, 4.0); // x = 0
+    for (const Geometry geometry : {Geometry::exact, Geometry::scanned}) {
+        EXPECT_NEAR(meanOver(walls[0], geometry), onFloor, 0.005 * onFloor);
+        EXPECT_NEAR(meanOver(walls[2], geometry), onWall, 0.005 * onWall);
+    }
 }
 
 // One patch hands over to its parts by and by: no step shows on a wall.

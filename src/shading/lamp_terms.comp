@@ -4,6 +4,7 @@
 #include "scan/texels.gpu.h"
 #include "shading/lamp_patches.shared.h"
 #include "shading/lamp_terms.gpu.h"
+#include "shading/mesh_noise.shared.h"
 #include "shading/visibility.shared.h"
 
 ARGUMENTS(LampTermsArguments)
@@ -62,6 +63,7 @@ Patch patchOf(uint i)
                  uintBitsToFloat(b.w), uintBitsToFloat(c.x), uintBitsToFloat(c.y), c.z, c.w);
 }
 
+// Geometry::scanned: these are the lamps of a scan as it was captured.
 float openIrradiance(vec3 place, vec3 normal)
 {
     float sum = 0.0;
@@ -79,7 +81,8 @@ float openIrradiance(vec3 place, vec3 normal)
         const float wide = wideFormFactor(way, normal, lamp.facing, lamp.spread);
         const float near =
             lamp.after > i + 1 ? 0.0 : nearFormFactor(way, normal, lamp.facing, lamp.area);
-        sum += own * lamp.area * (wide + share * (near - wide));
+        const float believed = shareBeyondMeshNoise(way, normal, lamp.facing);
+        sum += own * lamp.area * believed * (wide + share * (near - wide));
         asked[lamp.depth + 1] = own * share;
         ++i;
     }

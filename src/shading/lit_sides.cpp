@@ -59,13 +59,13 @@ public:
     void look(const RayScene& scene, const SoughtLamp& lamp, const LampPatches& patches,
               std::span<AreaSample> seen) const
     {
-        AreaSampler sampler(scene, lamp.light);
+        AreaSampler sampler(scene, lamp.light, Geometry::scanned);
         for (size_t i = 0; i < count_; ++i)
             sampler.add(originsOf(i), lamp.raysPerOrigin, hashedShift(sides_[i].side.index, 0),
                         seen[i]);
         sampler.finish();
         float open[TexelBlock::kPadded];
-        openIrradiance(block_, patches, open);
+        openIrradiance(block_, patches, Geometry::scanned, open);
         for (size_t i = 0; i < count_; ++i) {
             if (seen[i].open <= 0.0f) continue;
             float sum = 0.0f;

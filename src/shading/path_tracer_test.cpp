@@ -1,7 +1,10 @@
 #include "shading/path_tracer.h"
 
 #include "base/radiometry.shared.h"
+#include "scenes/form_factors.h"
+#include "scenes/radiosity.h"
 #include "scenes/scenes.h"
+#include "shading/sampling.shared.h"
 
 #include <cmath>
 
@@ -88,26 +91,43 @@ std::vector<LampTexel> disc(glm::vec3 centre, float radius, glm::vec3 radiance)
     return lamps;
 }
 
+/// Mean of what white patches all over a panel show, of one path each and more.
+double meanOver(const Stage& stage, const scenes::Panel& panel, size_t places, size_t paths)
+{
+    const PathTracer tracer(stage.texels, stage.scene, stage.room);
+    double sum = 0.0;
+    for (size_t i = 0; i < places; ++i) {
+        const glm::vec2 at = evenPoint(static_cast<float>(i), glm::vec2(0.5f));
+        sum += static_cast<double>(
+            tracer.shade({panel.at(at.x, at.y), panel.normal()}, paths, Random(4, 5, i)).total().g);
+    }
+    return sum / static_cast<double>(places);
+}
+
 } // namespace
 
 // A closed box whose walls emit e and reflect rho shows e / (1 - rho): every bounce adds a power.
+// White surfaces see walls alone, so the light straight from those is e at every place.
 TEST(PathTracer, FurnaceReachesTheGeometricSeries)
 {
-    Stage stage(scenes::room(kTracedRoom, 64, scenes::plain(glm::vec3(0.5f))), 0.5f);
-    std::vector<LampTexel> walls =
-        lightUp(stage, glm::vec3(1.0f), [](const TexelSite&) { return true; });
-    for (LampTexel& texel : walls) texel.isOfScan = false; // they emit, but rays meet walls
-    std::fill(stage.room.shines.begin(), stage.room.shines.end(), uint8_t{0});
-    stage.room.lamps = LampSurface(walls);
-    double sum = 0.0;
-    constexpr int kPlaces = 100;
-    for (int i = 0; i < kPlaces; ++i) {
-        const float t = (static_cast<float>(i) + 0.5f) / kPlaces;
-        const glm::vec3 place(kTracedRoom.x * t, 0.0f, kTracedRoom.z * std::fmod(7.31f * t, 1.0f));
-        // Few paths meet the corners, where walls are near and each path counts much.
-        sum += static_cast<double>(stage.shade(place, {0, 1, 0}, 8000).total().g);
+    for (const float rho : {0.3f, 0.5f, 0.8f}) {
+        Stage stage(scenes::room(kTracedRoom, 32, scenes::plain(glm::vec3(0.5f))), rho);
+        stage.room.unseenLights = [](const TexelSite&, Random&) { return glm::vec3(0.7f); };
+        const double exact = 0.7 / (1.0 - static_cast<double>(rho));
+        for (const scenes::Panel& wall : scenes::wallsOf(kTracedRoom))
+            EXPECT_NEAR(meanOver(stage, wall, 2000, 16), exact, 0.005 * exact) << rho;
     }
-    EXPECT_NEAR(sum / kPlaces, 1.0 / (1.0 - 0.5), 0.03);
+}
+
+// In a box of lamps of radiance 1 every place sees 1. The weights of both ways to find a point of
+// them add up to one, beside it as well as far away.
+TEST(PathTracer, BoxOfLampsShowsTheirRadiance)
+{
+    Stage stage(scenes::room(kTracedRoom, 128, scenes::plain(glm::vec3(0.5f))), 0.5f);
+    stage.room.lamps =
+        LampSurface(lightUp(stage, glm::vec3(1.0f), [](const TexelSite&) { return true; }));
+    for (const scenes::Panel& wall : scenes::wallsOf(kTracedRoom))
+        EXPECT_NEAR(meanOver(stage, wall, 4000, 64), 1.0, 0.005);
 }
 
 // What a white surface shows of a ceiling of radiance 1 is the share of its view that it fills.
@@ -123,6 +143,37 @@ TEST(PathTracer, CeilingLightsTheFloorByItsFormFactor)
     // At the foot of a wall a quarter of this is left of each half, of a ceiling twice as wide.
     const TracedShading edge = stage.shade({1e-3f, 0.0f, 2.5f}, {0, 1, 0}, 20000);
     EXPECT_NEAR(edge.direct.g, 2.0f * cornerFormFactor(2.0f * half.x, half.z), 0.005f);
+}
+
+// All over a floor and over a wall, a ceiling of radiance 1 shows by their configuration factors.
+TEST(PathTracer, CeilingLightsFloorAndWallsByTheTextbook)
+{
+    Stage stage(scenes::room(kTracedRoom, 128, scenes::plain(glm::vec3(0.5f))), 0.0f);
+    stage.room.lamps = LampSurface(lightUp(
+        stage, glm::vec3(1.0f), [](const TexelSite& site) { return site.normal.y < -0.5f; }));
+    const std::vector<scenes::Panel> walls = scenes::wallsOf(kTracedRoom);
+    const double onFloor = scenes::opposite(4.0, 5.0, 2.5);
+    EXPECT_NEAR(meanOver(stage, walls[0], 20000, 16), onFloor, 0.005 * onFloor);
+    const double onWall = scenes::adjacent(5.0, 2.5, 4.0); // x = 0
+    EXPECT_NEAR(meanOver(stage, walls[2], 20000, 16), onWall, 0.005 * onWall);
+}
+
+// A ceiling that bends a little to a panel in it is lit by that, however little.
+TEST(PathTracer, PlaceThatFacesAPanelByItsTiltAloneGetsItsLight)
+{
+    const scenes::Panel panel{{1.5f, 2.5f, 2.0f}, {1, 0, 0}, {0, 0, 1}};
+    Stage stage(scenes::room(kTracedRoom, 128, scenes::plain(glm::vec3(0.5f))), 0.0f);
+    stage.room.lamps = LampSurface(lightUp(stage, glm::vec3(1.0f), [](const TexelSite& site) {
+        return site.normal.y < -0.5f && std::abs(site.position.x - 2.0f) < 0.5f &&
+               std::abs(site.position.z - 2.5f) < 0.5f;
+    }));
+    for (const float tilt : {0.1f, 0.3f}) { // rad, towards the panel
+        const glm::vec3 normal(-std::sin(tilt), -std::cos(tilt), 0.0f);
+        const glm::vec3 place(3.2f, 2.47f, 2.5f);
+        const float exact = // from where rays start
+            scenes::irradianceFrom(panel, place + kOffSurface * normal, normal) / kPi;
+        EXPECT_NEAR(stage.shade(place, normal, 400000).direct.g, exact, 0.02f * exact) << tilt;
+    }
 }
 
 // On the axis of a disc E = pi L r^2 / (r^2 + h^2), which far away is the inverse-square law.

@@ -129,7 +129,7 @@ std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const See
     forEachChunk(states.size(), 64, [&](size_t begin, size_t end) {
         const uint32_t firstProbe = firstProbe_[begin];
         std::vector<AreaSample> samples(firstProbe_[end] - firstProbe);
-        AreaSampler sampler(scene, lamp);
+        AreaSampler sampler(scene, lamp, Geometry::scanned);
         for (auto s = static_cast<uint32_t>(begin); s < end; ++s) {
             if (states[s] != Seen::some) continue;
             for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {
