@@ -43,6 +43,15 @@ AreaLight rectangleOf(const NewLight& light)
     return AreaLight(std::move(patches));
 }
 
+ShiningRectangle outlineOf(const NewLight& light)
+{
+    const glm::mat3 frame = frameOf(light);
+    const glm::vec3 u = 0.5f * light.size.x * frame[0];
+    const glm::vec3 v = 0.5f * light.size.y * frame[1];
+    const glm::vec3 at = light.position;
+    return {{at - u - v, at + u - v, at + u + v, at - u + v}, frame[2]};
+}
+
 AreaLight discOf(const NewLight& light)
 {
     constexpr int kBulbPatches = kPatchesAcross * kPatchesAcross;
@@ -135,8 +144,10 @@ LightSource::LightSource(const NewLight& light)
 {
     switch (light.type) {
     case LightType::rectangle:
+        shape_ = Surface{rectangleOf(light), outlineOf(light), kOffPoint};
+        break;
     case LightType::disc: {
-        AreaLight area = light.type == LightType::disc ? discOf(light) : rectangleOf(light);
+        AreaLight area = discOf(light);
         LampPatches patches(area);
         shape_ = Surface{std::move(area), std::move(patches), kOffPoint};
         break;
@@ -204,8 +215,12 @@ float LightSource::intensityTowards(glm::vec3 direction) const
 
 void LightSource::open(const TexelBlock& block, float* irradiance, InstructionSet set) const
 {
-    if (const auto* surface = std::get_if<Surface>(&shape_))
-        return openIrradiance(block, surface->patches, Geometry::exact, irradiance, set);
+    if (const auto* surface = std::get_if<Surface>(&shape_)) {
+        if (const auto* rectangle = std::get_if<ShiningRectangle>(&surface->extent))
+            return irradianceOf(*rectangle, block, irradiance);
+        return openIrradiance(block, std::get<LampPatches>(surface->extent), Geometry::exact,
+                              irradiance, set);
+    }
     if (const auto* sun = std::get_if<Sun>(&shape_)) {
         const FacingArgs args{&block, sun->towards, irradiance};
         return runKernel<facingKernel>(set, args);

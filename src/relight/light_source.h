@@ -3,6 +3,7 @@
 #include "relamp/relight.h"
 #include "scan/texels.h"
 #include "shading/lamp_patches.h"
+#include "shading/rectangle_direct.h"
 
 #include <memory>
 #include <variant>
@@ -64,8 +65,8 @@ private:
     };
     struct Surface
     {
-        AreaLight light;
-        LampPatches patches;
+        AreaLight light; // what looks go to
+        std::variant<LampPatches, ShiningRectangle> extent;
         float off; // m that a ray ends before it
     };
     struct Sun

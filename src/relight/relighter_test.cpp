@@ -5,6 +5,7 @@
 #include "relamp/error.h"
 #include "relamp/threads.h"
 #include "relight/relighter_state.h"
+#include "scenes/form_factors.h"
 #include "scenes/lit_room.h"
 #include "scenes/scenes.h"
 #include "scenes/temporary_folder.h"
@@ -107,6 +108,64 @@ TEST(Relighter, CapturedLightPutBackShowsTheRoomAsItWas)
         all += 1.0;
     });
     EXPECT_GT(-10.0 * std::log10(error / all), 36.0); // dB
+}
+
+// A light that somebody puts up all over the ceiling, on floor and walls by their configuration
+// factors. Each paint reflects another channel, so nothing bounces twice.
+TEST(Relighter, RectangleLightsFloorAndWallsByTheTextbook)
+{
+    const glm::vec3 size(4.0f, 2.5f, 5.0f);
+    const DelitRoom room = painted(scenes::room(size, 96, [](glm::vec3, glm::vec3 n) {
+        return 0.5f * glm::vec3(n.y > 0.5f, n.x > 0.5f, n.z > 0.5f);
+    }));
+    Relighting lighting;
+    NewLight& ceiling = lighting.lights.emplace_back();
+    ceiling.type = LightType::rectangle;
+    ceiling.position = {2.0f, 2.5f, 2.5f};
+    ceiling.along = {1.0f, 0.0f, 0.0f};
+    ceiling.size = {size.x, size.z};
+    ceiling.emission = glm::vec3(1.0f);
+    glm::dvec3 sum(0.0);
+    glm::dvec3 count(0.0);
+    forEachTexel(room, lit(room, lighting), [&](const TexelSite& site, glm::vec3 radiance) {
+        const glm::dvec3 on =
+            glm::step(glm::dvec3(0.5), glm::dvec3(site.normal.y, site.normal.x, site.normal.z));
+        sum += on * glm::dvec3(radiance) / 0.5;
+        count += on;
+    });
+    const double onFloor = scenes::opposite(4.0, 5.0, 2.5);
+    EXPECT_NEAR(sum.r / count.r, onFloor, 0.005 * onFloor);
+    const double onSide = scenes::adjacent(5.0, 2.5, 4.0);
+    EXPECT_NEAR(sum.g / count.g, onSide, 0.005 * onSide);
+    const double onFront = scenes::adjacent(4.0, 2.5, 5.0);
+    EXPECT_NEAR(sum.b / count.b, onFront, 0.005 * onFront);
+}
+
+// A closed box whose walls emit e = 1, for lights lie on them, and reflect rho shows e / (1 - rho)
+// everywhere, and reflects rho of that.
+TEST(Relighter, FurnaceReachesTheGeometricSeries)
+{
+    const glm::vec3 size(4.0f, 2.5f, 5.0f);
+    const float rho = 0.5f;
+    const DelitRoom room = painted(scenes::room(size, 96, scenes::plain(glm::vec3(rho))));
+    Relighting lighting;
+    for (const scenes::Panel& wall : scenes::wallsOf(size)) {
+        NewLight& light = lighting.lights.emplace_back();
+        light.type = LightType::rectangle;
+        light.position = wall.at(0.5f, 0.5f);
+        light.direction = wall.normal();
+        light.along = glm::normalize(wall.alongU);
+        light.size = {glm::length(wall.alongU), glm::length(wall.alongV)};
+        light.emission = glm::vec3(1.0f);
+    }
+    double sum = 0.0;
+    double count = 0.0;
+    forEachTexel(room, lit(room, lighting), [&](const TexelSite&, glm::vec3 radiance) {
+        sum += static_cast<double>(radiance.g);
+        count += 1.0;
+    });
+    const double exact = static_cast<double>(rho / (1.0f - rho));
+    EXPECT_NEAR(sum / count, exact, 0.005 * exact);
 }
 
 TEST(Relighter, RepaintedIsAsIfItHadNeverBeenOtherwise)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 
@@ -91,6 +92,22 @@ void doubtPartlyBuried(const Surfels& surfels, std::span<Seen> states)
         if (states[s] == Seen::all && surfels.isPartlyBuried(s)) states[s] = Seen::some;
 }
 
+/// Rays say which share of a light is seen; how much all of it is, they know from a point or two,
+/// and beside the light not even nearly. `block` is of all places that they start from.
+void scaleToOpen(const LightSource& light, const TexelBlock& block, size_t origins,
+                 std::span<AreaSample> direct)
+{
+    float open[TexelBlock::kPadded];
+    light.open(block, open);
+    for (size_t i = 0; i < direct.size(); ++i) {
+        if (direct[i].open <= 0.0f) continue;
+        const float* own = open + i * origins;
+        const float mean = std::accumulate(own, own + origins, 0.0f) / static_cast<float>(origins);
+        direct[i].visible *= mean / direct[i].open;
+        direct[i].open = mean;
+    }
+}
+
 /// Of a share that `rays` rays told; 0 and 1 are not sure either.
 float varianceOf(float share, size_t rays)
 {
@@ -113,11 +130,13 @@ std::vector<AreaSample> directOfSides(const Texels& texels, const Obstacles& obs
         float gains[kBatch];
         size_t owner[kBatch];
         size_t count = 0;
+        TexelBlock block; // of all origins
         for (size_t i = begin; i < end; ++i)
             for (size_t k = 0; k < origins; ++k) {
                 const uint32_t index = sides[i].index;
                 const TexelSite site = sites.at(sides[i].surfel(), k);
                 const glm::vec3 normal = sides[i].isBack() ? -site.normal : site.normal;
+                block.add(site.position, normal);
                 const float share = (static_cast<float>(k) + hashedShift(index, 0)) / perSide;
                 const glm::vec2 u = evenPoint(
                     static_cast<float>(k), glm::vec2(hashedShift(index, 1), hashedShift(index, 2)));
@@ -134,6 +153,7 @@ std::vector<AreaSample> directOfSides(const Texels& texels, const Obstacles& obs
         obstacles.blocked({rays, count}, {blocked, count});
         for (size_t i = 0; i < count; ++i)
             if (blocked[i] == 0) direct[owner[i]].visible += gains[i];
+        scaleToOpen(light, block, origins, std::span(direct).subspan(begin, end - begin));
     });
     return direct;
 }
