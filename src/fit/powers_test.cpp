@@ -107,6 +107,19 @@ TEST(Powers, NoiseAndWrongPairsHardlyMatter)
     }
 }
 
+// Pairs of the same places tell the same again: a lamp is known no better for there being more of them.
+TEST(Powers, ErrorsDoNotFallWithTheNumberOfPairs)
+{
+    const Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.02f, 0.0f);
+    std::vector<MaterialPair> fourfold;
+    for (int i = 0; i < 4; ++i)
+        fourfold.insert(fourfold.end(), floor.pairs.begin(), floor.pairs.end());
+    const Powers once = fitPowers(floor.data, floor.pairs);
+    const Powers again = fitPowers(floor.data, fourfold);
+    for (size_t f = 0; f < 2; ++f)
+        EXPECT_NEAR(again.logError[f].g / once.logError[f].g, 1.0f, 0.05f);
+}
+
 // Gathered light is in the texture's units, and so powers are: half of it is half of everything.
 TEST(Powers, AreInTheUnitsOfTheGatheredLight)
 {
