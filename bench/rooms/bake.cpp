@@ -56,16 +56,13 @@ struct PointOnSource
 };
 
 /// The point that a share of a source's area and a place across its triangle stand for.
-PointOnSource pointOn(const Source& source, float share, float u, float v)
+PointOnSource pointOn(const Source& source, float share, glm::vec2 across)
 {
     const float until = share * source.area;
     auto sender = source.senders.begin();
     while (sender + 1 != source.senders.end() && sender->until < until) ++sender;
-    if (u + v > 1.0f) {
-        u = 1.0f - u;
-        v = 1.0f - v;
-    }
-    return {sender->corner + u * sender->alongU + v * sender->alongV, sender->normal};
+    if (across.x + across.y > 1.0f) across = 1.0f - across;
+    return {sender->corner + across.x * sender->alongU + across.y * sender->alongV, sender->normal};
 }
 
 struct Site
@@ -179,11 +176,12 @@ void Baker::addSent(size_t texel, Random& random)
     const auto count = static_cast<float>(options_.lampRays);
     for (const Source& source : sources_) {
         const float shift = random.next();
+        const glm::vec2 across{random.next(), random.next()};
         for (int i = 0; i < options_.lampRays; ++i) {
             const Site site = siteIn(texels_[texel], random.next(), random.next());
             const float along = (static_cast<float>(i) + shift) / count;
-            const float u = random.next();
-            const PointOnSource point = pointOn(source, along, u, random.next());
+            const PointOnSource point =
+                pointOn(source, along, evenPoint(static_cast<float>(i), across));
             const glm::vec3 origin = site.position + kOffSurface * site.normal;
             const glm::vec3 way = point.position - origin;
             const float distance = glm::length(way);

@@ -11,8 +11,8 @@ namespace relamp::rooms
 
 struct BakeOptions
 {
-    int lampRays = 16;    // a texel and lamp or opening, >= 1
-    int bounceRays = 256; // a texel, >= 1
+    int lampRays = 64;   // a texel and lamp or opening, >= 1
+    int bounceRays = 96; // a texel, >= 1
     uint64_t seed = 1;
 };
 

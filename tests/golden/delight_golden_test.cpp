@@ -67,7 +67,7 @@ TEST_F(DelightProgram, WritesAllThatTheGuidePromises)
 
     const auto report = nlohmann::json::parse(contentOf(out() / "report.json"));
     EXPECT_EQ(report["scan"]["triangles"], 39855);
-    EXPECT_LT(report["closedLoop"]["rmsError"], 0.1);
+    EXPECT_NEAR(report["closedLoop"]["rmsError"].get<double>(), 0.0175, 0.002);
     EXPECT_EQ(report["lights"]["white"]["nits"], 100.0);
     for (const auto& fixture : report["lights"]["fixtures"]) { // as lamps and windows of homes have
         EXPECT_GT(fixture["lumens"], 300.0);
@@ -76,7 +76,7 @@ TEST_F(DelightProgram, WritesAllThatTheGuidePromises)
     double share = report["confidence"]["good"];
     for (const auto& low : report["confidence"]["low"]) share += low.get<double>();
     EXPECT_NEAR(share, 1.0, 1e-3);
-    EXPECT_GT(report["confidence"]["good"], 0.7);
+    EXPECT_NEAR(report["confidence"]["good"].get<double>(), 0.83, 0.02);
     EXPECT_EQ(readPicture(out() / "albedo.png").width, 1024);
 }
 
@@ -87,20 +87,21 @@ TEST_F(DelightProgram, ThesisSolverTakesSomeShadingOffTheSample)
     ASSERT_EQ(runRelamp({"delight", kSampleScan, "-o", folder / "out", "--solver", "thesis", "-q"})
                   .exitCode,
               0);
-    const Score input = scoreAlbedo(readPicture(kRoom / "scan_recon.jpg"), kRoom);
+    const Truth truth = truthOfSample(kRoom);
+    const Score input = scoreAlbedo(truth.input, truth);
     EXPECT_NEAR(input.psnr, 11.88, 0.05);
     EXPECT_NEAR(input.leakSlope, 1.0, 0.01);
-    const Score thesis = scoreAlbedo(readPicture(folder / "out/albedo.exr"), kRoom);
-    EXPECT_NEAR(thesis.psnr, 12.4, 0.3);
-    EXPECT_NEAR(thesis.leakSlope, 0.95, 0.05);
+    const Score thesis = scoreAlbedo(readPicture(folder / "out/albedo.exr"), truth);
+    EXPECT_NEAR(thesis.psnr, 12.6, 0.3);
+    EXPECT_NEAR(thesis.leakSlope, 0.93, 0.02);
 }
 
-// The default solver's musts, with what a cut in its rays would cost kept in hand.
+// Narrow on both sides: who makes it better raises the figures here, who makes it worse sees it.
 TEST_F(DelightProgram, GatherSolverTakesTheShadingOffTheSample)
 {
-    const Score score = scoreAlbedo(readPicture(out() / "albedo.exr"), kRoom);
-    EXPECT_GT(score.psnr, 20.5);
-    EXPECT_NEAR(score.leakSlope, 0.0, 0.16);
+    const Score score = scoreAlbedo(readPicture(out() / "albedo.exr"), truthOfSample(kRoom));
+    EXPECT_NEAR(score.psnr, 24.0, 0.5);
+    EXPECT_NEAR(score.leakSlope, 0.043, 0.02);
 }
 
 TEST_F(DelightProgram, WritesTheSameBytesOnOneThreadAndOnEight)
@@ -158,20 +159,22 @@ TEST_F(DelightProgram, ItsLightsCanBeReadAgain)
     std::vector<std::string> warnings;
     const Lights lights = readLights(out() / "lights.json", warnings);
     EXPECT_TRUE(warnings.empty());
-    EXPECT_GE(lights.fixtures.size(), 3u);
+    EXPECT_EQ(lights.fixtures.size(), 3u);
     const Outcome again = runRelamp(
         {"delight", kSampleScan, "-o", folder / "again", "--lights", out() / "lights.json"});
     EXPECT_EQ(again.exitCode, 0) << again.err;
 }
 
+// What it is asked for takes a minute, so it cannot be faster than the finger.
 TEST_F(DelightProgram, CtrlCEndsItWithinASecondAndLeavesNothing)
 {
-    for (const double seconds : {0.05, 0.4, 0.8}) {
+    for (const double seconds : {0.05, 0.4, 0.8, 1.6}) {
         const TemporaryFolder folder;
         const auto start = std::chrono::steady_clock::now();
-        const Outcome run = runRelamp({"delight", kSampleScan, "-o", folder / "out"}, seconds);
+        const Outcome run = runRelamp({"delight", kSampleScan, "-o", folder / "out", "--solver",
+                                       "pathtrace", "--samples", "256"},
+                                      seconds);
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-        if (run.exitCode == 0) continue; // it was faster than the finger
         EXPECT_EQ(run.exitCode, 130) << run.err;
         EXPECT_LT(elapsed.count(), seconds + 1.0);
         EXPECT_TRUE(namesIn(folder.path()).empty());

@@ -1,14 +1,17 @@
 #include "golden/score.h"
 
 #include "relamp/image.h"
+#include "relamp/scan.h"
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
 namespace relamp::golden
 {
@@ -66,36 +69,58 @@ double slopeOf(const std::vector<double>& x, const std::vector<double>& y)
     return xy / xx;
 }
 
-} // namespace
-
-Picture readPicture(const std::filesystem::path& file)
+Picture pictureOf(const Image& image)
 {
-    const Image image = readImage(file);
     const Radiance radiance(image);
     Picture picture{image.width, image.height, std::vector<glm::vec3>(image.pixels())};
     for (size_t i = 0; i < picture.rgb.size(); ++i) picture.rgb[i] = radiance[i];
     return picture;
 }
 
-Score scoreAlbedo(const Picture& albedo, const std::filesystem::path& room)
+} // namespace
+
+Picture readPicture(const std::filesystem::path& file)
 {
-    const Picture truth = readPicture(room / "gt_albedo.exr");
-    const Picture shading = readPicture(room / "gt_shading.exr");
-    const Picture mask = readPicture(room / "mask.png");
-    const Picture input = readPicture(room / "scan_recon.jpg");
-    if (albedo.rgb.size() != truth.rgb.size())
+    return pictureOf(readImage(file));
+}
+
+Truth truthOfSample(const std::filesystem::path& room)
+{
+    Truth truth{readPicture(room / "gt_albedo.exr"), readPicture(room / "gt_shading.exr").rgb,
+                readPicture(room / "scan_recon.jpg")};
+    for (const glm::vec3& rgb : readPicture(room / "mask.png").rgb)
+        truth.isScored.push_back(rgb.r >= 0.2f);
+    return truth;
+}
+
+Truth truthOfSmallRoom(const std::filesystem::path& room)
+{
+    Progress progress;
+    const Scan scan = readScan(room / "scan.glb", {}, progress);
+    Truth truth{readPicture(room / "gt_albedo.png"), {}, pictureOf(scan.pages.at(0).image)};
+    for (size_t i = 0; i < truth.albedo.rgb.size(); ++i) {
+        const glm::vec3 albedo = truth.albedo.rgb[i];
+        truth.isScored.push_back(albedo.g > 0.0f); // nothing is black
+        truth.shading.push_back(truth.input.rgb[i] / glm::max(albedo, 1e-3f));
+    }
+    return truth;
+}
+
+Score scoreAlbedo(const Picture& albedo, const Truth& truth)
+{
+    if (albedo.rgb.size() != truth.albedo.rgb.size())
         throw std::runtime_error("albedo has another size than the truth");
 
     std::vector<glm::vec3> estimate;
     std::vector<glm::vec3> wanted;
     std::vector<double> logShading;
     std::vector<uint8_t> isClipped;
-    for (size_t i = 0; i < truth.rgb.size(); ++i) {
-        const glm::vec3 in = input.rgb[i];
-        if (mask.rgb[i].r < 0.2f) continue;
+    for (size_t i = 0; i < albedo.rgb.size(); ++i) {
+        const glm::vec3 in = truth.input.rgb[i];
+        if (truth.isScored[i] == 0) continue;
         estimate.push_back(albedo.rgb[i]);
-        wanted.push_back(truth.rgb[i]);
-        logShading.push_back(std::log(std::max(luminanceOf(shading.rgb[i]), 1e-4f)));
+        wanted.push_back(truth.albedo.rgb[i]);
+        logShading.push_back(std::log(std::max(luminanceOf(truth.shading[i]), 1e-4f)));
         isClipped.push_back(std::max({in.r, in.g, in.b}) >= kClipped);
     }
     const glm::vec3 scale(scaleOf(estimate, wanted, 0), scaleOf(estimate, wanted, 1),
@@ -116,6 +141,37 @@ Score scoreAlbedo(const Picture& albedo, const std::filesystem::path& room)
     }
     const double mse = squares / static_cast<double>(logError.size());
     return {-10.0 * std::log10(mse), slopeOf(logShadingThere, logError)};
+}
+
+LampCount countLamps(const Lights& lights, const std::filesystem::path& room)
+{
+    constexpr float kOff = 0.15f; // m that a fixture's centre may be off, beside half its lamp
+    struct TrueLamp
+    {
+        glm::vec3 centre;
+        float reach;
+    };
+    std::vector<TrueLamp> missing;
+    const auto truth = nlohmann::json::parse(std::ifstream(room / "gt_lights.json"));
+    for (const auto& lamp : truth["lights"])
+        missing.push_back({{lamp["center"][0], lamp["center"][1], lamp["center"][2]},
+                           0.5f * std::sqrt(lamp["area"].get<float>()) + kOff});
+    LampCount count;
+    for (const Fixture& fixture : lights.fixtures) {
+        const auto off = [&](const TrueLamp& lamp) {
+            return glm::distance(lamp.centre, fixture.centre) / lamp.reach;
+        };
+        const auto nearest =
+            std::min_element(missing.begin(), missing.end(),
+                             [&](const TrueLamp& a, const TrueLamp& b) { return off(a) < off(b); });
+        if (nearest == missing.end() || off(*nearest) > 1.0f) {
+            ++count.notLamps;
+            continue;
+        }
+        missing.erase(nearest);
+        ++count.found;
+    }
+    return count;
 }
 
 } // namespace relamp::golden

@@ -37,10 +37,10 @@ TEST(VerifyProgram, GatherSolverClosesTheLoopOnTheSample)
     ASSERT_EQ(runRelamp({"delight", kSampleScan, "-o", folder / "out", "-q"}).exitCode, 0);
     const nlohmann::json found = verified({folder / "out"});
     EXPECT_GT(found["places"], 1500);
-    EXPECT_NEAR(found["rmsOfScan"].get<double>(), 0.378, 0.02);
-    EXPECT_LT(found["rmsError"], 0.1 * found["rmsOfScan"].get<double>());
+    EXPECT_NEAR(found["rmsOfScan"].get<double>(), 0.38, 0.005);
+    EXPECT_NEAR(found["rmsError"].get<double>(), 0.023, 0.003);
     EXPECT_EQ(found["bins"].size(), 5u);
-    for (const double ratio : found["ratio"]) EXPECT_NEAR(ratio, 1.0, 0.05);
+    for (const double ratio : found["ratio"]) EXPECT_NEAR(ratio, 1.0, 0.015);
 }
 
 TEST(VerifyProgram, SaysWhatIsMissingAndTheWayOut)
