@@ -42,7 +42,7 @@ public:
     ///
     /// No ray is cast and nothing is fitted again: light that the mesh does not explain is taken
     /// off as before. A fixture of radiance 0 is no lamp: what is burnt out of it is wall. Beyond
-    /// 64 burnt-out pieces alike neighbours are one lamp to the solver and get their mean.
+    /// 96 burnt-out pieces alike neighbours are one lamp to the solver and get their mean.
     ///
     /// Throws Error(unsupported) unless canResolve(), Error(sizeMismatch) where these are other
     /// fixtures or a sun that is not there, Error(malformed) where a number is negative or none.
