@@ -1,10 +1,10 @@
 #!/bin/bash
-# Scores both solvers in rooms of known albedo and prints the tables of docs/guide/quality.md.
+# Scores both solvers in rooms of known albedo and prints tables as those of docs/guide/quality.md.
 #
-#   bench/quality.sh ROOMS METRICS [RELAMP]
+#   bench/quality.sh ROOMS METRICS [RELAMP [RESULTS]]
 #
-# ROOMS holds bedroom, living and office; METRICS is their metrics.py; RELAMP is the program, by default that of
-# build/release. Results stay in build/quality.
+# ROOMS holds a folder a room, as relamp_rooms writes them (docs/dev/rooms.md); METRICS is metrics.py, which reads them;
+# RELAMP is the program, by default that of build/release. Results stay in RESULTS, by default build/quality.
 set -euo pipefail
 if [ $# -lt 2 ]; then
     sed -n '2,/^set/{/^set/!p}' "$0" | cut -c3-
@@ -14,10 +14,10 @@ rooms=$1
 metrics=$2
 repository=$(cd "$(dirname "$0")/.." && pwd)
 relamp=${3:-$repository/build/release/apps/cli/relamp}
-results=$repository/build/quality
+results=${4:-$repository/build/quality}
 figures='psnr_rgb_unclipped psnr_unclipped leak_slope logchroma ssim relit_A_albedo relit_B_albedo scale'
 
-# Reads lines of JSON, prints a row of the table of the one that is called $2; $1 begins the row.
+# Reads lines of JSON, prints a row of the table of the one that is called $2; $1 begins the row. A room need not be relit.
 row() {
     /usr/bin/python3 -c '
 import json, sys
@@ -27,7 +27,8 @@ for line in sys.stdin:
     score = json.loads(line)
     if score["name"] != name:
         continue
-    print(f"| {start} | {name} |", " | ".join(f"{score[f]:.{digits.get(f, 2)}f}" for f in figures), "|")
+    shown = [f"{score[f]:.{digits.get(f, 2)}f}" if f in score else "-" for f in figures]
+    print(f"| {start} | {name} |", " | ".join(shown), "|")
 ' "$1" "$2" "$figures"
 }
 
@@ -37,8 +38,10 @@ table() { # kind, folder under the room, scan
     printf '\n| --- | --- |'
     printf ' ---: |%.0s' $figures
     printf '\n'
-    for room in bedroom living office; do
-        local folder=$rooms/$room$2
+    for folder in "$rooms"/*"$2"; do
+        [ -e "$folder/$3" ] || continue
+        local room=${folder#"$rooms"/}
+        room=${room%"$2"}
         /usr/bin/python3 "$metrics" "$folder" --baselines | row "$room" input
         for solver in thesis gather; do
             local result=$results/$1/$room/$solver

@@ -6,6 +6,8 @@
 #include <span>
 #include <string>
 
+#include <glm/vec2.hpp>
+
 namespace relamp::rooms
 {
 
