@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -52,8 +53,11 @@ int main(int argc, char** argv)
 {
     CLI::App app("Makes rooms with ground truth, each in a folder of its name.");
     Wanted wanted;
+    std::vector<std::string> names;
+    for (const Plan& plan : allPlans()) names.push_back(plan.name);
     app.add_option("folder", wanted.folder, "Where the rooms' folders go")->required();
-    app.add_option("rooms", wanted.names, "Names; none: all of plans.cpp");
+    app.add_option("rooms", wanted.names, "Names; none: all of plans.cpp")
+        ->check(CLI::IsMember(names));
     app.add_option("--side", wanted.side, "Pixels of a texture's side")
         ->check(CLI::Range(64, 8192));
     app.add_option("--lamp-rays", wanted.bake.lampRays, "A texel and lamp")
