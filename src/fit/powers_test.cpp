@@ -103,7 +103,7 @@ TEST(Powers, NoiseAndWrongPairsHardlyMatter)
     const Powers powers = fitPowers(floor.data, floor.pairs);
     for (size_t f = 0; f < 3; ++f) {
         expectNear(powers.radiance[f], floor.truth[f], 0.06f);
-        EXPECT_LT(powers.logError[f].g, 0.05f);
+        EXPECT_LT(powers.logError[f].g, 0.2f);
     }
 }
 
