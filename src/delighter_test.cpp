@@ -1,7 +1,7 @@
 #include "relamp/delighter.h"
 
 #include "base/half.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "relamp/error.h"
 #include "scenes/apart_layers.h"
 #include "scenes/gpu_scene.h"

@@ -1,6 +1,6 @@
 #include "rooms/atlas.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "scan/finish_mesh.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "rooms/bake.h"
 
 #include "base/parallel.h"
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "base/random.h"
 #include "scan/rays.h"
 #include "shading/sampling.shared.h"

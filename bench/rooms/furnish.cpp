@@ -1,6 +1,6 @@
 #include "rooms/furnish.h"
 
-#include "base/pi.shared.h"
+#include "base/radiometry.shared.h"
 #include "relight/photometry.h"
 #include "rooms/builder.h"
 #include "rooms/furniture.h"
