@@ -2,6 +2,7 @@
 
 #include "albedo/page_layers.h"
 #include "decomposition_state.h"
+#include "lights/fixture_map.h"
 #include "relamp/delighter.h"
 #include "scan/overlap.h"
 
@@ -67,6 +68,11 @@ double Decomposition::area() const
 const Decomposition::State& Decomposition::state() const
 {
     return *state_;
+}
+
+FixtureMap Decomposition::fixtures(size_t page) const
+{
+    return fixtureMapOf(*state_->texels, page, state_->solution.fixtureOf);
 }
 
 PageLayers Decomposition::layers(size_t page, Progress& progress) const

@@ -1,6 +1,7 @@
 #include "relamp/verify.h"
 
 #include "albedo/closed_loop.h"
+#include "output/fixtures_file.h"
 #include "output/result_folder.h"
 #include "shading/buried.h"
 #include "solve/by_pathtrace.h"
@@ -19,6 +20,7 @@ Verification verify(const std::filesystem::path& folder, const VerifyOptions& op
     const std::vector<Image> albedo = readAlbedo(folder, scan);
     DelightOptions asThen{.gather = run.gather};
     asThen.lights = readLights(folder / "lights.json", result.warnings);
+    asThen.fixtures = readFixtureMaps(folder, scan.pages.size());
     for (size_t i = 0; i < asThen.lights->fixtures.size(); ++i)
         result.fixtures.push_back(asThen.lights->nameOf(i));
 
@@ -26,6 +28,7 @@ Verification verify(const std::filesystem::path& folder, const VerifyOptions& op
     Texels texels = rasterizeAtlas(scan, progress, surfelsOf(run.gather.quality));
     separateBuried(texels, scene, progress);
     const FoundRoom found = findRoom(texels, scene, asThen, progress);
+    result.warnings.insert(result.warnings.end(), found.warnings.begin(), found.warnings.end());
     const TracedRoom room = tracedRoomOf(texels, found, meanAlbedo(texels, found.radiance, albedo));
     const auto places =
         renderAgain(texels, PathTracer(texels, scene, room), albedo, options, progress);

@@ -233,6 +233,9 @@ int run(DelightArguments& arguments)
         arguments.scan.options.longestSide = kDraftSide;
     relamp::Scan scan = relamp::readScan(arguments.scan.file, arguments.scan.options, progress);
     scan.warnings.insert(scan.warnings.end(), notes.begin(), notes.end());
+    if (arguments.options.lights)
+        arguments.options.fixtures =
+            relamp::readFixturesBeside(arguments.lights, arguments.scan.file, scan);
     const relamp::Decomposition result = relamp::delight(scan, arguments.options, progress);
     const std::string report = relamp::writeResult(scan, result, arguments.scan.file,
                                                    arguments.folder, progress, replacing);

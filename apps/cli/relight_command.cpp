@@ -127,10 +127,9 @@ relamp::ViewOptions viewOf(const RelightArguments& arguments, const Measure& mea
 float writeUnlit(const RelightArguments& arguments, const relamp::DelitRoom& room, const Wish& wish,
                  relamp::Progress& progress)
 {
-    std::vector<relamp::Image> scanned;
-    if (arguments.picture.show == Show::scan)
-        for (const relamp::Page& page : room.scan.pages) scanned.push_back(page.image);
-    const std::vector<relamp::Image>& pages = scanned.empty() ? room.albedo : scanned;
+    const std::vector<relamp::Image> pages =
+        arguments.picture.show == Show::scan ? relamp::readScanned(room, arguments.delit, progress)
+                                             : room.albedo;
     const relamp::Photographer photographer(room, progress);
     const relamp::Camera camera = wish.camera ? *wish.camera : photographer.goodView();
     relamp::PictureOptions picture = arguments.picture.options;
@@ -320,7 +319,9 @@ void addLightOptions(CLI::App& command, RelightArguments& arguments)
         ->type_name("FILE");
     command.add_flag("--texture-is-albedo", arguments.delit.textureIsAlbedo,
                      "SCAN is a model into whose texture no light was ever baked");
-    command.add_option("--scan", arguments.delit.scan, "Where the scan is, if it was moved")
+    command
+        .add_option("--scan", arguments.delit.scan,
+                    "Where the scan is, for --show scan, if it was moved")
         ->type_name("FILE");
 }
 

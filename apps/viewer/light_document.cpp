@@ -222,28 +222,23 @@ bool LampItem::aims() const
 }
 
 std::vector<FixtureItem> carriedOver(const std::vector<FixtureItem>& items,
-                                     const std::vector<glm::vec3>& places,
+                                     const std::vector<int>& numbers,
                                      const relamp::Lights& captured, const FixtureItem& otherwise)
 {
-    constexpr float kSamePlace = 0.15f; // m
     std::vector<FixtureItem> next(captured.fixtures.size(), otherwise);
-    for (size_t i = 0; i < next.size(); ++i) {
-        float nearest = kSamePlace;
-        for (size_t j = 0; j < std::min(items.size(), places.size()); ++j) {
-            const float distance = glm::distance(captured.fixtures[i].centre, places[j]);
-            if (distance >= nearest) continue;
-            nearest = distance;
-            next[i] = items[j];
-        }
+    for (size_t i = 0; i < std::min(items.size(), numbers.size()); ++i) {
+        const size_t place = captured.placeOf(numbers[i]);
+        if (place < next.size()) next[place] = items[i];
     }
     return next;
 }
 
-std::vector<glm::vec3> placesOf(const relamp::Lights& captured)
+std::vector<int> numbersOf(const relamp::Lights& captured)
 {
-    std::vector<glm::vec3> places;
-    for (const relamp::Fixture& fixture : captured.fixtures) places.push_back(fixture.centre);
-    return places;
+    std::vector<int> numbers;
+    for (size_t place = 0; place < captured.fixtures.size(); ++place)
+        numbers.push_back(captured.idOf(place));
+    return numbers;
 }
 
 bool ScannedItems::isAsFound() const

@@ -59,7 +59,7 @@ inline const FixtureItem kAsFound{.on = true};
 /// How a room's light was on the day of the scan, where somebody says otherwise than delight.
 struct ScannedItems
 {
-    std::vector<FixtureItem> fixtures; // of the room, by their number
+    std::vector<FixtureItem> fixtures; // of the room, in its order
     float sun = 1.0f;                  // times the sun that was found
     glm::vec3 sunColour{1.0f};         // likewise
     std::optional<glm::vec3> ambient;  // radiance of what lies outside the scan
@@ -83,7 +83,7 @@ struct SkyItem
 struct LightDocument
 {
     std::vector<LampItem> lamps;
-    std::vector<FixtureItem> fixtures; // of the room, by their number
+    std::vector<FixtureItem> fixtures; // of the room, in its order
     SkyItem sky;
     std::optional<float> whiteNits; // what the texture's white stands for
     std::optional<float> whiteKelvin;
@@ -91,14 +91,14 @@ struct LightDocument
     bool operator==(const LightDocument&) const = default;
 };
 
-/// Of fixtures that are where one was, what was said of it; else `otherwise`. `places` are those of
-/// `items`.
+/// Of fixtures that were there before, what was said of them; else `otherwise`. `numbers` are those
+/// of `items`.
 std::vector<FixtureItem> carriedOver(const std::vector<FixtureItem>& items,
-                                     const std::vector<glm::vec3>& places,
+                                     const std::vector<int>& numbers,
                                      const relamp::Lights& captured, const FixtureItem& otherwise);
 
-/// Where the fixtures of a room are.
-std::vector<glm::vec3> placesOf(const relamp::Lights& captured);
+/// The numbers of a room's fixtures, in their order.
+std::vector<int> numbersOf(const relamp::Lights& captured);
 
 /// What was found, had sun and what lies outside been as `scanned` says.
 relamp::Lights skyUnder(const ScannedItems& scanned, const relamp::Lights& found);

@@ -2,6 +2,7 @@
 
 #include "parallel.h"
 
+#include "relamp/error.h"
 #include "relamp/flattened.h"
 
 #include <algorithm>
@@ -47,6 +48,7 @@ Paint divide(const relamp::Decomposition& found, const PageShrinker& shrunk, siz
         const relamp::Image indirect = imageOf(layers, std::move(layers.indirect));
         paint.albedo.push_back(imageOf(layers, std::move(layers.albedo)));
         paint.confidence.push_back(greyOf(layers));
+        paint.fixtures.push_back(found.fixtures(p));
         auto& textures = solved.textures;
         textures[PageTexture::direct].push_back(shrunk(direct, p, TexelFormat::rgb9e5));
         textures[PageTexture::indirect].push_back(shrunk(indirect, p, TexelFormat::rgb9e5));
@@ -76,8 +78,23 @@ Paint tell(relamp::Decomposition found, std::shared_ptr<const relamp::Scan> scan
 ScannedItems itemsOf(const ScannedLight& scanned, const relamp::Lights& found)
 {
     ScannedItems items = scanned.items;
-    items.fixtures = carriedOver(scanned.items.fixtures, scanned.places, found, kAsFound);
+    items.fixtures = carriedOver(scanned.items.fixtures, scanned.numbers, found, kAsFound);
     return items;
+}
+
+/// What a room of a folder looked like when it was scanned; without the scan, its albedo.
+std::vector<TexturePixels> texturesOfScan(const relamp::DelitRoom& room,
+                                          const relamp::ScanOptions& options,
+                                          const PageShrinker& shrunk, relamp::Progress& progress,
+                                          std::vector<std::string>& notes)
+{
+    try {
+        return shrunk(relamp::readScanned(room, {.asScan = options}, progress), TexelFormat::srgb8);
+    } catch (const relamp::Error& error) {
+        if (error.code() == relamp::ErrorCode::cancelled) throw;
+        notes.push_back(fmt::format("{}. The layer of the scan shows the albedo.", error.what()));
+    }
+    return shrunk.textures();
 }
 
 } // namespace
@@ -126,6 +143,7 @@ Solved RoomSolver::solved(Side& side, const relamp::DelightOptions& options,
     room->scan = *side.scan;
     room->albedo = std::move(paint.albedo);
     room->confidence = std::move(paint.confidence);
+    room->fixtures = std::move(paint.fixtures);
     room->captured = solved.captured;
     room->gather = options.gather;
     solved.room = std::move(room);
@@ -188,6 +206,7 @@ Solved readSolved(const std::filesystem::path& folder, const relamp::ScanOptions
     Solved solved;
     solved.notes = room->warnings;
     const PageShrinker shrunk(room->scan, limits);
+    solved.photos = texturesOfScan(*room, options, shrunk, progress, solved.notes);
     solved.textures[PageTexture::albedo] = shrunk(room->albedo, TexelFormat::srgb8);
     if (!room->confidence.empty())
         solved.textures[PageTexture::confidence] = shrunk(room->confidence, TexelFormat::grey8);

@@ -21,14 +21,15 @@ struct Paint
 {
     std::vector<relamp::Image> albedo;
     std::vector<relamp::Image> confidence;
+    std::vector<relamp::FixtureMap> fixtures;
 };
 
 /// How a room's light was on the day of the scan, as a person says.
 struct ScannedLight
 {
     ScannedItems items;
-    std::vector<glm::vec3> places; // of its fixtures
-    LightDocument light;           // of which white counts
+    std::vector<int> numbers; // of its fixtures
+    LightDocument light;      // of which white counts
 };
 
 /// The light of a room, found; and its pictures, ready for the graphics device.
@@ -37,6 +38,7 @@ struct Solved
     std::shared_ptr<const relamp::DelitRoom> room; // none where it is the one before with `paint`
     std::shared_ptr<const Paint> paint;
     std::map<PageTexture, std::vector<TexturePixels>> textures; // one a page
+    std::vector<TexturePixels> photos; // of a folder: the pictures of its scan, one a page
     std::shared_ptr<const relamp::Decomposition> decomposition; // of `scan`; none of a folder
     std::shared_ptr<const relamp::Scan> scan;                   // that it was made from
     relamp::Lights captured;                                    // by which the albedo was found

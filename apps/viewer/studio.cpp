@@ -184,7 +184,7 @@ void Studio::readFolder(const Wish& wish, relamp::Progress& progress)
         std::make_shared<const Solved>(readSolved(wish.path, wish.scan, limits_, progress));
     const auto opened = std::make_shared<const Opened>(
         Opened{wish, solved->scan, std::make_shared<const RoomMesh>(roomMesh(*solved->scan)),
-               PageShrinker(*solved->scan, limits_).textures(), nullptr});
+               solved->photos, nullptr});
     mailbox_.post([this, solved, opened] {
         if (adopt(*opened)) adopt(*solved);
     });
@@ -292,19 +292,22 @@ void Studio::adoptResolved(const Solved& solved)
     if (edit.scanned != solved.scanned || edit.dials.albedo != solved.albedo) resolve();
 }
 
-/// Fixtures that are where one was keep what was said of it.
+/// Fixtures that were there before keep what was said of them, and stay selected.
 void Studio::adoptFixtures(const Solved& solved)
 {
-    const std::vector<glm::vec3> places = placesOf(found_);
+    const std::vector<int> numbers = numbersOf(found_);
     if (isLightOfScan_)
         edit.light = documentOf(solved.captured);
     else
-        edit.light.fixtures = carriedOver(edit.light.fixtures, places, solved.found, {.on = true});
-    edit.scanned.fixtures = carriedOver(edit.scanned.fixtures, places, solved.found, kAsFound);
+        edit.light.fixtures = carriedOver(edit.light.fixtures, numbers, solved.found, {.on = true});
+    edit.scanned.fixtures = carriedOver(edit.scanned.fixtures, numbers, solved.found, kAsFound);
     captured_ = solved.captured;
     found_ = solved.found;
-    if (selection.kind == Selection::Kind::fixture && selection.index >= captured_.fixtures.size())
-        selection = {};
+    if (selection.kind == Selection::Kind::fixture) {
+        const size_t before = selection.index;
+        if (before < numbers.size()) selection.index = found_.placeOf(numbers[before]);
+        if (selection.index >= found_.fixtures.size()) selection = {};
+    }
     applied_ = edit;
     if (!history_.canUndo() && !history_.canRedo()) history_ = History<Edit>(edit);
 }
@@ -405,7 +408,7 @@ void Studio::solveAgain()
 
 ScannedLight Studio::scannedLight() const
 {
-    return {.items = edit.scanned, .places = placesOf(found_), .light = edit.light};
+    return {.items = edit.scanned, .numbers = numbersOf(found_), .light = edit.light};
 }
 
 /// Whether more of the room is kept than its pictures.

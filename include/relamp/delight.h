@@ -42,7 +42,10 @@ struct DelightOptions
     PathtraceOptions pathtrace;
     ThesisOptions thesis;
     AlbedoOptions albedo;
-    std::optional<Lights> lights; // instead of looking for them
+    std::optional<Lights> lights; // instead of looking for them: nothing is searched
+    // Of `lights`, whose texels are whose, a page each, as Decomposition::fixtures() and
+    // readFixturesBeside() give them. Empty: lamps are what is burnt out at their places.
+    std::vector<FixtureMap> fixtures;
     EngineOptions engine; // of the solver thesis, and of the solver gather once it knows lamps,
                           // stray light and shade; all else is the CPU's
 };
@@ -104,6 +107,9 @@ public:
     [[nodiscard]] std::vector<std::string> warnings() const;
     [[nodiscard]] size_t texelCount() const;
     [[nodiscard]] double area() const; // m^2 of textured surface
+
+    /// Whose the texels of one page are, lamps that are off included.
+    [[nodiscard]] FixtureMap fixtures(size_t page) const;
 
     /// Computes the layers of one page. Memory is a page's, whatever the size of the scan.
     [[nodiscard]] PageLayers layers(size_t page, Progress& progress) const;

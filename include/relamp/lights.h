@@ -3,6 +3,7 @@
 #include "relamp/api.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,6 +14,9 @@
 namespace relamp
 {
 
+/// The largest number that a FixtureMap's file can hold.
+constexpr int kLargestFixtureId = (1 << 24) - 3;
+
 /// Something in the room that shines by itself: a lamp, a panel, a window pane.
 struct Fixture
 {
@@ -22,11 +26,24 @@ struct Fixture
     glm::vec3 radiance{0.0f}; // RGB, 1 = the texture's white
     glm::vec3 error{0.0f};    // standard error of radiance as a share of it; 0 where none is known
     bool determined = true;   // false: the scan does not tell its radiance, which is a guess
-    int id = -1;              // its number wherever it is named; none: its place in the list
+    int id = -1;              // its number wherever it is named, 0..kLargestFixtureId; -1: none yet
     std::string name;         // "ceiling lamp 1", unlike others' of the room; or none
+    float unseen = 0.0f;      // m^2 of `area`: its far side, which the scan does not show
+    int group = -1;           // one number: alike neighbours that were found as one; or none
 
     /// Flux pi * radiance * area, in radiance * m^2 * sr.
     [[nodiscard]] glm::vec3 power() const { return 3.14159265f * area * radiance; }
+};
+
+/// Whose the texels of one page are.
+struct FixtureMap
+{
+    static constexpr int32_t kNone = -1; // not burnt out
+    static constexpr int32_t kWall = -2; // burnt out, and no fixture's
+
+    int width = 0;
+    int height = 0;
+    std::vector<int32_t> id; // of the fixture, or kNone, or kWall; width * height
 };
 
 /// A light without extent.
@@ -61,7 +78,8 @@ struct Lights
     glm::vec3 ambient{0.0f};
     std::optional<Sun> sun; // the thesis solver has none
 
-    /// The number of a fixture by its place in the list.
+    /// The number of a fixture by its place in the list; those without one are counted behind all
+    /// others.
     [[nodiscard]] RELAMP_API int idOf(size_t place) const;
     /// Its name, or "fixture 3" where it has none.
     [[nodiscard]] RELAMP_API std::string nameOf(size_t place) const;

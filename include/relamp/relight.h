@@ -73,7 +73,8 @@ struct Sky
     float turn = 0.0f;                        // rad, of the picture around the vertical
 };
 
-/// A fixture of the room with what it sends now.
+/// A fixture with what it sends now. One of the room is known by its number; one without a number,
+/// or with one that is none of the room's, is a disc, or a ball where it has no normal.
 struct LitFixture
 {
     Fixture fixture;       // radiance 0: switched off
@@ -137,31 +138,41 @@ struct RelightOptions
 /// A room without its light.
 struct DelitRoom
 {
-    Scan scan;
-    std::filesystem::path scanFile;  // that it was read from
-    std::vector<Image> albedo;       // a page each, of its size
-    std::vector<Image> confidence;   // the same, 0: a guess; empty: all can be trusted
-    Lights captured;                 // what the scan was lit by
-    GatherOptions gather;            // how its lamps were found
-    bool isLit = true;               // whether the texture shows that light, and so the lamps
-    std::filesystem::path transport; // where RelightOptions::transport belongs; empty for a GLB
+    Scan scan;                        // of a result, as its GLB has it: with albedo for texture
+    std::filesystem::path scanFile;   // that it was made from; it need not be there
+    std::filesystem::path folder;     // of its result; empty: it has none
+    std::vector<Image> albedo;        // a page each, of its size
+    std::vector<Image> confidence;    // the same, 0: a guess; empty: all can be trusted
+    std::vector<FixtureMap> fixtures; // the same; empty: they are what is burnt out at their places
+    Lights captured;                  // what the scan was lit by
+    GatherOptions gather;             // how its lamps were found
+    bool isLit = true;                // whether the scan's texture shows that light
+    std::filesystem::path transport;  // where RelightOptions::transport belongs; empty for a GLB
     std::vector<std::string> warnings;
 };
 
 struct DelitOptions
 {
-    std::filesystem::path scan; // where the scan is now; empty: where the report says
+    std::filesystem::path scan; // of readScanned: where the scan is now; empty: where it was, by
+                                // the way from the folder
     std::vector<std::filesystem::path> albedo; // instead of the room's own, one a page
-    ScanOptions asScan; // how to read what is no folder; of a folder's scan, allowOutside alone
+    ScanOptions asScan; // how to read what is no folder; of readScanned, allowOutside alone
     bool textureIsAlbedo = false; // of what relamp did not write: no light was ever baked into it
 };
 
 /// Reads what relamp delight wrote: its folder, or its GLB, in that folder, which stands for it, or
-/// anywhere else, with the lights that it tells of; or another scan whose texture is an albedo.
+/// anywhere else, with the lights that it tells of; or another scan whose texture is an albedo. The
+/// scan that a result was made from need not be there.
 /// Throws Error with a sentence where something is missing or of another size, or nothing says that
 /// the texture is an albedo.
 RELAMP_API DelitRoom readDelitRoom(const std::filesystem::path& folderOrScan,
                                    const DelitOptions& options, Progress& progress);
+
+/// The textures of the scan that a room was made from, as it was lit, one a page; of a room without
+/// a folder, its own. Throws Error with a sentence where the scan is not there or another file than
+/// it was.
+RELAMP_API std::vector<Image> readScanned(const DelitRoom& room, const DelitOptions& options,
+                                          Progress& progress);
 
 /// Puts light into a room, again and again: what rays find of the room they find once.
 ///

@@ -20,9 +20,9 @@ RELAMP_API void checkOutput(const std::filesystem::path& scanFile,
                             Replacing replacing = Replacing::unchanged);
 
 /// Writes all that delight found into `folder`, whole or not at all: `<scan>.glb`, albedo, shading,
-/// direct and indirect EXR, albedo, confidence and reasons PNG, lights.json, preview.png and
-/// report.json, as docs/guide/results.md describes them. What a former run wrote there is replaced,
-/// file by file once all are complete and report.json last; other files stay.
+/// direct and indirect EXR, albedo, confidence, reasons and fixtures PNG, lights.json, preview.png
+/// and report.json, as docs/guide/results.md describes them. What a former run wrote there is
+/// replaced, file by file once all are complete and report.json last; other files stay.
 ///
 /// `scanFile` is named in the report, by the way from `folder` and a checksum. Returns the report's
 /// text. Throws Error(cannotWrite | cancelled).
@@ -30,5 +30,12 @@ RELAMP_API std::string writeResult(const Scan& scan, const Decomposition& decomp
                                    const std::filesystem::path& scanFile,
                                    const std::filesystem::path& folder, Progress& progress,
                                    Replacing replacing = Replacing::unchanged);
+
+/// Whose the texels of a scan are by the fixtures.png beside a lights file, one map a page, for
+/// DelightOptions::fixtures. Empty where `lights` does not lie in the folder of a result of this
+/// very scan. Throws Error(malformed) where a map is not as it must be.
+RELAMP_API std::vector<FixtureMap> readFixturesBeside(const std::filesystem::path& lights,
+                                                      const std::filesystem::path& scanFile,
+                                                      const Scan& scan);
 
 } // namespace relamp

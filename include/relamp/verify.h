@@ -52,9 +52,9 @@ struct Verification
 /// Renders what writeResult left in `folder`, the albedo under the lights of lights.json, with
 /// every bounce simulated, and compares it with the scan.
 ///
-/// Nothing of the scan's light is used for that but which texels are burnt out and where the lamps'
-/// surface is. All figures are weighted by area. The same seed gives the same figures on any number
-/// of threads.
+/// Nothing is searched, and nothing of the scan's light is used for that but which texels are burnt
+/// out; where the lamps' surface is, the folder's fixtures.png says. All figures are weighted by
+/// area. The same seed gives the same figures on any number of threads.
 ///
 /// Throws Error with a sentence where the folder or the scan is missing, or the scan is another
 /// file than it was.

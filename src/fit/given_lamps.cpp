@@ -1,16 +1,21 @@
 #include "fit/given_lamps.h"
 
 #include "base/radiometry.shared.h"
+#include "lights/fixture_place.h"
 #include "lights/shining.h"
+#include "shading/lamp_body.h"
 #include "shading/sampling.shared.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <set>
-#include <span>
+#include <tuple>
+#include <utility>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 namespace relamp
@@ -18,28 +23,10 @@ namespace relamp
 namespace
 {
 
-constexpr float kMoved = 0.02f;       // m; a fixture that was moved farther is another
-constexpr float kOff = 0.25f;         // of its size; it is pointed at by hand
-constexpr float kAboutAsLarge = 2.0f; // ratio of areas
-constexpr float kFacesAlike = 0.7f;   // of a mean normal, along the fixture's
 constexpr float kLeastRadius = 0.02f; // m, of something without a size
 constexpr int kPatches = 32;
-
-FixtureLabel labelOf(const Fixture& fixture)
-{
-    return {fixture.id, fixture.name};
-}
-
-glm::vec3 centreOf(std::span<const ClippedPatch> patches)
-{
-    glm::vec3 sum(0.0f);
-    float area = 0.0f;
-    for (const ClippedPatch& patch : patches) {
-        sum += patch.area * patch.position;
-        area += patch.area;
-    }
-    return sum / area;
-}
+constexpr float kNoLarger = 1.02f; // ratio of areas: they are rounded, and texels are counted again
+constexpr float kOfOneLamp = 0.12f; // m between pieces of one lamp
 
 /// Patches of no surfel.
 ClippedPatch patchAt(glm::vec3 position, glm::vec3 normal, float area)
@@ -73,39 +60,116 @@ std::vector<ClippedPatch> disc(const Fixture& fixture)
     return patches;
 }
 
-bool mayBe(const Candidate& candidate, const Fixture& fixture)
+/// The scan as far as the far side of a lamp depends on it.
+struct Surroundings
 {
-    const float ratio = candidate.area / fixture.area;
-    const bool facesAlike = fixture.normal == glm::vec3(0.0f) ||
-                            glm::dot(candidate.normal, fixture.normal) > kFacesAlike;
-    return ratio < kAboutAsLarge && ratio > 1.0f / kAboutAsLarge && facesAlike;
+    const Texels& texels;
+    const RayScene& scene;
+};
+
+Candidate joined(const Candidate& piece, std::span<const ClippedPatch> more)
+{
+    std::vector<ClippedPatch> patches = piece.patches;
+    patches.insert(patches.end(), more.begin(), more.end());
+    return candidateOf(std::move(patches));
 }
 
-/// The nearest that the fixture may mean; null without any.
-const Candidate* standingAt(const Fixture& fixture, std::span<const Candidate> candidates)
+/// With its far side, mirrored.
+Candidate wholeBody(const Candidate& seen, const Surroundings& room)
 {
-    const Candidate* nearest = nullptr;
-    float least = kOff * std::sqrt(fixture.area);
-    for (const Candidate& candidate : candidates) {
-        const float off = glm::distance(candidate.centre, fixture.centre);
-        if (off >= least || !mayBe(candidate, fixture)) continue;
-        least = off;
-        nearest = &candidate;
+    return joined(seen, unseenSideOf(seen, room.texels, room.scene).patches);
+}
+
+/// Pieces that fixtures without a number may be: those with one first, then what is burnt out.
+class PlacesOfPieces
+{
+public:
+    PlacesOfPieces(const KnownSurfaces& known, const std::set<int>& named)
+    {
+        for (const auto& [number, patches] : known.byNumber)
+            if (!named.contains(number)) add(candidateOf(patches));
+        if (known.burntOut)
+            for (Candidate& piece : known.burntOut()) add(std::move(piece));
     }
-    return nearest;
-}
 
-FoundLamp lampOf(const Fixture& fixture, std::span<const Candidate> candidates)
+    /// The surface that a fixture stands at; none where it stands at none. A lamp may be several
+    /// pieces that touch, and have a far side that was not scanned: as much of both as gives its
+    /// area.
+    [[nodiscard]] std::vector<ClippedPatch> at(const Fixture& fixture,
+                                               const Surroundings& room) const
+    {
+        const size_t one = pieceAt(fixture, places_);
+        Candidate seen = one < pieces_.size() ? pieces_[one] : Candidate{};
+        const float most = kNoLarger * (fixture.area - fixture.unseen);
+        for (const size_t p : byNearness(fixture.centre)) {
+            if (p == one || seen.area + pieces_[p].area > most) continue;
+            const bool belongs =
+                seen.patches.empty()
+                    ? glm::distance(pieces_[p].centre, fixture.centre) < std::sqrt(fixture.area)
+                    : areWithin(seen, pieces_[p], kOfOneLamp);
+            if (belongs) seen = joined(seen, pieces_[p].patches);
+        }
+        const PieceOfSurface place = pieceOf(seen);
+        if (seen.patches.empty() || pieceAt(fixture, {&place, 1}) > 0) return {};
+        const Candidate whole = wholeBody(seen, room);
+        const bool isSeenAlone =
+            std::abs(seen.area - fixture.area) < std::abs(whole.area - fixture.area);
+        return (isSeenAlone ? seen : whole).patches;
+    }
+
+private:
+    [[nodiscard]] std::vector<size_t> byNearness(glm::vec3 place) const
+    {
+        std::vector<size_t> order(pieces_.size());
+        std::iota(order.begin(), order.end(), size_t{0});
+        std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
+            return glm::distance(pieces_[a].centre, place) <
+                   glm::distance(pieces_[b].centre, place);
+        });
+        return order;
+    }
+    void add(Candidate piece)
+    {
+        places_.push_back(pieceOf(piece));
+        pieces_.push_back(std::move(piece));
+    }
+
+    std::vector<PieceOfSurface> places_;
+    std::vector<Candidate> pieces_;
+};
+
+/// How fixtures were found that their numbers do not tell.
+struct Strays
 {
-    FoundLamp lamp{{}, fixture.radiance, fixture.error};
-    lamp.labels = {labelOf(fixture)};
-    if (const Candidate* there = standingAt(fixture, candidates))
-        lamp.patches = there->patches;
-    else if (fixture.normal != glm::vec3(0.0f))
-        lamp.patches = disc(fixture);
-    else
-        lamp.patches = ball(fixture.centre, fixture.area);
-    return lamp;
+    size_t withoutNumber = 0;
+    size_t ofUnknownNumber = 0;
+    size_t burntOut = 0; // of both: stand at a burnt-out piece
+
+    void tell(bool isAnyNumberKnown, std::vector<std::string>& notes) const
+    {
+        const size_t bodies = withoutNumber + ofUnknownNumber - burntOut;
+        const std::string how =
+            fmt::format("{} by what is burnt out at their places, {} as a disc or "
+                        "ball",
+                        burntOut, bodies);
+        if (withoutNumber > 0)
+            notes.push_back(fmt::format("{} of the lights file's fixtures have no \"id\" (relamp "
+                                        "0.1 wrote none), so they are known by their places: {}",
+                                        withoutNumber, how));
+        else if (ofUnknownNumber > 0 && !isAnyNumberKnown)
+            notes.push_back(
+                fmt::format("no fixtures.png beside the lights file tells the surfaces of {} of "
+                            "its fixtures, so they are known by their places: {}. Put the file "
+                            "into the folder of the result that it was made from",
+                            ofUnknownNumber, how));
+    }
+};
+
+std::string movedNote(const Fixture& fixture)
+{
+    return fmt::format("fixture {} was moved away from its burnt-out surface and shines from a {} "
+                       "where it is now",
+                       fixture.id, fixture.normal == glm::vec3(0.0f) ? "ball" : "disc");
 }
 
 FoundLamp lampOf(const PointLight& light)
@@ -117,72 +181,83 @@ FoundLamp lampOf(const PointLight& light)
             {}};
 }
 
-/// Lamps that were found, as far as a file still has them there.
-class Standing
+/// Adds a lamp to those of its group that have its radiance.
+void addToGroup(FoundLamp lamp, FoundLamp& group)
 {
-public:
-    explicit Standing(const FoundLamps& found) : found_(found) {}
-
-    /// Adds the lamp that stands where the fixture does. Those of a group to which the file gives
-    /// one radiance stay together. False where none stands there.
-    bool add(const Fixture& fixture, std::vector<FoundLamp>& lamps);
-
-private:
-    void addToGroup(size_t group, std::span<const ClippedPatch> single, const Fixture& fixture,
-                    std::vector<FoundLamp>& lamps);
-
-    const FoundLamps& found_;
-    std::map<std::array<float, 4>, size_t> placed_; // group and radiance: index in `lamps`
-    std::set<const ClippedPatch*> taken_;           // first of each lamp of a group that was added
-};
-
-void Standing::addToGroup(size_t group, std::span<const ClippedPatch> single,
-                          const Fixture& fixture, std::vector<FoundLamp>& lamps)
-{
-    const glm::vec3 light = fixture.radiance;
-    const auto [place, isNew] =
-        placed_.try_emplace({static_cast<float>(group), light.r, light.g, light.b}, lamps.size());
-    if (isNew) lamps.push_back({{}, light, fixture.error});
-    FoundLamp& kept = lamps[place->second];
-    kept.labels.push_back(labelOf(fixture));
-    kept.patches.insert(kept.patches.end(), single.begin(), single.end());
-    kept.ends.push_back(static_cast<uint32_t>(kept.patches.size()));
-    if (kept.ends.size() == found_.lamps[group].ends.size())
-        kept.onSides = found_.lamps[group].onSides;
-}
-
-bool Standing::add(const Fixture& fixture, std::vector<FoundLamp>& lamps)
-{
-    for (size_t f = 0; f < found_.lamps.size(); ++f) {
-        const FoundLamp& lamp = found_.lamps[f];
-        for (const auto& single : singlesOf(lamp)) {
-            if (glm::distance(centreOf(single), fixture.centre) >= kMoved) continue;
-            if (lamp.ends.empty() || !taken_.insert(single.data()).second) {
-                lamps.push_back({{single.begin(), single.end()}, fixture.radiance, fixture.error});
-                lamps.back().labels = {labelOf(fixture)};
-                if (lamp.ends.empty()) lamps.back().onSides = lamp.onSides;
-            } else {
-                addToGroup(f, single, fixture, lamps);
-            }
-            return true;
-        }
-    }
-    return false;
+    if (group.ends.empty()) group.ends.push_back(static_cast<uint32_t>(group.patches.size()));
+    group.patches.insert(group.patches.end(), lamp.patches.begin(), lamp.patches.end());
+    group.ends.push_back(static_cast<uint32_t>(group.patches.size()));
+    group.labels.push_back(std::move(lamp.labels.front()));
 }
 
 } // namespace
 
-FoundLamps asGiven(const Lights& given, const FoundLamps& found,
-                   std::span<const Candidate> candidates)
+std::vector<ClippedPatch> bodyOf(const Fixture& fixture)
+{
+    return fixture.normal != glm::vec3(0.0f) ? disc(fixture) : ball(fixture.centre, fixture.area);
+}
+
+std::vector<std::vector<ClippedPatch>> surfacesOf(std::span<const Fixture> fixtures,
+                                                  const KnownSurfaces& known, const Texels& texels,
+                                                  const RayScene& scene,
+                                                  std::vector<std::string>& notes)
+{
+    std::set<int> named;
+    for (const Fixture& fixture : fixtures) named.insert(fixture.id);
+    const Surroundings room{texels, scene};
+    std::optional<PlacesOfPieces> places; // that are looked at only where there is need
+    Strays strays;
+    std::vector<std::vector<ClippedPatch>> surfaces;
+    for (const Fixture& fixture : fixtures) {
+        std::vector<ClippedPatch>& surface = surfaces.emplace_back();
+        const auto own = known.byNumber.find(fixture.id);
+        if (own == known.byNumber.end()) {
+            if (!places) places.emplace(known, named);
+            surface = places->at(fixture, room);
+            strays.burntOut += surface.empty() ? 0u : 1u;
+            if (surface.empty()) surface = bodyOf(fixture);
+            ++(fixture.id < 0 ? strays.withoutNumber : strays.ofUnknownNumber);
+            continue;
+        }
+        const Candidate seen = candidateOf(own->second);
+        const Candidate whole = fixture.unseen > 0.0f ? wholeBody(seen, room) : seen;
+        const bool isElsewhere = isMoved(fixture, pieceOf(whole));
+        if (isElsewhere) notes.push_back(movedNote(fixture));
+        surface = isElsewhere ? bodyOf(fixture) : whole.patches;
+    }
+    strays.tell(!known.byNumber.empty(), notes);
+    return surfaces;
+}
+
+FoundLamps asGiven(const Lights& given, std::span<const std::vector<ClippedPatch>> surfaces)
 {
     FoundLamps lamps;
     lamps.ambient = given.ambient;
-    Standing standing(found);
-    for (const Fixture& fixture : given.fixtures)
-        if (!isDark(fixture.radiance) && !standing.add(fixture, lamps.lamps))
-            lamps.lamps.push_back(lampOf(fixture, candidates));
-    for (const PointLight& light : given.points)
-        if (light.fixture < 0 && !isDark(light.intensity)) lamps.lamps.push_back(lampOf(light));
+    std::map<std::tuple<int, float, float, float>, size_t> places; // of a group and radiance
+    for (size_t f = 0; f < given.fixtures.size(); ++f) {
+        const Fixture& fixture = given.fixtures[f];
+        if (isDark(fixture.radiance)) continue;
+        FoundLamp lamp{surfaces[f], fixture.radiance, fixture.error};
+        lamp.labels = {{given.idOf(f), fixture.name}};
+        if (fixture.group < 0) {
+            lamps.lamps.push_back(std::move(lamp));
+            continue;
+        }
+        const glm::vec3 light = fixture.radiance;
+        const auto [place, isNew] =
+            places.try_emplace({fixture.group, light.r, light.g, light.b}, lamps.lamps.size());
+        if (isNew)
+            lamps.lamps.push_back(std::move(lamp));
+        else
+            addToGroup(std::move(lamp), lamps.lamps[place->second]);
+    }
+    int next = 0;
+    for (size_t f = 0; f < given.fixtures.size(); ++f) next = std::max(next, given.idOf(f) + 1);
+    for (const PointLight& light : given.points) {
+        if (light.fixture >= 0 || isDark(light.intensity)) continue;
+        lamps.lamps.push_back(lampOf(light));
+        lamps.lamps.back().labels = {{next++, {}}};
+    }
     return lamps;
 }
 

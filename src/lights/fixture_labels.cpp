@@ -160,14 +160,6 @@ void putLabel(const FixtureLabel& label, Fixture& fixture)
     fixture.name = label.name;
 }
 
-void numberOthers(std::vector<Fixture>& fixtures)
-{
-    int next = 0;
-    for (const Fixture& fixture : fixtures) next = std::max(next, fixture.id + 1);
-    for (Fixture& fixture : fixtures)
-        if (fixture.id < 0) fixture.id = next++;
-}
-
 std::vector<FixtureLabel> labelsOf(const Texels& texels,
                                    std::span<const std::vector<ClippedPatch>> surfaces,
                                    Progress& progress)

@@ -21,9 +21,6 @@ struct FixtureLabel
 
 void putLabel(const FixtureLabel& label, Fixture& fixture);
 
-/// Gives fixtures without a number those behind all that are given.
-void numberOthers(std::vector<Fixture>& fixtures);
-
 /// Labels for fixtures that were found in a scan: `surfaces` are theirs, one a fixture.
 ///
 /// A fixture's number is that of the burnt-out piece of the scan that it lies on. Pieces are

@@ -9,7 +9,6 @@ namespace relamp
 namespace
 {
 
-constexpr uint64_t kLargestId = 1'000'000'000;
 constexpr size_t kMostListed = 40; // names in a sentence
 
 bool areSame(std::string_view a, std::string_view b)
@@ -23,9 +22,9 @@ bool areSame(std::string_view a, std::string_view b)
 int fixtureIdAt(const JsonItem& item, const char* key)
 {
     const nlohmann::json& value = *item.find(key);
-    if (!value.is_number_unsigned() || value.get<uint64_t>() > kLargestId)
-        item.refuse(fmt::format("\"{}\" is {}; it must be the number of a fixture, from 0 on", key,
-                                printable(value)),
+    if (!value.is_number_unsigned() || value.get<uint64_t>() > kLargestFixtureId)
+        item.refuse(fmt::format("\"{}\" is {}; it must be the number of a fixture, 0 to {}", key,
+                                printable(value), kLargestFixtureId),
                     key);
     return value.get<int>();
 }

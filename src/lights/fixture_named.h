@@ -10,7 +10,7 @@ namespace relamp
 {
 
 /// The number of a fixture that an item of a file has under `key`, which must be there. Refuses
-/// what is no number from 0 on.
+/// what is no number, 0..kLargestFixtureId.
 int fixtureIdAt(const JsonItem& item, const char* key);
 
 /// The place of the fixture that a person means by its number or its name, whatever its letters'

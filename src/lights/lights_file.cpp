@@ -2,7 +2,6 @@
 
 #include "base/fail.h"
 #include "base/json.h"
-#include "lights/fixture_labels.h"
 #include "lights/fixture_named.h"
 #include "lights/fixtures.h"
 #include "lights/json_document.h"
@@ -46,11 +45,13 @@ ordered_json toJson(const Fixture& fixture, int id)
     object["centre"] = toJson(fixture.centre);
     object["normal"] = facingAsJson(fixture.normal);
     object["area"] = shortest(fixture.area);
+    if (fixture.unseen > 0.0f) object["unseen"] = shortest(fixture.unseen);
     object["radiance"] = toJson(fixture.radiance);
     object["power"] = toJson(fixture.power());
     object["on"] = true;
     if (fixture.error != glm::vec3(0.0f)) object["error"] = toJson(fixture.error);
     if (!fixture.determined) object["determined"] = false;
+    if (fixture.group >= 0) object["group"] = fixture.group;
     return object;
 }
 
@@ -96,28 +97,26 @@ ordered_json toJson(const Sun& sun)
 
 Fixture fixtureFrom(const JsonItem& item, std::vector<std::string>& warnings)
 {
-    item.warnOfUnknown({"id", "name", "centre", "normal", "area", "radiance", "power", "error",
-                        "determined", "on"},
+    item.warnOfUnknown({"id", "name", "centre", "normal", "area", "unseen", "radiance", "power",
+                        "error", "determined", "group", "on"},
                        warnings);
     Fixture fixture;
     if (item.has("id")) fixture.id = fixtureIdAt(item, "id");
+    if (item.has("group")) fixture.group = fixtureIdAt(item, "group");
     fixture.name = item.text("name", "");
     fixture.centre = item.vectorAt("centre");
     fixture.normal = item.facing("normal");
     fixture.area = item.size("area");
+    fixture.unseen = item.size("unseen");
     fixture.radiance = item.lightAt("radiance");
     if (!item.flag("on", true)) fixture.radiance = glm::vec3(0.0f);
     return fixture;
 }
 
-/// A file without numbers counts its fixtures. One that was copied by hand has the number of its
-/// model, and gets one of its own.
-void numberFixtures(std::vector<Fixture>& fixtures, const std::string& file,
-                    std::vector<std::string>& warnings)
+/// One that was copied by hand has the number and the name of its model, and loses them.
+void dropCopiedNumbers(std::vector<Fixture>& fixtures, const std::string& file,
+                       std::vector<std::string>& warnings)
 {
-    const auto hasNone = [](const Fixture& fixture) { return fixture.id < 0; };
-    if (std::ranges::all_of(fixtures, hasNone))
-        for (size_t i = 0; i < fixtures.size(); ++i) fixtures[i].id = static_cast<int>(i);
     std::map<int, size_t> placeOf;
     for (size_t i = 0; i < fixtures.size(); ++i) {
         Fixture& fixture = fixtures[i];
@@ -128,7 +127,14 @@ void numberFixtures(std::vector<Fixture>& fixtures, const std::string& file,
         fixture.id = -1;
         fixture.name.clear();
     }
-    numberOthers(fixtures);
+}
+
+/// The first number behind all that fixtures have.
+int numberBehind(const std::vector<Fixture>& fixtures)
+{
+    int next = 0;
+    for (const Fixture& fixture : fixtures) next = std::max(next, fixture.id + 1);
+    return next;
 }
 
 int fixtureAt(const JsonItem& item, const Lights& lights)
@@ -199,8 +205,11 @@ void addLightsOfWholeFixtures(Lights& lights)
 
 int Lights::idOf(size_t place) const
 {
-    const int id = fixtures[place].id;
-    return id >= 0 ? id : static_cast<int>(place);
+    if (fixtures[place].id >= 0) return fixtures[place].id;
+    const auto end = fixtures.begin() + static_cast<std::ptrdiff_t>(place);
+    const auto before =
+        std::count_if(fixtures.begin(), end, [](const Fixture& fixture) { return fixture.id < 0; });
+    return numberBehind(fixtures) + static_cast<int>(before);
 }
 
 std::string Lights::nameOf(size_t place) const
@@ -211,8 +220,10 @@ std::string Lights::nameOf(size_t place) const
 
 size_t Lights::placeOf(int id) const
 {
+    int next = numberBehind(fixtures); // of the first without one
     size_t place = 0;
-    while (place < fixtures.size() && idOf(place) != id) ++place;
+    for (; place < fixtures.size(); ++place)
+        if ((fixtures[place].id >= 0 ? fixtures[place].id : next++) == id) break;
     return place;
 }
 
@@ -247,7 +258,7 @@ Lights lightsFrom(const JsonDocument& document, std::vector<std::string>& warnin
     top.forEachIn("fixtures", "fixture", [&](const JsonItem& item) {
         lights.fixtures.push_back(fixtureFrom(item, warnings));
     });
-    numberFixtures(lights.fixtures, top.what, warnings);
+    dropCopiedNumbers(lights.fixtures, top.what, warnings);
     top.forEachIn("lights", "light", [&](const JsonItem& item) {
         lights.points.push_back(lightFrom(item, lights, warnings));
     });

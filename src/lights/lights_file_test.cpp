@@ -50,13 +50,17 @@ TEST(LightsFile, NumbersAndNamesComeBack)
 {
     Lights lights;
     lights.fixtures = {{.area = 1.0f, .radiance = glm::vec3(1.0f), .id = 7, .name = "window 7"},
-                       {.area = 1.0f, .radiance = glm::vec3(2.0f), .id = 2}};
+                       {.area = 1.0f, .radiance = glm::vec3(2.0f), .id = 2, .unseen = 0.25f}};
+    lights.fixtures[1].group = 7;
     lights.points = {{.intensity = glm::vec3(0.5f), .fixture = 1}};
     EXPECT_THAT(lightsAsJson(lights), testing::HasSubstr("\"fixture\": 2"));
     const Lights again = read(lightsAsJson(lights));
     EXPECT_EQ(again.idOf(0), 7);
     EXPECT_EQ(again.nameOf(0), "window 7");
     EXPECT_EQ(again.nameOf(1), "fixture 2");
+    EXPECT_EQ(again.fixtures[1].unseen, 0.25f);
+    EXPECT_EQ(again.fixtures[1].group, 7);
+    EXPECT_EQ(again.fixtures[0].group, -1);
     EXPECT_EQ(again.placeOf(2), 1u);
     EXPECT_EQ(again.placeOf(1), 2u); // nobody's
     EXPECT_EQ(again.points[0].fixture, 1);
@@ -69,6 +73,8 @@ TEST(LightsFile, FixturesWithoutNumbersAreCounted)
     const Lights lights = read("{\"fixtures\": [" + kLamp + "}, " + kLamp + "}]}");
     EXPECT_EQ(lights.idOf(0), 0);
     EXPECT_EQ(lights.idOf(1), 1);
+    EXPECT_EQ(lights.placeOf(1), 1u);
+    EXPECT_EQ(lights.fixtures[0].id, -1); // nobody takes it for a lamp of the scan
     EXPECT_THAT(lastWarnings, IsEmpty());
 }
 
@@ -80,6 +86,7 @@ TEST(LightsFile, ACopiedFixtureGetsANumberOfItsOwn)
     EXPECT_EQ(lights.idOf(0), 5);
     EXPECT_EQ(lights.idOf(1), 6);
     EXPECT_EQ(lights.idOf(2), 7);
+    for (size_t place = 0; place < 3; ++place) EXPECT_EQ(lights.placeOf(lights.idOf(place)), place);
     EXPECT_THAT(lastWarnings, SizeIs(1));
     EXPECT_THAT(refusal("{\"fixtures\": [" + kLamp + ", \"id\": \"five\"}]}"),
                 testing::HasSubstr("number of a fixture"));

@@ -45,12 +45,14 @@ void addClipped(const TexelBlock& block, size_t i, glm::vec3 facing, RadianceSum
     sum.clippedArea += area;
 }
 
-/// Sums of all runs of one page; marks its clipped pixels.
-std::vector<RadianceSum> sumRuns(const Texels& texels, size_t p, std::vector<uint8_t>& isClipped)
+/// Sums of all runs of one page; marks its clipped pixels. `isBurntOut(pixel, radiance)` says which
+/// they are.
+template<class IsBurntOut>
+std::vector<RadianceSum> sumRuns(const Texels& texels, size_t p, const IsBurntOut& isBurntOut,
+                                 std::vector<uint8_t>& isClipped)
 {
     const PageTexels& page = texels.pages[p];
     const TexelLoader loader(texels, p);
-    const float burntOut = texels.scan->pages[p].image.clipsAtWhite ? kBurntOut : 1.0f;
     std::vector<RadianceSum> sums(page.runs.size() - 1);
     isClipped.assign(texels.scan->pages[p].image.pixels(), 0);
     forEachRun(page, [&](size_t run, TexelBlock& block) {
@@ -58,7 +60,8 @@ std::vector<RadianceSum> sumRuns(const Texels& texels, size_t p, std::vector<uin
             loader.load(begin, count, block);
             loader.loadArea(begin, count, block);
             for (size_t i = 0; i < count; ++i) {
-                if (brightestChannel({block.r[i], block.g[i], block.b[i]}) < burntOut) {
+                const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
+                if (!isBurntOut(page.pixel[begin + i], radiance)) {
                     addPlain(block, i, sums[run]);
                     continue;
                 }
@@ -71,9 +74,20 @@ std::vector<RadianceSum> sumRuns(const Texels& texels, size_t p, std::vector<uin
     return sums;
 }
 
+std::vector<RadianceSum> sumRunsByTexture(const Texels& texels, size_t p,
+                                          std::vector<uint8_t>& isClipped)
+{
+    const float burntOut = texels.scan->pages[p].image.clipsAtWhite ? kBurntOut : 1.0f;
+    return sumRuns(
+        texels, p,
+        [&](uint32_t, glm::vec3 radiance) { return brightestChannel(radiance) >= burntOut; },
+        isClipped);
+}
+
 } // namespace
 
-SurfelRadiance collectRadiance(const Texels& texels, Progress& progress)
+SurfelRadiance collectRadiance(const Texels& texels, Progress& progress,
+                               std::span<const std::vector<uint8_t>> isBurntOut)
 {
     const size_t surfels = texels.surfels.count();
     std::vector<RadianceSum> total(surfels);
@@ -81,7 +95,13 @@ SurfelRadiance collectRadiance(const Texels& texels, Progress& progress)
     result.isClipped.resize(texels.pages.size());
     Progress::Stage stage(progress, "lights", texels.pages.size());
     for (size_t p = 0; p < texels.pages.size(); ++p) {
-        const std::vector<RadianceSum> sums = sumRuns(texels, p, result.isClipped[p]);
+        const std::vector<RadianceSum> sums =
+            isBurntOut.empty()
+                ? sumRunsByTexture(texels, p, result.isClipped[p])
+                : sumRuns(
+                      texels, p,
+                      [&](uint32_t pixel, glm::vec3) { return isBurntOut[p][pixel] != 0; },
+                      result.isClipped[p]);
         for (size_t run = 0; run < sums.size(); ++run) {
             RadianceSum& sum = total[texels.pages[p].runs[run].surfel];
             sum.plain += sums[run].plain;

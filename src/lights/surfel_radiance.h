@@ -4,6 +4,7 @@
 #include "scan/texels.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -32,7 +33,9 @@ struct SurfelRadiance
 };
 
 /// Walks all texels once. A texture that can hold more than white (float formats) counts as burnt
-/// out from white on.
-SurfelRadiance collectRadiance(const Texels& texels, Progress& progress);
+/// out from white on. `isBurntOut`, if it is not empty, says instead which texels are, as
+/// SurfelRadiance::isClipped: of a texture that is no photo.
+SurfelRadiance collectRadiance(const Texels& texels, Progress& progress,
+                               std::span<const std::vector<uint8_t>> isBurntOut = {});
 
 } // namespace relamp

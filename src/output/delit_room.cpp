@@ -2,6 +2,7 @@
 #include "base/half.h"
 #include "lights/json_item.h"
 #include "lights/lights_from.h"
+#include "output/fixtures_file.h"
 #include "output/folder_record.h"
 #include "output/result_folder.h"
 #include "relamp/relight.h"
@@ -55,13 +56,15 @@ std::vector<Image> readConfidence(const std::filesystem::path& folder, const Sca
 DelitRoom roomOfFolder(const std::filesystem::path& folder, const DelitOptions& options,
                        Progress& progress)
 {
-    FormerRun run = readFormerRun(folder);
-    run.scan.allowOutside = options.asScan.allowOutside;
+    const FormerRun run = readFormerRun(folder);
     DelitRoom room;
-    room.scanFile = findScan(folder, run, options.scan);
-    room.scan = scanOf(folder, run, room.scanFile, progress);
+    room.scanFile = run.scanFile;
+    room.folder = folder;
+    room.scan = roomOf(folder, run, progress);
+    room.isLit = false;
     room.gather = run.gather;
     room.captured = readLights(folder / "lights.json", room.warnings);
+    room.fixtures = readFixtureMaps(folder, room.scan.pages.size());
     room.transport = folder / "transport.bin";
     if (options.albedo.empty()) {
         room.albedo = readAlbedo(folder, room.scan);
@@ -172,23 +175,13 @@ std::filesystem::path folderOfResult(const std::filesystem::path& file)
     return isIts ? folder : std::filesystem::path();
 }
 
-/// A GLB in the folder of its result stands for the folder; without the scan, for itself.
+/// A GLB in the folder of its result stands for the folder.
 DelitRoom roomOfFile(const std::filesystem::path& file, const DelitOptions& options,
                      Progress& progress)
 {
     const std::filesystem::path folder = folderOfResult(file);
-    if (folder.empty()) return roomOfScan(file, options, progress);
-    const FormerRun run = readFormerRun(folder);
-    std::error_code ignored;
-    if (!options.scan.empty() || std::filesystem::exists(run.scanFile, ignored))
-        return roomOfFolder(folder, options, progress);
-    DelitOptions asThen = options;
-    asThen.asScan = run.scan;
-    DelitRoom room = roomOfScan(file, asThen, progress);
-    room.warnings.push_back(fmt::format("{} is not there, so {} is lit as it is, with the lights "
-                                        "that it tells of; --scan FILE says where the scan is now",
-                                        run.scanFile.string(), file.string()));
-    return room;
+    return folder.empty() ? roomOfScan(file, options, progress)
+                          : roomOfFolder(folder, options, progress);
 }
 
 } // namespace
@@ -203,6 +196,20 @@ DelitRoom readDelitRoom(const std::filesystem::path& folderOrScan, const DelitOp
     if (!options.albedo.empty()) room.albedo = imagesOf(options.albedo, room.scan);
     room.warnings.insert(room.warnings.end(), room.scan.warnings.begin(), room.scan.warnings.end());
     return room;
+}
+
+std::vector<Image> readScanned(const DelitRoom& room, const DelitOptions& options,
+                               Progress& progress)
+{
+    std::optional<Scan> scan;
+    if (!room.folder.empty()) {
+        FormerRun run = readFormerRun(room.folder);
+        run.scan.allowOutside = options.asScan.allowOutside;
+        scan = scanOf(room.folder, run, findScan(room.folder, run, options.scan), progress);
+    }
+    std::vector<Image> pictures;
+    for (const Page& page : (scan ? *scan : room.scan).pages) pictures.push_back(page.image);
+    return pictures;
 }
 
 } // namespace relamp

@@ -65,6 +65,7 @@ ordered_json scanAsJson(const Scan& scan, const Decomposition& result, const Wri
                  {"scale", scan.options.scale},
                  {"transfer", nameOf(scan.options.transfer)},
                  {"longestSide", scan.options.longestSide},
+                 {"gltf", scan.gltf != nullptr},
                  {"skippedMeshes", scan.options.skipMeshes},
                  {"allowOverlap", scan.options.allowOverlap},
                  {"triangles", scan.triangleCount()},

@@ -51,6 +51,7 @@ FormerRun runFrom(const JsonItem& report, const std::filesystem::path& folder)
     run.scan.longestSide = static_cast<int>(scan.whole("longestSide", 0, kLongestPageSide, 0));
     run.scan.skipMeshes = scan.texts("skippedMeshes");
     run.scan.allowOverlap = scan.flag("allowOverlap", false);
+    run.isGltf = scan.flag("gltf", false);
     // Lamps are found on surfels as they were then, and so are the same.
     if (options.text("quality", "standard") == "draft") run.gather.quality = Quality::draft;
     run.gather.rays = static_cast<int>(options.whole("rays", 0, kMostRays, run.gather.rays));
@@ -59,13 +60,14 @@ FormerRun runFrom(const JsonItem& report, const std::filesystem::path& folder)
     return run;
 }
 
-constexpr std::array<std::pair<const char*, const char*>, 7> kLayers{{{"albedo", "png"},
+constexpr std::array<std::pair<const char*, const char*>, 8> kLayers{{{"albedo", "png"},
                                                                       {"albedo", "exr"},
                                                                       {"shading", "exr"},
                                                                       {"direct", "exr"},
                                                                       {"indirect", "exr"},
                                                                       {"confidence", "png"},
-                                                                      {"reasons", "png"}}};
+                                                                      {"reasons", "png"},
+                                                                      {"fixtures", "png"}}};
 
 /// Whether `name` is nameOfLayer(layer, page, pages, ending) for some page.
 bool isOfLayer(std::string_view name, std::string_view layer, std::string_view ending)
@@ -142,6 +144,32 @@ Scan scanOf(const std::filesystem::path& folder, const FormerRun& run,
                          "--scan FILE",
                          scan.triangleCount(), folder.string(), run.triangles));
     return scan;
+}
+
+Scan roomOf(const std::filesystem::path& folder, const FormerRun& run, Progress& progress)
+{
+    const FolderRecord record = FolderRecord::read(folder, kReport);
+    const std::vector<std::string> names = record.names();
+    const auto glb =
+        std::ranges::find_if(names, [](const std::string& name) { return name.ends_with(".glb"); });
+    const std::filesystem::path file = folder / (glb == names.end() ? "scan.glb" : *glb);
+    if (glb == names.end() || !record.isAsWritten(folder, *glb))
+        fail(ErrorCode::cannotRead, file.string(),
+             "is not there as relamp delight wrote it, and the room of this folder is read from "
+             "it; let relamp delight write the folder anew, with --force");
+    ScanOptions options{.allowOverlap = run.scan.allowOverlap};
+    if (run.isGltf) { // else it was written in the world's frame, without what was left out
+        options.up = run.scan.up;
+        options.scale = run.scan.scale;
+        options.skipMeshes = run.scan.skipMeshes;
+    }
+    Scan room = readScan(file, options, progress);
+    if (room.triangleCount() != run.triangles)
+        fail(ErrorCode::sizeMismatch, file.string(),
+             fmt::format("has {} triangles, and its report tells of {}; let relamp delight write "
+                         "the folder anew, with --force",
+                         room.triangleCount(), run.triangles));
+    return room;
 }
 
 std::vector<Image> readAlbedo(const std::filesystem::path& folder, const Scan& scan)

@@ -30,6 +30,7 @@ struct FormerRun
     std::filesystem::path scanFile; // from here; where it lay when the result was made
     FileMark scanMark;
     ScanOptions scan;
+    bool isGltf = false;  // whether the scan was a glTF, whose frame its GLB has
     GatherOptions gather; // as far as the solver had any
     size_t triangles = 0;
 };
@@ -47,6 +48,10 @@ std::filesystem::path findScan(const std::filesystem::path& folder, const Former
 /// sentence where it is another one.
 Scan scanOf(const std::filesystem::path& folder, const FormerRun& run,
             const std::filesystem::path& file, Progress& progress);
+
+/// The room of a result, geometry and layout of the textures as the scan had them, from its own
+/// GLB. Throws Error with a sentence where that is gone or changed.
+Scan roomOf(const std::filesystem::path& folder, const FormerRun& run, Progress& progress);
 
 /// The albedo of a result, one image a page of the scan that it was made from. Throws
 /// Error(cannotRead | malformed), and Error(sizeMismatch) where a page has another size.

@@ -8,6 +8,7 @@
 #include "decomposition_state.h"
 #include "image/transfer.h"
 #include "image/write_image.h"
+#include "output/fixtures_file.h"
 #include "output/lights_in_the_open.h"
 #include "output/preview.h"
 #include "output/report.h"
@@ -84,6 +85,7 @@ private:
     void writePage(size_t page, const PageLayers& layers, Progress::Stage& stage);
     void writeAlbedo(size_t page, const PageLayers& layers);
     void writeDoubts(size_t page, const PageLayers& layers);
+    void writeFixtures(size_t page);
     [[nodiscard]] PreviewPicture drawPreview() const;
     void writePreview(const PreviewPicture& picture);
     void writeScan();
@@ -133,8 +135,9 @@ void ResultWriter::writePage(size_t page, const PageLayers& layers, Progress::St
         stage.advance();
     };
     callAll([&] { writeAlbedo(page, layers); }, [&] { writeDoubts(page, layers); },
-            [&] { write("albedo", layers.albedo); }, [&] { write("shading", shading); },
-            [&] { write("direct", layers.direct); }, [&] { write("indirect", layers.indirect); });
+            [&] { writeFixtures(page); }, [&] { write("albedo", layers.albedo); },
+            [&] { write("shading", shading); }, [&] { write("direct", layers.direct); },
+            [&] { write("indirect", layers.indirect); });
     stage.advance();
 }
 
@@ -145,6 +148,13 @@ void ResultWriter::writeDoubts(size_t page, const PageLayers& layers)
     writeFile(file("confidence", page, "png"), std::as_bytes(std::span(png)));
     const auto why = encodePng(pictureOf(layers.doubt), size, 3);
     writeFile(file("reasons", page, "png"), std::as_bytes(std::span(why)));
+}
+
+void ResultWriter::writeFixtures(size_t page)
+{
+    const FixtureMap map = result_.fixtures(page);
+    const auto png = encodePng(rgbOf(map), {map.width, map.height}, 3);
+    writeFile(file("fixtures", page, "png"), std::as_bytes(std::span(png)));
 }
 
 PreviewPicture ResultWriter::drawPreview() const

@@ -2,7 +2,6 @@
 
 #include "fit/given_lamps.h"
 #include "lights/shining.h"
-#include "relight/fixture_settings.h"
 #include "relight/sky_bins.h"
 
 #include <algorithm>
@@ -14,18 +13,6 @@ namespace relamp
 {
 namespace
 {
-
-/// The burnt-out surface that a captured fixture is, or a disc or ball where it is none of them.
-std::vector<ClippedPatch> surfaceOf(const Fixture& fixture, const Transport& transport,
-                                    const Lights& captured)
-{
-    const size_t place = placeOfFixture(captured, fixture.centre);
-    if (place < transport.fixtures.size()) return transport.fixtures[place];
-    Lights one;
-    one.fixtures.push_back(fixture);
-    one.fixtures.back().radiance = glm::vec3(1.0f);
-    return asGiven(one, {}, {}).lamps.at(0).patches;
-}
 
 void mark(std::span<const ClippedPatch> patches, std::vector<uint8_t>& surfels)
 {
@@ -39,12 +26,12 @@ bool castSameShadows(const ActiveLight& a, const ActiveLight& b)
 {
     if (a.isFixture != b.isFixture) return false;
     if (!a.isFixture) return sameShape(a.light, b.light);
+    if (a.fixture.id >= 0 || b.fixture.id >= 0) return a.fixture.id == b.fixture.id;
     return a.fixture.centre == b.fixture.centre && a.fixture.normal == b.fixture.normal &&
            a.fixture.area == b.fixture.area;
 }
 
-ActiveLights activate(const Texels& texels, const Transport& transport, const Lights& captured,
-                      const Relighting& lighting)
+ActiveLights activate(const Texels& texels, const RoomFixtures& room, const Relighting& lighting)
 {
     const size_t surfels = texels.surfels.count();
     ActiveLights active;
@@ -62,7 +49,10 @@ ActiveLights activate(const Texels& texels, const Transport& transport, const Li
         glm::vec3 radiance = lit.fixture.radiance;
         if (lit.isWindow) radiance += skyThroughPane(active.sky, -lit.fixture.normal);
         if (isDark(radiance) && !lit.isWindow) continue;
-        std::vector<ClippedPatch> patches = surfaceOf(lit.fixture, transport, captured);
+        const size_t place = room.captured.placeOf(lit.fixture.id);
+        const bool isOfRoom = place < room.surfaces.size();
+        const std::vector<ClippedPatch> patches =
+            isOfRoom ? room.surfaces[place] : bodyOf(lit.fixture);
         if (lit.isWindow) {
             active.panes.resize(surfels, 0);
             mark(patches, active.panes);
@@ -77,6 +67,7 @@ ActiveLights activate(const Texels& texels, const Transport& transport, const Li
                                  true,
                                  radiance,
                                  std::make_shared<const LightSource>(AreaLight(patches))});
+        if (!isOfRoom) active.lights.back().fixture.id = -1;
     }
     return active;
 }

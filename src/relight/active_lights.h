@@ -1,8 +1,8 @@
 #pragma once
 
+#include "lights/surfel_radiance.h"
 #include "relamp/relight.h"
 #include "relight/light_source.h"
-#include "relight/transport.h"
 #include "scan/texels.h"
 
 #include <cstdint>
@@ -16,11 +16,18 @@
 namespace relamp
 {
 
+/// The fixtures of a room with their surfaces, in one order.
+struct RoomFixtures
+{
+    const Lights& captured;
+    std::span<const std::vector<ClippedPatch>> surfaces;
+};
+
 /// A light that is on.
 struct ActiveLight
 {
     NewLight light;                    // where it is no fixture
-    Fixture fixture;                   // where it is one
+    Fixture fixture;                   // where it is one; with a number: of the room
     std::vector<ClippedPatch> surface; // and what shines of it
     bool isFixture = false;
     glm::vec3 emission{0.0f};
@@ -40,8 +47,7 @@ struct ActiveLights
     std::vector<uint8_t> panes;      // of surfels; empty: none is a window's
 };
 
-/// Finds the surface of each fixture, takes the sky through panes, leaves out what is dark.
-ActiveLights activate(const Texels& texels, const Transport& transport, const Lights& captured,
-                      const Relighting& lighting);
+/// Gives each fixture its surface, takes the sky through panes, leaves out what is dark.
+ActiveLights activate(const Texels& texels, const RoomFixtures& room, const Relighting& lighting);
 
 } // namespace relamp

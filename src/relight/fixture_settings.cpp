@@ -1,21 +1,19 @@
-#include "relight/fixture_settings.h"
-
 #include "base/fail.h"
 #include "lights/fixture_named.h"
+#include "relamp/relight.h"
 #include "relight/light_emission.h"
 
 #include <charconv>
 #include <optional>
 #include <string_view>
 
-#include <glm/geometric.hpp>
+#include <fmt/format.h>
 
 namespace relamp
 {
 namespace
 {
 
-constexpr float kMoved = 0.02f;        // m; a fixture that was moved farther is another
 constexpr float kMostOfSetting = 1e7f; // lumens, per cent
 
 /// What one part of a setting does to a fixture.
@@ -80,9 +78,11 @@ Setting settingFrom(const std::string& text, std::string_view parts)
     }
 }
 
-LitFixture fixtureUnder(const Setting& setting, const Fixture& captured)
+LitFixture fixtureUnder(const Setting& setting, const Lights& room, size_t place)
 {
+    const Fixture& captured = room.fixtures[place];
     LitFixture lit{captured, setting.isWindow};
+    lit.fixture.id = room.idOf(place);
     const EmissionWish& wish = setting.wish;
     if (wish.lumens || wish.kelvin) lit.fixture.radiance = radianceUnder(wish, captured, {});
     lit.fixture.radiance *= setting.isOn ? setting.share : 0.0f;
@@ -94,21 +94,14 @@ LitFixture fixtureUnder(const Setting& setting, const Fixture& captured)
 
 } // namespace
 
-size_t placeOfFixture(const Lights& captured, glm::vec3 centre)
-{
-    size_t place = 0;
-    while (place < captured.fixtures.size() &&
-           glm::distance(captured.fixtures[place].centre, centre) >= kMoved)
-        ++place;
-    return place;
-}
-
 Relighting darkened(const Lights& captured)
 {
     Relighting lighting;
-    for (const Fixture& fixture : captured.fixtures) {
-        lighting.fixtures.push_back({fixture, false});
-        lighting.fixtures.back().fixture.radiance = glm::vec3(0.0f);
+    for (size_t place = 0; place < captured.fixtures.size(); ++place) {
+        Fixture& fixture = lighting.fixtures.emplace_back().fixture;
+        fixture = captured.fixtures[place];
+        fixture.id = captured.idOf(place);
+        fixture.radiance = glm::vec3(0.0f);
     }
     return lighting;
 }
@@ -121,7 +114,7 @@ void setFixture(Relighting& lighting, const Lights& captured, const std::string&
     const Setting wanted = settingFrom(setting, all.substr(equals + 1));
     if (all.substr(0, equals) == "all") {
         for (size_t i = 0; i < captured.fixtures.size(); ++i)
-            lighting.fixtures[i] = fixtureUnder(wanted, captured.fixtures[i]);
+            lighting.fixtures[i] = fixtureUnder(wanted, captured, i);
         return;
     }
     const size_t place = placeOfNamed(captured, all.substr(0, equals));
@@ -129,7 +122,7 @@ void setFixture(Relighting& lighting, const Lights& captured, const std::string&
         malformed(fmt::format("--fixture {}", setting),
                   fmt::format("there is no fixture {}; the room's are: {}", all.substr(0, equals),
                               namesOf(captured)));
-    lighting.fixtures[place] = fixtureUnder(wanted, captured.fixtures[place]);
+    lighting.fixtures[place] = fixtureUnder(wanted, captured, place);
 }
 
 } // namespace relamp

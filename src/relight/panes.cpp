@@ -57,13 +57,16 @@ std::vector<uint8_t> likelyPanes(const RayScene& scene,
     return panes;
 }
 
-Relighting withOpenPanes(Relighting lighting, std::span<const uint8_t> isPane)
+Relighting withOpenPanes(Relighting lighting, const Lights& captured,
+                         std::span<const uint8_t> isPane)
 {
     const bool isSaid = std::ranges::any_of(lighting.fixtures, &LitFixture::isWindow);
     if (isSaid || !hasOutsideLight(lighting)) return lighting;
-    for (size_t i = 0; i < std::min(isPane.size(), lighting.fixtures.size()); ++i)
-        if (isDark(lighting.fixtures[i].fixture.radiance))
-            lighting.fixtures[i].isWindow = isPane[i] != 0;
+    for (LitFixture& lit : lighting.fixtures) {
+        const size_t place = captured.placeOf(lit.fixture.id);
+        if (place < isPane.size() && isDark(lit.fixture.radiance))
+            lit.isWindow = isPane[place] != 0;
+    }
     return lighting;
 }
 

@@ -17,7 +17,8 @@ std::vector<uint8_t> likelyPanes(const RayScene& scene,
                                  std::span<const std::vector<ClippedPatch>> surfaces);
 
 /// Opens them to sun and sky, if there is any and nobody said which fixture is a window. One that
-/// is on is left as it is: its light is known.
-Relighting withOpenPanes(Relighting lighting, std::span<const uint8_t> isPane);
+/// is on is left as it is: its light is known. `isPane` is of `captured`.
+Relighting withOpenPanes(Relighting lighting, const Lights& captured,
+                         std::span<const uint8_t> isPane);
 
 } // namespace relamp

@@ -36,11 +36,12 @@ TEST(Panes, OpenToSunAndSkyUnlessSomebodySaysWhich)
 {
     const std::vector<uint8_t> isPane{1, 0, 1};
     Relighting lighting;
-    lighting.fixtures.resize(3);
+    const Lights captured{.fixtures = {{.id = 4}, {.id = 0}, {.id = 9}}};
+    lighting.fixtures = darkened(captured).fixtures;
     lighting.fixtures[2].fixture.radiance = glm::vec3(1.0f); // is on
     const auto areOpen = [&] {
         std::vector<bool> open;
-        for (const LitFixture& lit : withOpenPanes(lighting, isPane).fixtures)
+        for (const LitFixture& lit : withOpenPanes(lighting, captured, isPane).fixtures)
             open.push_back(lit.isWindow);
         return open;
     };
@@ -50,6 +51,9 @@ TEST(Panes, OpenToSunAndSkyUnlessSomebodySaysWhich)
     lighting.sky.radiance = glm::vec3(0.0f);
     lighting.lights.push_back({.type = LightType::sun, .emission = glm::vec3(1.0f)});
     EXPECT_EQ(areOpen(), (std::vector<bool>{true, false, false}));
+    std::swap(lighting.fixtures[0], lighting.fixtures[1]); // they are known by their numbers
+    EXPECT_EQ(areOpen(), (std::vector<bool>{false, true, false}));
+    std::swap(lighting.fixtures[0], lighting.fixtures[1]);
     lighting.fixtures[1].isWindow = true;
     EXPECT_EQ(areOpen(), (std::vector<bool>{false, true, false}));
 }

@@ -1,3 +1,4 @@
+#include "lights/fixture_map.h"
 #include "relight/by_lpv.h"
 #include "relight/by_paths.h"
 #include "relight/panes.h"
@@ -46,9 +47,21 @@ void checkSizes(const Scan& scan, std::span<const Image> albedo, std::span<const
     }
 }
 
+void checkMaps(const DelitRoom& room)
+{
+    const auto fits = [](const FixtureMap& map, const Page& page) {
+        return map.width == page.image.width && map.height == page.image.height &&
+               map.id.size() == page.image.pixels();
+    };
+    if (!room.fixtures.empty() && !std::ranges::equal(room.fixtures, room.scan.pages, fits))
+        throw Error(ErrorCode::sizeMismatch, "the map of fixtures has another size than the room's "
+                                             "texture; it belongs to another scan");
+}
+
 Texels checkedTexels(const DelitRoom& room, const RayScene& scene, Progress& progress)
 {
     checkSizes(room.scan, room.albedo, room.confidence);
+    checkMaps(room);
     Texels texels = rasterizeAtlas(room.scan, progress, surfelsOf(room.gather.quality));
     checkOverlap(texels);
     separateBuried(texels, scene, progress);
@@ -64,13 +77,20 @@ void addNoteOfEngine(const RadiosityLight& radiosity, std::vector<std::string>& 
 
 Relighter::State::State(const DelitRoom& of, const RelightOptions& with, Progress& progress)
     : room(of), options(checked(with)), scene(of.scan), texels(checkedTexels(of, scene, progress)),
-      radiance(collectRadiance(texels, progress)),
-      transport(transportOfRoom(of, {texels, scene, radiance}, with, warningsOfRoom, progress)),
+      radiance(collectRadiance(texels, progress, burntOutBy(of.fixtures))),
+      surfaces(surfacesOfRoom(of, {texels, scene, radiance}, warningsOfRoom)),
+      transport(transportOfRoom({texels, scene, radiance}, with, warningsOfRoom, progress)),
       open(std::make_shared<const TexelMarks>(openShares(texels, scene))), painted(of.albedo),
       albedo(texels, of.albedo, of.confidence, radiance.isClipped),
-      isPane(likelyPanes(scene, transport.fixtures)),
+      isPane(likelyPanes(scene, surfaces)),
       radiosity(texels, scene, transport, radiance.isClipped, with)
 {}
+
+ActiveLights Relighter::State::activeUnder(const Relighting& lighting) const
+{
+    return activate(texels, {room.captured, surfaces},
+                    withOpenPanes(lighting, room.captured, isPane));
+}
 
 Relighter::Relighter(const DelitRoom& room, const RelightOptions& options, Progress& progress)
     : state_(std::make_unique<State>(room, options, progress))
@@ -94,8 +114,7 @@ void Relighter::glance(const Relighting& lighting, Progress& progress)
     State& state = *state_;
     if (state.options.solver != Solver::gather) return light(lighting, progress);
     state.warnings = state.warningsOfRoom;
-    state.active = activate(state.texels, state.transport, state.room.captured,
-                            withOpenPanes(lighting, state.isPane));
+    state.active = state.activeUnder(lighting);
     state.radiosity.set(state.active, reflecting(state), ShadowDetail::sides, progress);
     state.shade = {};
     addNoteOfEngine(state.radiosity, state.warnings);
@@ -105,8 +124,7 @@ void Relighter::light(const Relighting& lighting, Progress& progress)
 {
     State& state = *state_;
     state.warnings = state.warningsOfRoom;
-    state.active = activate(state.texels, state.transport, state.room.captured,
-                            withOpenPanes(lighting, state.isPane));
+    state.active = state.activeUnder(lighting);
     switch (state.options.solver) {
     case Solver::gather:
         state.radiosity.set(state.active, reflecting(state), ShadowDetail::texels, progress);

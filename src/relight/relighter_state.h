@@ -24,12 +24,15 @@ struct Relighter::State
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
+    [[nodiscard]] ActiveLights activeUnder(const Relighting& lighting) const;
+
     const DelitRoom& room;
     RelightOptions options;
     std::vector<std::string> warningsOfRoom;
     RayScene scene;
     Texels texels;
     SurfelRadiance radiance;
+    std::vector<std::vector<ClippedPatch>> surfaces; // of captured fixtures
     Transport transport;
     std::shared_ptr<const TexelMarks> open; // openShares
     std::span<const Image> painted;         // pages that `albedo` is of

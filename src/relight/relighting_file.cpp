@@ -2,10 +2,10 @@
 #include "base/fail.h"
 #include "base/radiometry.shared.h"
 #include "lights/fixture_named.h"
+#include "lights/fixture_place.h"
 #include "lights/json_document.h"
 #include "lights/sun_item.h"
 #include "relamp/relight.h"
-#include "relight/fixture_settings.h"
 #include "relight/light_emission.h"
 
 #include <algorithm>
@@ -24,7 +24,6 @@ namespace
 using nlohmann::json;
 
 constexpr float kPerDegree = kPi / 180.0f;
-constexpr std::int64_t kMostFixtures = 1'000'000;
 
 /// A lights file being read.
 class LightsReader
@@ -43,6 +42,7 @@ private:
     void readFixtures(const JsonItem& top);
     void readFixture(const JsonItem& item);
     [[nodiscard]] size_t placeMeant(const JsonItem& item) const;
+    [[nodiscard]] LitFixture describedBy(const JsonItem& item);
     void readLight(const JsonItem& item);
     void readShape(const JsonItem& item, NewLight& light) const;
     const IesPhotometry& photometryAt(const std::filesystem::path& file);
@@ -54,6 +54,7 @@ private:
     std::vector<std::string>& warnings_;
     PhotometricWhite white_;
     Relighting lighting_;
+    size_t knownByPlace_ = 0; // fixtures without a number
 };
 
 LightType typeOf(const JsonItem& item)
@@ -192,25 +193,47 @@ size_t LightsReader::placeMeant(const JsonItem& item) const
     return place;
 }
 
+/// A fixture that is described in full. One without a number is known by its place, as in a file of
+/// relamp 0.1; one that was moved is none of the room's.
+LitFixture LightsReader::describedBy(const JsonItem& item)
+{
+    LitFixture lit;
+    Fixture& fixture = lit.fixture;
+    fixture.centre = item.vectorAt("centre");
+    fixture.normal = item.facing("normal");
+    fixture.area = item.size("area");
+    fixture.unseen = item.size("unseen");
+    fixture.radiance = item.lightAt("radiance");
+    std::vector<PieceOfSurface> pieces;
+    for (const Fixture& captured : captured_.fixtures) pieces.push_back(pieceOf(captured));
+    const bool hasNumber = item.has("id");
+    const size_t place =
+        hasNumber ? captured_.placeOf(fixtureIdAt(item, "id")) : pieceAt(fixture, pieces);
+    if (!hasNumber) ++knownByPlace_;
+    if (place == pieces.size()) return lit;
+    if (isMoved(fixture, pieces[place]))
+        warnings_.push_back(fmt::format("{}: was moved away from {} and shines as a disc or ball "
+                                        "where it is now",
+                                        item.what, captured_.nameOf(place)));
+    else
+        fixture.id = captured_.idOf(place);
+    return lit;
+}
+
 void LightsReader::readFixture(const JsonItem& item)
 {
-    item.warnOfUnknown({"id", "centre", "normal", "area", "radiance", "power", "error",
-                        "determined", "on", "dim", "lumens", "watts", "kelvin", "colour", "window",
-                        "name"},
+    item.warnOfUnknown({"id", "centre", "normal", "area", "unseen", "radiance", "power", "error",
+                        "determined", "group", "on", "dim", "lumens", "watts", "kelvin", "colour",
+                        "window", "name"},
                        warnings_);
     checkName(item);
     LitFixture lit;
-    size_t place = captured_.fixtures.size();
     if (item.has("centre")) {
-        static_cast<void>(item.whole("id", 0, kMostFixtures, 0)); // not read, but by the viewer
-        lit.fixture.centre = item.vectorAt("centre");
-        lit.fixture.normal = item.facing("normal");
-        lit.fixture.area = item.size("area");
-        lit.fixture.radiance = item.lightAt("radiance");
-        place = placeOfFixture(captured_, lit.fixture.centre);
+        lit = describedBy(item);
     } else {
-        place = placeMeant(item);
+        const size_t place = placeMeant(item);
         lit.fixture = captured_.fixtures[place];
+        lit.fixture.id = captured_.idOf(place);
         if (item.has("radiance")) lit.fixture.radiance = item.lightAt("radiance");
     }
     lit.isWindow = item.flag("window", false);
@@ -219,7 +242,7 @@ void LightsReader::readFixture(const JsonItem& item)
         lit.fixture.radiance = radianceUnder(wish, lit.fixture, white_);
     lit.fixture.radiance *= item.flag("on", true) ? item.size("dim", 1.0f) : 0.0f;
     checkBrightness(item, lit.fixture.radiance);
-    if (place < captured_.fixtures.size())
+    if (const size_t place = captured_.placeOf(lit.fixture.id); place < captured_.fixtures.size())
         lighting_.fixtures[place] = lit;
     else
         lighting_.fixtures.push_back(lit);
@@ -233,12 +256,16 @@ void LightsReader::readFixtures(const JsonItem& top)
         const std::string word = top.text("fixtures", "");
         if (word == "on")
             for (size_t i = 0; i < captured_.fixtures.size(); ++i)
-                lighting_.fixtures[i].fixture = captured_.fixtures[i];
+                lighting_.fixtures[i].fixture.radiance = captured_.fixtures[i].radiance;
         else if (!word.starts_with("off"))
             top.refuse("\"fixtures\" must be \"on\", \"off\" or a list", "fixtures");
         return;
     }
     top.forEachIn("fixtures", "fixture", [&](const JsonItem& item) { readFixture(item); });
+    if (knownByPlace_ > 0)
+        warnings_.push_back(fmt::format("{}: {} of its fixtures have no \"id\" (relamp 0.1 wrote "
+                                        "none) and are known by their places",
+                                        top.what, knownByPlace_));
 }
 
 void LightsReader::readSky(const JsonItem& top)

@@ -4,6 +4,9 @@
 #include "scenes/refusal.h"
 #include "scenes/temporary_folder.h"
 
+#include <utility>
+
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 namespace relamp
@@ -113,6 +116,42 @@ TEST(RelightingFile, TurnsOnTheFixturesThatItNames)
     EXPECT_EQ(read(R"({"fixtures": "on"})").fixtures[0].fixture.radiance, glm::vec3(8, 6, 4));
     EXPECT_EQ(read(R"({"fixtures": "off; they do not shine"})").fixtures[0].fixture.radiance,
               glm::vec3(0.0f));
+}
+
+// Of two that stand at one place the number tells which is meant.
+TEST(RelightingFile, GoesByNumbersWhateverTheOrder)
+{
+    Lights captured = twoFixtures();
+    captured.fixtures[0].id = 8;
+    captured.fixtures[1].id = 3;
+    Lights turned = captured;
+    std::swap(turned.fixtures[0], turned.fixtures[1]);
+    std::vector<std::string> warnings;
+    RelightingReader reader;
+    const Relighting lighting =
+        reader.read(lightsAsJson(turned), "lights.json", captured, warnings);
+    EXPECT_THAT(warnings, IsEmpty());
+    ASSERT_THAT(lighting.fixtures, SizeIs(2));
+    for (size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(lighting.fixtures[i].fixture.id, captured.fixtures[i].id);
+        EXPECT_EQ(lighting.fixtures[i].fixture.radiance, captured.fixtures[i].radiance);
+    }
+}
+
+TEST(RelightingFile, SaysThatFixturesWithoutANumberAreKnownByTheirPlaces)
+{
+    const char* const item = R"({"centre": [1, 2.5, 1], "normal": [0, -1, 0], "area": 0.5,
+                                 "radiance": [1, 2, 3])";
+    EXPECT_EQ(read(fmt::format(R"({{"fixtures": [{}}}]}})", item)).fixtures[0].fixture.radiance,
+              glm::vec3(1, 2, 3));
+    EXPECT_THAT(lastWarnings, ElementsAre(HasSubstr("known by their places")));
+    // One that was carried elsewhere is another; the room's stays dark.
+    const Relighting moved = read(R"({"fixtures": [
+        {"id": 0, "centre": [2, 2.5, 1], "area": 0.5, "radiance": [1, 2, 3]}]})");
+    EXPECT_THAT(lastWarnings, ElementsAre(HasSubstr("was moved away")));
+    ASSERT_THAT(moved.fixtures, SizeIs(3));
+    EXPECT_EQ(moved.fixtures[0].fixture.radiance, glm::vec3(0.0f));
+    EXPECT_EQ(moved.fixtures[2].fixture.id, -1);
 }
 
 TEST(RelightingFile, TakesWhatDelightWrites)

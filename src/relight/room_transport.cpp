@@ -1,10 +1,10 @@
 #include "relight/room_transport.h"
 
 #include "fit/given_lamps.h"
+#include "lights/fixture_map.h"
 #include "relamp/error.h"
 #include "relight/transport_file.h"
 #include "shading/hit_lists.h"
-#include "solve/found_room.h"
 
 #include <algorithm>
 #include <utility>
@@ -20,31 +20,6 @@ constexpr size_t kRaysOfScan = 6'000'000;
 constexpr size_t kFewestRays = 64;
 constexpr size_t kMostRays = 256;
 
-/// The burnt-out surface of each captured fixture, as delight finds it; of one that the scan does
-/// not show, a disc or a ball.
-std::vector<std::vector<ClippedPatch>> surfacesOfFixtures(const DelitRoom& room,
-                                                          const Texels& texels,
-                                                          const RayScene& scene, Progress& progress)
-{
-    if (room.captured.fixtures.empty()) return {};
-    FoundLamps found;
-    std::vector<Candidate> candidates;
-    if (room.isLit) {
-        const DelightOptions asThen{.gather = room.gather};
-        FoundRoom then = findRoom(texels, scene, asThen, progress);
-        candidates = findCandidates(texels, then.radiance);
-        found = std::move(then.found);
-    }
-    std::vector<std::vector<ClippedPatch>> surfaces;
-    for (Fixture fixture : room.captured.fixtures) {
-        fixture.radiance = glm::vec3(1.0f); // also of one that was off
-        Lights one;
-        one.fixtures.push_back(fixture);
-        surfaces.push_back(asGiven(one, found, candidates).lamps.at(0).patches);
-    }
-    return surfaces;
-}
-
 } // namespace
 
 size_t raysOf(const RelightOptions& options, size_t surfels)
@@ -53,24 +28,32 @@ size_t raysOf(const RelightOptions& options, size_t surfels)
     return std::clamp(kRaysOfScan / std::max<size_t>(surfels, 1), kFewestRays, kMostRays);
 }
 
-Transport transportOfRoom(const DelitRoom& room, const SurfaceOfRoom& surface,
-                          const RelightOptions& options, std::vector<std::string>& warnings,
-                          Progress& progress)
+std::vector<std::vector<ClippedPatch>> surfacesOfRoom(const DelitRoom& room,
+                                                      const SurfaceOfRoom& surface,
+                                                      std::vector<std::string>& warnings)
+{
+    KnownSurfaces known{surfacesBy(room.fixtures, surface.texels, surface.radiance), {}};
+    if (room.isLit)
+        known.burntOut = [&] { return findCandidates(surface.texels, surface.radiance); };
+    std::vector<std::string> notes;
+    std::vector<std::vector<ClippedPatch>> surfaces =
+        surfacesOf(room.captured.fixtures, known, surface.texels, surface.scene, notes);
+    // A room that knows nothing of its texels, as a GLB by itself, has no numbers to go by.
+    if (!room.fixtures.empty()) warnings.insert(warnings.end(), notes.begin(), notes.end());
+    return surfaces;
+}
+
+Transport transportOfRoom(const SurfaceOfRoom& surface, const RelightOptions& options,
+                          std::vector<std::string>& warnings, Progress& progress)
 {
     const Texels& texels = surface.texels;
     const size_t rays = raysOf(options, texels.surfels.count());
-    const uint64_t key =
-        options.transport.empty() ? 0 : keyOfTransport(texels, room.captured.fixtures, rays);
+    const uint64_t key = options.transport.empty() ? 0 : keyOfTransport(texels, rays);
     if (!options.transport.empty())
-        if (auto kept = loadTransport(options.transport, key, texels);
-            kept && kept->fixtures.size() == room.captured.fixtures.size())
-            return std::move(*kept);
+        if (auto kept = loadTransport(options.transport, key, texels)) return std::move(*kept);
 
-    std::vector<std::vector<ClippedPatch>> fixtures =
-        surfacesOfFixtures(room, texels, surface.scene, progress);
     Transport transport =
         transportOf(texels, castHitLists(texels, surface.scene, surface.radiance, rays, progress));
-    transport.fixtures = std::move(fixtures);
     if (options.transport.empty()) return transport;
     const Progress::Stage stage(progress, "write");
     try {

@@ -23,10 +23,15 @@ struct SurfaceOfRoom
     const SurfelRadiance& radiance;
 };
 
+/// The surface of each captured fixture, in their order: surfacesOf() by what the room knows of its
+/// texels.
+std::vector<std::vector<ClippedPatch>> surfacesOfRoom(const DelitRoom& room,
+                                                      const SurfaceOfRoom& surface,
+                                                      std::vector<std::string>& warnings);
+
 /// The room's transport: read from the options' file where that is of this room and these options,
 /// else found by rays, and kept there if the place lets it; `warnings` says if not.
-Transport transportOfRoom(const DelitRoom& room, const SurfaceOfRoom& surface,
-                          const RelightOptions& options, std::vector<std::string>& warnings,
-                          Progress& progress);
+Transport transportOfRoom(const SurfaceOfRoom& surface, const RelightOptions& options,
+                          std::vector<std::string>& warnings, Progress& progress);
 
 } // namespace relamp

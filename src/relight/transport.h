@@ -1,6 +1,5 @@
 #pragma once
 
-#include "lights/surfel_radiance.h"
 #include "scan/texels.h"
 #include "shading/hit_lists.h"
 
@@ -26,8 +25,8 @@ struct SightLists
                 size_t step = 1) const;
 };
 
-/// What of a room decides how light goes about in it, whatever the light: who sees whom, and which
-/// surface each of its fixtures has. Found once, kept in a file.
+/// What of a room decides how light goes about in it, whatever the light: who sees whom. Found
+/// once, kept in a file.
 ///
 /// Light bounces between clusters: surfel sides of one place and orientation, some 2 x 2. Its last
 /// two ways are from the sides themselves to the fronts of surfels, so that what lies next to each
@@ -39,7 +38,6 @@ struct Transport
     std::vector<float> weight;       // of sides: share in their cluster as others see it, sums to 1
     SightLists ofFronts;             // receivers are surfels; radiances those of sides and sky
     SightLists ofClusters;           // of clusters and sky
-    std::vector<std::vector<ClippedPatch>> fixtures; // surface of each captured one
 
     [[nodiscard]] size_t clusters() const { return ofClusters.count(); }
     /// How many radiances there are beside the sides' or clusters' own, behind them: SkyBins, and

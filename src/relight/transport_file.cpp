@@ -17,15 +17,7 @@ namespace
 
 static_assert(std::endian::native == std::endian::little, "transport.bin holds memory as it is");
 
-constexpr uint64_t kMagic = 0x32'54'50'4d'41'4c'45'52; // "RELAMPT2": another version, another digit
-
-struct PatchRecord
-{
-    float position[3];
-    float normal[3];
-    float area;
-    uint32_t surfel;
-};
+constexpr uint64_t kMagic = 0x33'54'50'4d'41'4c'45'52; // "RELAMPT3": another version, another digit
 
 /// Appends arrays, each with its length.
 class Writer
@@ -87,22 +79,6 @@ uint64_t hashOf(std::span<const std::byte> bytes)
     return hash.value();
 }
 
-PatchRecord recordOf(const ClippedPatch& patch)
-{
-    return {{patch.position.x, patch.position.y, patch.position.z},
-            {patch.normal.x, patch.normal.y, patch.normal.z},
-            patch.area,
-            patch.surfel};
-}
-
-ClippedPatch patchOf(const PatchRecord& record)
-{
-    return {{record.position[0], record.position[1], record.position[2]},
-            {record.normal[0], record.normal[1], record.normal[2]},
-            record.area,
-            record.surfel};
-}
-
 bool isSound(const SightLists& lists, size_t receivers, size_t radiances)
 {
     if (lists.first.size() != receivers + 1 || lists.first.front() != 0 ||
@@ -112,18 +88,6 @@ bool isSound(const SightLists& lists, size_t receivers, size_t radiances)
         if (lists.first[list] >= lists.first[list + 1]) return false;
     return std::all_of(lists.target.begin(), lists.target.end(),
                        [&](uint32_t target) { return target < radiances; });
-}
-
-/// Whether rays may begin there.
-bool isSound(const ClippedPatch& patch, size_t surfels)
-{
-    constexpr float kFarthest = 1e7f;               // m
-    const auto isIn = [](glm::vec3 v, float most) { // never of NaN
-        return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;
-    };
-    return (patch.surfel == Surfels::kNone || patch.surfel < surfels) &&
-           isIn(patch.position, kFarthest) && isIn(patch.normal, 2.0f) && patch.area >= 0.0f &&
-           patch.area <= kFarthest * kFarthest;
 }
 
 /// Whether every index points at something, and every number is one.
@@ -142,18 +106,13 @@ bool isSound(const Transport& transport, const Texels& texels)
             transport.clusterOf[i] >= transport.clusters() ||
             (i < surfels && transport.sides[i].index != 2 * i))
             return false;
-    if (!std::all_of(transport.weight.begin(), transport.weight.end(),
-                     [](float share) { return share >= 0.0f && share <= 1.001f; })) // as rounded
-        return false;
-    for (const auto& fixture : transport.fixtures)
-        for (const ClippedPatch& patch : fixture)
-            if (!isSound(patch, surfels)) return false;
-    return true;
+    return std::all_of(transport.weight.begin(), transport.weight.end(),
+                       [](float share) { return share >= 0.0f && share <= 1.001f; }); // as rounded
 }
 
 } // namespace
 
-uint64_t keyOfTransport(const Texels& texels, std::span<const Fixture> captured, size_t rays)
+uint64_t keyOfTransport(const Texels& texels, size_t rays)
 {
     Hash hash;
     for (const Mesh& mesh : texels.scan->meshes) {
@@ -166,11 +125,6 @@ uint64_t keyOfTransport(const Texels& texels, std::span<const Fixture> captured,
         hash.add(page.image.half);
     }
     hash.add(texels.surfels.key);
-    for (const Fixture& fixture : captured)
-        for (const float number :
-             {fixture.centre.x, fixture.centre.y, fixture.centre.z, fixture.normal.x,
-              fixture.normal.y, fixture.normal.z, fixture.area})
-            hash.add(std::bit_cast<uint32_t>(number));
     hash.add(rays);
     return hash.value();
 }
@@ -195,19 +149,11 @@ std::optional<Transport> loadTransport(const std::filesystem::path& file, uint64
         return {};
     Transport transport;
     std::vector<uint32_t> sides;
-    uint64_t fixtures = 0;
     if (!reader.take(sides) || !reader.take(transport.clusterOf) ||
         !reader.take(transport.weight) || !reader.take(transport.ofFronts.first) ||
         !reader.take(transport.ofFronts.target) || !reader.take(transport.ofClusters.first) ||
-        !reader.take(transport.ofClusters.target) || !reader.take(fixtures) ||
-        fixtures > bytes.size())
+        !reader.take(transport.ofClusters.target))
         return {};
-    for (uint64_t i = 0; i < fixtures; ++i) {
-        std::vector<PatchRecord> records;
-        if (!reader.take(records)) return {};
-        std::vector<ClippedPatch>& patches = transport.fixtures.emplace_back();
-        for (const PatchRecord& record : records) patches.push_back(patchOf(record));
-    }
     for (const uint32_t side : sides) transport.sides.push_back({side});
     if (!reader.rest().empty() || !isSound(transport, texels)) return {};
     return transport;
@@ -225,13 +171,6 @@ void saveTransport(const std::filesystem::path& file, uint64_t key, const Transp
     content.add(transport.ofFronts.target);
     content.add(transport.ofClusters.first);
     content.add(transport.ofClusters.target);
-    content.add(uint64_t{transport.fixtures.size()});
-    for (const auto& fixture : transport.fixtures) {
-        std::vector<PatchRecord> records;
-        records.reserve(fixture.size());
-        for (const ClippedPatch& patch : fixture) records.push_back(recordOf(patch));
-        content.add(records);
-    }
     Writer whole;
     whole.add(kMagic);
     whole.add(key);

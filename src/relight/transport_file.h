@@ -1,21 +1,19 @@
 #pragma once
 
-#include "relamp/lights.h"
 #include "relight/transport.h"
 #include "scan/texels.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 
 namespace relamp
 {
 
-/// Says of which scan and options a transport is: its geometry and texture, its surfels, the
-/// fixtures that were looked for, the number of rays.
-uint64_t keyOfTransport(const Texels& texels, std::span<const Fixture> captured, size_t rays);
+/// Says of which scan and options a transport is: its geometry and texture, its surfels, the number
+/// of rays.
+uint64_t keyOfTransport(const Texels& texels, size_t rays);
 
 /// What saveTransport wrote; nothing where the file is not there, of another version or key, cut
 /// off or broken in any way: it can always be made again.

@@ -24,7 +24,6 @@ struct Kept
           transport(transportOf(surfaces.texels, scenes::hitListsOf(surfaces, 4))),
           file(folder / "transport.bin")
     {
-        transport.fixtures = {{{{1, 2, 1}, {0, -1, 0}, 0.5f, 3}}, {}};
         saveTransport(file, kKey, transport);
     }
 
@@ -49,8 +48,6 @@ TEST(TransportFile, WhatWasWrittenIsReadAgain)
     EXPECT_EQ(again->clusterOf, kept.transport.clusterOf);
     EXPECT_EQ(again->ofFronts.target, kept.transport.ofFronts.target);
     EXPECT_EQ(again->ofClusters.first, kept.transport.ofClusters.first);
-    ASSERT_EQ(again->fixtures.size(), 2u);
-    EXPECT_EQ(again->fixtures[0][0].area, 0.5f);
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(kept.folder.path()), {}), 1);
 }
 
@@ -60,12 +57,8 @@ TEST(TransportFile, OfAnotherRoomIsNone)
     EXPECT_FALSE(kept.load(kKey + 1));
     const scenes::Surfaces other(scenes::room({2, 2, 3}, 16, scenes::plain(glm::vec3(0.5f))));
     EXPECT_FALSE(loadTransport(kept.folder / "nothing", kKey, kept.surfaces.texels));
-    EXPECT_NE(keyOfTransport(kept.surfaces.texels, {}, 64), keyOfTransport(other.texels, {}, 64));
-    EXPECT_NE(keyOfTransport(kept.surfaces.texels, {}, 64),
-              keyOfTransport(kept.surfaces.texels, {}, 32));
-    const Fixture lamp{.centre = {1, 2, 3}};
-    EXPECT_NE(keyOfTransport(kept.surfaces.texels, {}, 64),
-              keyOfTransport(kept.surfaces.texels, {&lamp, 1}, 64));
+    EXPECT_NE(keyOfTransport(kept.surfaces.texels, 64), keyOfTransport(other.texels, 64));
+    EXPECT_NE(keyOfTransport(kept.surfaces.texels, 64), keyOfTransport(kept.surfaces.texels, 32));
 }
 
 TEST(TransportFile, CutOrChangedAnywhereIsNone)
@@ -101,15 +94,10 @@ TEST(TransportFile, IndicesBeyondTheRoomAndWhatIsNoNumberAreNone)
     EXPECT_TRUE(isRefused([](Transport& t) { t.clusterOf[5] = 1u << 30; }));
     EXPECT_TRUE(isRefused([](Transport& t) { t.sides[5].index = 1u << 30; }));
     EXPECT_TRUE(isRefused([](Transport& t) { t.ofFronts.first[5] = t.ofFronts.first[4]; }));
-    EXPECT_TRUE(isRefused([](Transport& t) { t.fixtures[0][0].surfel = 1u << 30; }));
     EXPECT_TRUE(isRefused([](Transport& t) { t.weight.pop_back(); }));
-    // A NaN that reaches a ray ends the process.
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_TRUE(isRefused([](Transport& t) { t.weight[5] = kNan; }));
     EXPECT_TRUE(isRefused([](Transport& t) { t.weight[5] = 1e30f; }));
-    EXPECT_TRUE(isRefused([](Transport& t) { t.fixtures[0][0].position.y = kNan; }));
-    EXPECT_TRUE(isRefused([](Transport& t) { t.fixtures[0][0].normal.x = kNan; }));
-    EXPECT_TRUE(isRefused([](Transport& t) { t.fixtures[0][0].area = kNan; }));
     EXPECT_FALSE(isRefused([](Transport&) {}));
 }
 

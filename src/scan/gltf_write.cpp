@@ -417,9 +417,11 @@ void GlbWriter::sign(json told)
 std::string GlbWriter::write(const Lights& lights)
 {
     replaceContent();
+    const ScanOptions frame =
+        scan_.gltf ? scan_.options : ScanOptions{}; // of other formats: the world's
     sign({{"textures", "albedo"},
-          {"up", scan_.options.up == UpAxis::z ? "z" : "y"},
-          {"scale", scan_.options.scale},
+          {"up", frame.up == UpAxis::z ? "z" : "y"},
+          {"scale", frame.scale},
           {"lights", json::parse(lightsAsJson(lights))}});
     addLights(document_, lights, scan_.gltf ? scan_.worldFromFile : glm::mat4(1.0f));
     dropUnusedExtensions();

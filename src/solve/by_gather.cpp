@@ -30,16 +30,33 @@ void checkPowers(const Lights& lights, const Lights& ofRoom)
     if (lights.fixtures.size() != ofRoom.fixtures.size())
         throw Error(ErrorCode::sizeMismatch,
                     fmt::format("the room has {} fixtures and {} were given; change their radiance "
-                                "and leave their number as it is",
+                                "and leave all else as it is",
                                 ofRoom.fixtures.size(), lights.fixtures.size()));
-    for (size_t f = 0; f < lights.fixtures.size(); ++f)
-        check(lights.fixtures[f].radiance, fmt::format("the radiance of fixture {}", f));
+    for (const Fixture& fixture : ofRoom.fixtures) {
+        const size_t place = lights.placeOf(fixture.id);
+        if (place == lights.fixtures.size())
+            throw Error(ErrorCode::sizeMismatch,
+                        fmt::format("fixture {} of the room is not among those that were given; "
+                                    "change their radiance and leave their id as it is",
+                                    fixture.id));
+        check(lights.fixtures[place].radiance,
+              fmt::format("the radiance of fixture {}", fixture.id));
+    }
     check(lights.ambient, "ambient light");
     if (!lights.sun) return;
     if (!ofRoom.sun)
         throw Error(ErrorCode::sizeMismatch,
                     "no sun shines into the room; it has to be solved anew with one");
     check(lights.sun->irradiance, "the sun's irradiance");
+}
+
+/// The fixtures that have the numbers of a lamp's labels; all are there.
+std::vector<Fixture> namedBy(std::span<const FixtureLabel> labels, const Lights& lights)
+{
+    std::vector<Fixture> fixtures;
+    for (const FixtureLabel& label : labels)
+        fixtures.push_back(lights.fixtures[lights.placeOf(label.id)]);
+    return fixtures;
 }
 
 /// One radiance for a group: the mean by area, or what all have.
@@ -128,16 +145,14 @@ LampPowers GatherSolver::setPowers(const Lights& lights)
         room.sun->sun.irradiance = lights.sun ? lights.sun->irradiance : glm::vec3(0.0f);
         share = shareOf(room.sun->sun.irradiance, kept_->found.sun->irradiance);
     }
-    size_t fixture = 0;
     for (size_t l = 0; l < room.found.lamps.size(); ++l) {
         FoundLamp& lamp = room.found.lamps[l];
         if (lamp.isSunlit) {
             lamp.radiance = share * kept_->powers.lamps[l];
         } else {
-            const size_t singles = singlesOf(lamp).size();
-            setRadiance(lamp, meanOf(std::span(lights.fixtures).subspan(fixture, singles)),
-                        kept_->found.fixtures[fixture]);
-            fixture += singles;
+            const Lights& found = kept_->found;
+            setRadiance(lamp, meanOf(namedBy(lamp.labels, lights)),
+                        found.fixtures[found.placeOf(lamp.labels.front().id)]);
         }
         powers.lamps.push_back(lamp.radiance);
     }

@@ -139,6 +139,7 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
     solution.options.gather = found.options;
     solution.texels.shining = shiningOf(found);
     solution.lights = lightsOf(found);
+    solution.fixtureOf = fixturesOfSurfels(found);
     solution.merged = solution.lights.points;
 
     const auto room = std::make_shared<TracedRoom>(

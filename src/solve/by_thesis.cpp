@@ -11,6 +11,7 @@
 #include "relamp/error.h"
 
 #include <memory>
+#include <set>
 #include <utility>
 
 namespace relamp
@@ -157,8 +158,14 @@ Solution ThesisSolver::solve(const DelightOptions& options, Progress& progress)
     solution.merged = lightsOfShadowMaps(solution.lights, shading->dials);
     solution.texels.shining = {std::vector<uint8_t>(texels_.surfels.count(), 0),
                                options.thesis.emitterThreshold};
-    for (const Emitter& emitter : light.emitters)
+    solution.fixtureOf.assign(texels_.surfels.count(), FixtureMap::kWall);
+    std::set<int> named; // of a lights file, only those that it names
+    for (const Fixture& fixture : lights.fixtures) named.insert(fixture.id);
+    for (const Emitter& emitter : light.emitters) {
         solution.texels.shining.surfels[emitter.surfel] = 1;
+        const int number = found.fixtures[static_cast<size_t>(emitter.fixture)].id;
+        if (named.contains(number)) solution.fixtureOf[emitter.surfel] = number;
+    }
     solution.engine = [engine] { return engine->inForce(); };
     solution.texels.shade = [shading, engine, lights](size_t page, size_t begin,
                                                       const TexelBlock& block, ShadingBlock& out) {

@@ -6,6 +6,7 @@
 #include "fit/lamp_groups.h"
 #include "fit/outside.h"
 #include "lights/candidates.h"
+#include "lights/fixture_map.h"
 #include "lights/fixtures.h"
 #include "lights/surfel_radiance.h"
 #include "shading/lit_sides.shared.h"
@@ -62,6 +63,7 @@ Fixture fixtureOf(const FoundLamp& lamp, std::span<const ClippedPatch> patches)
         fixture.centre += patch.area * patch.position;
         normal += patch.area * patch.normal;
         fixture.area += patch.area;
+        if (patch.surfel == Surfels::kNone) fixture.unseen += patch.area;
     }
     fixture.centre /= fixture.area;
     const float length = glm::length(normal);
@@ -124,25 +126,15 @@ SunOnRoom sunOn(const Sun& sun, const Texels& texels, const HitLists& hits, RayS
 }
 
 /// Burnt-out patches of sun that were taken for lamps light the room like these, and are none.
-void keepSunlit(const FoundLamps& all, const SunOnRoom& sun, FoundRoom& room)
+void markSunlit(const SunOnRoom& sun, std::vector<FoundLamp>& lamps)
 {
-    for (const FoundLamp& lamp : all.lamps) {
-        if (!isSunlit(*sun.outside, sun.sun, lamp)) continue;
-        const auto isIt = [&](const FoundLamp& other) {
-            return other.patches[0].position == lamp.patches[0].position;
-        };
-        const auto same = std::find_if(room.found.lamps.begin(), room.found.lamps.end(), isIt);
-        FoundLamp& kept =
-            same == room.found.lamps.end() ? room.found.lamps.emplace_back(lamp) : *same;
-        kept.isSunlit = true;
-    }
+    for (FoundLamp& lamp : lamps)
+        lamp.isSunlit = lamp.isSunlit || isSunlit(*sun.outside, sun.sun, lamp);
 }
 
 /// The sun lights what it is seen from; what the texture shows to lie in shade, it does not.
-void letIn(SunOnRoom sun, const FoundLamps& all, const Texels& texels, const RayScene& scene,
-           FoundRoom& room)
+void letIn(SunOnRoom sun, const Texels& texels, const RayScene& scene, FoundRoom& room)
 {
-    keepSunlit(all, sun, room);
     room.shines = shinesOf(room);
     room.sides = sidesOf(texels, scene, room);
     sun.inShade =
@@ -151,21 +143,41 @@ void letIn(SunOnRoom sun, const FoundLamps& all, const Texels& texels, const Ray
     room.sides = sidesOf(texels, scene, room);
 }
 
-/// Settles the light, with a sun if there is one.
-void settle(const FoundLamps& all, const Texels& texels, const RayScene& scene,
-            const std::optional<Lights>& given, FoundRoom& room)
+/// Finds lamps and sun.
+void search(const Texels& texels, const RayScene& scene, Progress& progress, FoundRoom& room)
 {
+    room.found = findLamps(texels, scene, room.hits, room.radiance, room.options, progress);
+    room.warnings = room.found.warnings;
+    const Progress::Stage stage(progress, "sun");
     room.shines = shinesOf(room);
     room.sides = sidesOf(texels, scene, room);
-    if (given && !given->sun) return;
-    FoundLamps panes; // may be
-    for (const FoundLamps* lamps : {&all, &std::as_const(room.found)})
-        for (const FoundLamp& lamp : lamps->lamps) panes.lamps.push_back({.patches = lamp.patches});
+    RayScene outside = sceneWithoutPanes(texels, room.radiance, room.found);
+    if (const std::optional<Sun> sun =
+            findSun(texels, outside, room.hits, room.radiance, room.sides, room.found)) {
+        SunOnRoom found = sunOn(*sun, texels, room.hits, std::move(outside));
+        markSunlit(found, room.found.lamps);
+        letIn(std::move(found), texels, scene, room);
+    }
+    label(room.found, texels, progress);
+}
+
+/// Lights the room as a person says. Fixtures that are off are panes to the sun as well.
+void take(const Lights& given, const DelightOptions& options, const Texels& texels,
+          const RayScene& scene, Progress& progress, FoundRoom& room)
+{
+    const Progress::Stage stage(progress, "given light");
+    const KnownSurfaces known{surfacesBy(options.fixtures, texels, room.radiance),
+                              [&] { return findCandidates(texels, room.radiance); }};
+    const std::vector<std::vector<ClippedPatch>> surfaces =
+        surfacesOf(given.fixtures, known, texels, scene, room.warnings);
+    room.found = asGiven(given, surfaces);
+    room.shines = shinesOf(room);
+    room.sides = sidesOf(texels, scene, room);
+    if (!given.sun) return;
+    FoundLamps panes;
+    for (const auto& surface : surfaces) panes.lamps.push_back({.patches = surface});
     RayScene outside = sceneWithoutPanes(texels, room.radiance, panes);
-    const std::optional<Sun> sun =
-        given ? given->sun
-              : findSun(texels, outside, room.hits, room.radiance, room.sides, room.found);
-    if (sun) letIn(sunOn(*sun, texels, room.hits, std::move(outside)), all, texels, scene, room);
+    letIn(sunOn(*given.sun, texels, room.hits, std::move(outside)), texels, scene, room);
 }
 
 /// Where the lamps are that shine, and no more of them.
@@ -199,16 +211,13 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
         room.hits = castHitLists(texels, scene, room.radiance,
                                  static_cast<size_t>(room.options.rays), progress);
     }
-    FoundLamps all = findLamps(texels, scene, room.hits, room.radiance, room.options, progress);
-    room.warnings = all.warnings;
-    room.found =
-        options.lights ? asGiven(*options.lights, all, findCandidates(texels, room.radiance)) : all;
-    const Progress::Stage stage(progress, "sun");
-    settle(all, texels, scene, options.lights, room);
+    if (options.lights)
+        take(*options.lights, options, texels, scene, progress, room);
+    else
+        search(texels, scene, progress, room);
     if (room.found.lamps.empty() && !room.sun)
         room.warnings.emplace_back("no lamp was found; the room is taken to be lit from "
                                    "outside alone. Point at one with --light or --lights");
-    if (!options.lights) label(room.found, texels, progress);
     return room;
 }
 
@@ -222,14 +231,27 @@ Lights lightsOf(const FoundRoom& room)
         const auto singles = singlesOf(lamp);
         for (size_t i = 0; i < singles.size(); ++i) {
             Fixture fixture = fixtureOf(lamp, singles[i]);
-            if (i < lamp.labels.size()) putLabel(lamp.labels[i], fixture);
+            putLabel(lamp.labels[i], fixture);
+            if (singles.size() > 1) fixture.group = lamp.labels.front().id;
             lights.points.push_back(
                 pointLightOf(fixture, static_cast<int>(lights.fixtures.size())));
             lights.fixtures.push_back(std::move(fixture));
         }
     }
-    numberOthers(lights.fixtures);
     return lights;
+}
+
+std::vector<int32_t> fixturesOfSurfels(const FoundRoom& room)
+{
+    std::vector<int32_t> fixtureOf(room.radiance.plain.size(), FixtureMap::kWall);
+    for (const FoundLamp& lamp : room.found.lamps) {
+        if (lamp.isSunlit) continue;
+        const auto singles = singlesOf(lamp);
+        for (size_t i = 0; i < singles.size(); ++i)
+            for (const ClippedPatch& patch : singles[i])
+                if (patch.surfel != Surfels::kNone) fixtureOf[patch.surfel] = lamp.labels[i].id;
+    }
+    return fixtureOf;
 }
 
 std::vector<uint8_t> shinesOf(const FoundRoom& room)

@@ -46,7 +46,8 @@ struct FoundRoom
 };
 
 /// Finds the lamps and their radiances by what they do to the walls, and the sun by the patch that
-/// it throws; where the options name lights, it is these. All lamps have been looked at. `before`:
+/// it throws. Where the options name lights, nothing is searched and it is these: the fixtures of
+/// their file on the surfaces that have their numbers. All lamps have been looked at. `before`:
 /// the same texels under other options, or null; where as many rays are wanted, what they met is
 /// taken from there.
 FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOptions& options,
@@ -57,6 +58,10 @@ Lights lightsOf(const FoundRoom& room);
 
 /// Marks the surfels whose burnt-out texels belong to a lamp that shines, or are a patch of sun.
 std::vector<uint8_t> shinesOf(const FoundRoom& room);
+
+/// Whose the burnt-out texels of each surfel are, as fixtureMapOf() takes it; lamps that are off
+/// have theirs, a patch of sun has none.
+std::vector<int32_t> fixturesOfSurfels(const FoundRoom& room);
 
 /// The texels that are a lamp's own; a patch of sun is not.
 Shining shiningOf(const FoundRoom& room);

@@ -47,6 +47,7 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightO
                        .fill = fillOf(texels.surfels, found.radiance,
                                       albedoOf(texels, found.radiance, irradiance))};
     solution.lights = lightsOf(found);
+    solution.fixtureOf = fixturesOfSurfels(found);
     solution.merged = solution.lights.points;
     return solution;
 }

@@ -17,6 +17,7 @@ struct Solution
     Lights lights;
     std::vector<PointLight> merged; // the same light, for formats that know points alone
     SolvedTexels texels;
+    std::vector<int32_t> fixtureOf;       // of surfels, as fixtureMapOf() takes it
     DeviceLayers onDevice;                // makes the layers of `texels`; null: the CPU does
     DelightOptions options;               // as given, and all that was derived but the engine
     std::function<gpu::InForce()> engine; // what makes layers, which may change meanwhile; null: no

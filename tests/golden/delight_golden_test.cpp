@@ -60,8 +60,8 @@ TEST_F(DelightProgram, WritesAllThatTheGuidePromises)
 {
     EXPECT_THAT(namesIn(out()),
                 UnorderedElementsAre("albedo.exr", "albedo.png", "confidence.png", "direct.exr",
-                                     "indirect.exr", "lights.json", "preview.png", "reasons.png",
-                                     "report.json", "scan.glb", "shading.exr"));
+                                     "fixtures.png", "indirect.exr", "lights.json", "preview.png",
+                                     "reasons.png", "report.json", "scan.glb", "shading.exr"));
     EXPECT_THAT(namesIn(shared->path()),
                 testing::ElementsAre("out")); // and nothing half-written beside it
 

@@ -3,6 +3,7 @@
 #include "golden/program.h"
 #include "scenes/temporary_folder.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -188,6 +189,94 @@ TEST_F(ResultProgram, ALampHasOneNumberAndNameInEveryQualityAndList)
     EXPECT_THAT(said, HasSubstr("ceiling lamp 2"));
     const Outcome refused = relight("out", {"--fixture", "lamp=on"});
     EXPECT_THAT(refused.err, HasSubstr("window 0, ceiling lamp 2"));
+}
+
+// Neither a search nor its time.
+TEST_F(ResultProgram, GivenLightsAreTakenAsTheFileSaysAndNothingIsSearched)
+{
+    nlohmann::json lights = jsonOf(folder / "out/lights.json");
+    for (auto& fixture : lights["fixtures"]) fixture["radiance"] = {7.0, 6.0, 5.0};
+    lights["ambient"] = {0.25, 0.125, 0.0625};
+    std::ofstream(folder / "out/mine.json") << lights;
+    const Outcome run = runRelamp({"delight", folder / "room.glb", "-o", folder / "again", "-q",
+                                   "--quality", "draft", "--lights", folder / "out/mine.json"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const nlohmann::json report = jsonOf(folder / "again/report.json");
+    EXPECT_TRUE(jsonOf(folder / "out/report.json")["seconds"]["stages"].contains("lamps"));
+    for (const char* stage : {"lamps", "sun"})
+        EXPECT_FALSE(report["seconds"]["stages"].contains(stage)) << stage;
+    EXPECT_THAT(report["warnings"], testing::IsEmpty());
+    const nlohmann::json again = jsonOf(folder / "again/lights.json");
+    EXPECT_EQ(again["ambient"], lights["ambient"]);
+    ASSERT_EQ(again["fixtures"].size(), lights["fixtures"].size());
+    for (size_t i = 0; i < lights["fixtures"].size(); ++i)
+        for (const char* key : {"id", "name", "radiance", "area"})
+            EXPECT_EQ(again["fixtures"][i][key], lights["fixtures"][i][key]) << key;
+    // The same texels are the same lamps'.
+    EXPECT_EQ(contentOf(folder / "again/fixtures.png"), contentOf(folder / "out/fixtures.png"));
+}
+
+TEST_F(ResultProgram, AnEditedFileInAnotherOrderGivesTheSamePicture)
+{
+    nlohmann::json lights = jsonOf(folder / "out/lights.json");
+    lights["fixtures"][0]["radiance"] = {9.0, 9.0, 9.0};
+    std::ofstream(folder / "out/edited.json") << lights;
+    std::reverse(lights["fixtures"].begin(), lights["fixtures"].end());
+    std::reverse(lights["lights"].begin(), lights["lights"].end());
+    std::ofstream(folder / "out/turned.json") << lights;
+    std::vector<std::string> pictures;
+    for (const char* name : {"edited", "turned"}) {
+        const Outcome run =
+            relight("out", {"--lights", folder / "out" / (std::string(name) + ".json")});
+        ASSERT_EQ(run.exitCode, 0) << run.err;
+        pictures.push_back(contentOf(folder / "baked.exr"));
+    }
+    EXPECT_TRUE(pictures[0] == pictures[1]);
+}
+
+// Nor by where one stands: the scan is gone, and so is the folder's old place.
+TEST_F(ResultProgram, AFolderStandsByItself)
+{
+    ASSERT_EQ(relight("out", {"--fixture", "all=on"}).exitCode, 0);
+    const std::string before = contentOf(folder / "baked.exr");
+    fs::create_directories(folder / "far/away");
+    fs::rename(folder / "out", folder / "far/away/result");
+    fs::remove(folder / "room.glb");
+    fs::remove(folder / "far/away/result/transport.bin");
+    const Outcome run =
+        inside("far", "$RELAMP relight away/result --rays 4 --shadow-rays 1 --fixture all=on "
+                      "--bake -o moved.exr");
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_THAT(run.err, Not(HasSubstr("note")));
+    EXPECT_TRUE(contentOf(folder / "far/moved.exr") == before);
+    const Outcome scan =
+        inside("far", "$RELAMP relight away/result --show scan --size 64x36 -o scan.png");
+    EXPECT_EQ(scan.exitCode, 1);
+    EXPECT_THAT(scan.err, HasSubstr("--scan FILE"));
+    EXPECT_EQ(
+        inside("far", "$RELAMP relight away/result --show albedo --size 64x36 -o a.png").exitCode,
+        0);
+}
+
+// They had no numbers.
+TEST_F(ResultProgram, ALightsFileOfTheFirstReleaseIsReadByPlaceAndANoteSaysSo)
+{
+    nlohmann::json lights = jsonOf(folder / "out/lights.json");
+    for (auto& fixture : lights["fixtures"])
+        for (const char* key : {"id", "name", "unseen"}) fixture.erase(key);
+    for (size_t i = 0; i < lights["lights"].size(); ++i) lights["lights"][i]["fixture"] = i;
+    std::ofstream(folder / "old.json") << lights;
+    const Outcome run = runRelamp({"delight", folder / "room.glb", "-o", folder / "again",
+                                   "--quality", "draft", "--lights", folder / "old.json"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("have no \"id\""));
+    EXPECT_THAT(run.err, HasSubstr("2 by what is burnt out at their place"));
+    const Outcome lit = relight("out", {"--lights", folder / "old.json"});
+    EXPECT_EQ(lit.exitCode, 0);
+    EXPECT_THAT(lit.err, HasSubstr("known by their places"));
+    const std::string byPlace = contentOf(folder / "baked.exr");
+    ASSERT_EQ(relight("out", {"--lights", folder / "out/lights.json"}).exitCode, 0);
+    EXPECT_TRUE(contentOf(folder / "baked.exr") == byPlace);
 }
 
 // The chatter is lost, the work is not; what was asked for on standard output is.

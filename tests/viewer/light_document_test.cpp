@@ -83,12 +83,16 @@ TEST(LightDocument, TheRoomsOwnSkyFollowsTheDayOfTheScanAndOnesOwnDoesNot)
     EXPECT_EQ(light, ownSky);
 }
 
-TEST(LightDocument, WhatWasSaidStaysWithTheFixtureThatIsThere)
+// A draft and the whole find the same lamps in another order, and one of them not all.
+TEST(LightDocument, WhatWasSaidStaysWithTheFixtureOfThatNumber)
 {
     const FixtureItem dimmed{.on = true, .dim = 0.5f};
-    const std::vector<glm::vec3> places{{1.02f, 2, 0}, {5, 2, 0}};
-    EXPECT_THAT(carriedOver({dimmed, {}}, places, twoFixtures(), kAsFound),
+    relamp::Lights found = twoFixtures();
+    found.fixtures[0].id = 8;
+    found.fixtures[1].id = 3;
+    EXPECT_THAT(carriedOver({dimmed, {}}, {3, 5}, found, kAsFound),
                 testing::ElementsAre(kAsFound, dimmed));
+    EXPECT_THAT(numbersOf(found), testing::ElementsAre(8, 3));
 }
 
 TEST(LightDocument, IsReadAsItWasWritten)
