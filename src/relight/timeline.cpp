@@ -48,6 +48,8 @@ private:
     [[nodiscard]] json of(const json& a, const json& b, const std::string& path) const;
     [[nodiscard]] json ofNumbers(double a, double b, const std::string& path) const;
     [[nodiscard]] json ofLists(const json& a, const json& b, const std::string& path) const;
+    [[nodiscard]] const json& sameFixture(const json& fixture, const json& list, size_t place,
+                                          const std::string& path) const;
     [[nodiscard]] json ofObjects(const json& a, const json& b, const std::string& path) const;
     [[noreturn]] void refuse(const std::string& path, const std::string& why) const;
 
@@ -75,9 +77,29 @@ json Blend::ofLists(const json& a, const json& b, const std::string& path) const
     if (a.size() != b.size())
         refuse(path, fmt::format("has {} entries, and {} in {}", a.size(), b.size(), to_.what));
     json list = json::array();
-    for (size_t i = 0; i < a.size(); ++i)
-        list.push_back(of(a[i], b[i], fmt::format("{}/{}", path, i)));
+    for (size_t i = 0; i < a.size(); ++i) {
+        const std::string below = fmt::format("{}/{}", path, i);
+        list.push_back(
+            of(a[i], path == "/fixtures" ? sameFixture(a[i], b, i, below) : b[i], below));
+    }
     return list;
+}
+
+/// The fixture of another list that has the number or the name of one; where it has neither, what
+/// stands at its place there.
+const json& Blend::sameFixture(const json& fixture, const json& list, size_t place,
+                               const std::string& path) const
+{
+    for (const char* key : {"id", "name"}) {
+        if (!fixture.is_object() || !fixture.contains(key)) continue;
+        const auto same = std::find_if(list.begin(), list.end(), [&](const json& other) {
+            return other.is_object() && other.contains(key) && other[key] == fixture[key];
+        });
+        if (same == list.end())
+            refuse(path, fmt::format("is in one of this and {} alone", to_.what));
+        return *same;
+    }
+    return list[place];
 }
 
 json Blend::ofObjects(const json& a, const json& b, const std::string& path) const

@@ -20,7 +20,11 @@ using testing::IsEmpty;
 class TimelineFile : public testing::Test
 {
 protected:
-    TimelineFile() { captured_.fixtures = {{.area = 0.5f, .radiance = glm::vec3(8.0f)}}; }
+    TimelineFile()
+    {
+        captured_.fixtures = {{.area = 0.5f, .radiance = glm::vec3(8.0f), .id = 0},
+                              {.area = 0.5f, .radiance = glm::vec3(4.0f), .id = 6}};
+    }
 
     Timeline read(const std::string& text)
     {
@@ -108,6 +112,17 @@ TEST_F(TimelineFile, FixturesAreDimmedEvenlyAndSwitchedAtTheKey)
         between(R"({"fixtures": [{"id": 0, "on": false}]})", R"({"fixtures": [{"id": 0}]})");
     EXPECT_EQ(switched.at(0.99).fixtures.at(0).fixture.radiance.g, 0.0f);
     EXPECT_EQ(switched.at(1.0).fixtures.at(0).fixture.radiance.g, 8.0f);
+}
+
+// Two people wrote the keys, or two programs.
+TEST_F(TimelineFile, FixturesOfTwoKeysAreMatchedByTheirNumbers)
+{
+    const Timeline timeline = between(R"({"fixtures": [{"id": 0}, {"id": 6, "dim": 0.5}]})",
+                                      R"({"fixtures": [{"id": 6, "dim": 1.5}, {"id": 0}]})");
+    EXPECT_EQ(timeline.at(0.5).fixtures.at(0).fixture.radiance.g, 8.0f);
+    EXPECT_EQ(timeline.at(0.5).fixtures.at(1).fixture.radiance.g, 4.0f);
+    EXPECT_THAT(refusalBetween(R"({"fixtures": [{"id": 0}]})", R"({"fixtures": [{"id": 6}]})"),
+                HasSubstr("\"fixtures/0\" is in one of this and"));
 }
 
 TEST_F(TimelineFile, KeysNeedNotBeEvenlySpread)
