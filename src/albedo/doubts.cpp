@@ -26,6 +26,8 @@ constexpr float kDisagree = 1.2f;   // more is left than there was
 constexpr float kLeastTrust = 0.1f; // a wrong edge changes brightness; the pattern stays known
 constexpr float kDark = 1e-4f;
 constexpr float kMostlyClipped = 0.1f;
+constexpr float kSlightCorrection = 0.1f; // of log light; so far it is as likely right as wrong
+constexpr float kGreatCorrection = 0.4f;
 
 float logOf(glm::vec3 rgb)
 {
@@ -109,6 +111,15 @@ void doubtEdges(const Surfels& surfels, const SurfelRadiance& radiance, const Su
                 trust[s].edges =
                     std::max(ramp(kDisagree, kAgree, steps.unexplained(s)), kLeastTrust);
     });
+}
+
+void doubtCorrections(std::span<const float> lit, std::span<SurfelTrust> trust)
+{
+    for (size_t s = 0; s < lit.size(); ++s) {
+        const float size = std::abs(std::log(std::max(lit[s], kDark)));
+        const float left = ramp(kGreatCorrection, kSlightCorrection, size);
+        trust[s].edges = std::min(trust[s].edges, std::max(left, kLeastTrust));
+    }
 }
 
 } // namespace relamp

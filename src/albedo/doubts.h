@@ -20,7 +20,8 @@ struct SurfelTrust
 {
     float seen = 1.0f;  // falls where most of its rays leave the scan
     float front = 1.0f; // falls where most of its rays meet backs of surfaces
-    float edges = 1.0f; // falls where shadow edges are not those of the texture, to 0.1
+    float edges = 1.0f; // falls where shadow edges are not those of the texture, or the light had
+                        // to be corrected by much, to 0.1
 };
 
 /// What the fronts of surfels look at, one entry a surfel.
@@ -32,5 +33,9 @@ std::vector<SurfelTrust> trustByView(const HitLists& hits, size_t surfels);
 /// nothing tells them apart.
 void doubtEdges(const Surfels& surfels, const SurfelRadiance& radiance, const SurfelLighting& light,
                 std::span<SurfelTrust> trust);
+
+/// Lowers `edges` where the light had to be corrected by much, by `lit` times, one a surfel: half of
+/// what was corrected by a fifth is still off by more than a seventh.
+void doubtCorrections(std::span<const float> lit, std::span<SurfelTrust> trust);
 
 } // namespace relamp

@@ -7,6 +7,7 @@
 #include "shading/gathered_light.shared.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace relamp
 {
@@ -132,28 +133,75 @@ void interpolate(const Texels& texels, std::span<const glm::vec3> irradiance, si
     });
 }
 
-SurfelLighting lightOnSurfels(const Surfels& surfels, const GatheredLight& light)
+namespace
 {
-    SurfelLighting result{light.indirect, std::vector<uint8_t>(surfels.count(), 0)};
+
+/// What surfels get of a lamp, one entry a surfel.
+struct LampOnSurfels
+{
+    std::vector<float> open; // irradiance at radiance 1 with nothing in the way
+    std::vector<float> share;
+};
+
+LampOnSurfels lampOnSurfels(const Surfels& surfels, const GatheredLight& light, size_t lamp)
+{
+    LampOnSurfels on{std::vector<float>(surfels.count()), std::vector<float>(surfels.count())};
     forEachChunk(surfels.count(), TexelBlock::kCapacity, [&](size_t begin, size_t end) {
         TexelBlock block;
         loadSurfels(surfels, begin, end, block);
         float share[TexelBlock::kPadded];
         float open[TexelBlock::kPadded];
-        std::vector<float> partly(block.count, 0.0f);
-        for (size_t l = 0; l < light.lamps.size(); ++l) {
-            openIrradiance(block, light.lamps[l].patches, Geometry::scanned, open);
-            for (size_t i = 0; i < block.count; ++i) {
-                const auto s = static_cast<uint32_t>(begin + i);
-                light.visibility->at(l, s, block, i, i + 1, share);
-                result.irradiance[s] += open[i] * share[i] * light.lamps[l].radiance;
-                if (light.visibility->isPartial(l, s))
-                    partly[i] += open[i] * luminance(light.lamps[l].radiance);
-            }
+        openIrradiance(block, light.lamps[lamp].patches, Geometry::scanned, open);
+        for (size_t i = 0; i < block.count; ++i) {
+            light.visibility->at(lamp, static_cast<uint32_t>(begin + i), block, i, i + 1, share);
+            on.share[begin + i] = share[i];
+            on.open[begin + i] = open[i];
         }
-        for (size_t i = 0; i < block.count; ++i)
-            if (partly[i] > kMatters * luminance(result.irradiance[begin + i]))
-                result.inPenumbra[begin + i] = 1;
+    });
+    return on;
+}
+
+/// Variance of the values of a surfel and of those in the ring around it.
+float varianceAround(const Surfels& surfels, size_t s, std::span<const float> values)
+{
+    const float reach = kRingOfSeen * surfels.size;
+    float sum = 0.0f;
+    float squares = 0.0f;
+    float count = 0.0f;
+    for (const uint32_t n : surfels.neighborsOf(s)) {
+        const glm::vec3 way = surfels.position[n] - surfels.position[s];
+        if (glm::dot(way, way) > reach * reach) continue;
+        sum += values[n];
+        squares += values[n] * values[n];
+        count += 1.0f;
+    }
+    const float mean = sum / count;
+    return std::max(squares / count - mean * mean, 0.0f);
+}
+
+} // namespace
+
+SurfelLighting lightOnSurfels(const Surfels& surfels, const GatheredLight& light)
+{
+    SurfelLighting result{light.indirect, std::vector<uint8_t>(surfels.count(), 0),
+                          std::vector<float>(surfels.count(), 0.0f)};
+    std::vector<float> partly(surfels.count(), 0.0f);
+    for (size_t l = 0; l < light.lamps.size(); ++l) {
+        const LampOnSurfels on = lampOnSurfels(surfels, light, l);
+        const glm::vec3 radiance = light.lamps[l].radiance;
+        forEachChunk(surfels.count(), 1024, [&](size_t begin, size_t end) {
+            for (size_t s = begin; s < end; ++s) {
+                result.irradiance[s] += on.open[s] * on.share[s] * radiance;
+                if (!light.visibility->isPartial(l, static_cast<uint32_t>(s))) continue;
+                const float most = on.open[s] * luminance(radiance);
+                partly[s] += most;
+                result.spread[s] += most * most * varianceAround(surfels, s, on.share);
+            }
+        });
+    }
+    forEach(surfels.count(), [&](size_t s) {
+        result.spread[s] = std::sqrt(result.spread[s]);
+        if (partly[s] > kMatters * luminance(result.irradiance[s])) result.inPenumbra[s] = 1;
     });
     return result;
 }

@@ -2,7 +2,6 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "base/radiometry.shared.h"
-#include "fit/stray.shared.h"
 #include "scan/texels.gpu.h"
 #include "shading/gathered_light.shared.h"
 #include "solve/resolve.gpu.h"
@@ -26,13 +25,6 @@ vec4 interpolated(uint surfel, vec3 place, vec3 normal)
     return sum / weights;
 }
 
-float keptOf(vec3 irradiance)
-{
-    const float at = amongStrayKnots(luminance(irradiance) / kPi);
-    const int knot = min(int(at), kStrayKnots - 2);
-    return keptOfStray(arguments.stray.at[knot], arguments.stray.at[knot + 1], at - float(knot));
-}
-
 void main()
 {
     const uint i = threadIndex();
@@ -40,7 +32,6 @@ void main()
     const uvec4 site = arguments.site.at[i];
     const vec4 around = interpolated(arguments.surfel.at[i], positionOf(site), normalOf(site));
     const vec3 direct = irradianceOfLamps(arguments.lamps, i);
-    const float there = keptOf(direct + around.rgb) * around.w;
-    arguments.directOut.at[i] = packedHalves(vec4(there * direct, 0.0));
-    arguments.indirectOut.at[i] = packedHalves(vec4(there * around.rgb, 0.0));
+    arguments.directOut.at[i] = packedHalves(vec4(around.w * direct, 0.0));
+    arguments.indirectOut.at[i] = packedHalves(vec4(around.w * around.rgb, 0.0));
 }

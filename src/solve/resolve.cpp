@@ -4,7 +4,7 @@
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "fit/lamp_groups.h"
-#include "fit/shade.h"
+#include "fit/light_correction.h"
 
 #include <algorithm>
 #include <utility>
@@ -88,14 +88,13 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
 {
     SolvedRoom room{.found = std::move(found)};
     room.light = lightOf(texels, scene, room.found, indirectOf(texels, room));
-    callAll(
-        [&] { room.stray = fitStray(texels, room.found.radiance, shadingOf(texels, room.light)); },
-        [&] { room.lighting = lightOnSurfels(texels.surfels, *room.light); });
+    room.lighting = lightOnSurfels(texels.surfels, *room.light);
     std::vector<float> lit;
     callAll(
         [&] {
-            lit = findShade(texels.surfels, room.found.radiance, room.found.hits,
-                            withoutStray(room.lighting.irradiance, room.stray));
+            lit = correctionOf(texels.surfels, room.found.radiance, room.found.hits,
+                               foundLight(texels, room.found.radiance,
+                                          shadingOf(texels, room.light), room.lighting.spread));
         },
         [&] { meanwhile(room); });
     room.lit = std::move(lit);
@@ -138,7 +137,7 @@ void resolve(const Texels& texels, SolvedRoom& room, const LampPowers& powers, S
 
 TexelShading shadingOf(const Texels& texels, const SolvedRoom& room)
 {
-    return withShade(texels, withoutStray(shadingOf(texels, room.light), room.stray), room.lit);
+    return corrected(texels, shadingOf(texels, room.light), room.lit);
 }
 
 } // namespace relamp

@@ -15,7 +15,6 @@ struct ResolveArguments
     Uints firstNeighbor;
     Uints neighbor;
     Vec4s indirect;   // of surfels; w: share of the light that is there
-    Floats stray;     // octaves at the knots
     LampTerms lamps;  // on texels
     Uvec2s directOut; // of texels: irradiance, halves
     Uvec2s indirectOut;

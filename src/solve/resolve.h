@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fit/stray.h"
 #include "shading/gathered_light.h"
 #include "solve/found_room.h"
 
@@ -22,11 +21,10 @@ struct SolvedRoom
     FoundRoom found;
     std::shared_ptr<const GatheredLight> light; // its lamps are those of `found`, then the sun
     SurfelLighting lighting;                    // what it brings to surfels
-    StrayLight stray{};                         // of the first solution, as is what follows
-    std::vector<float> lit;                     // of surfels, as findShade()
+    std::vector<float> lit; // of surfels, as correctionOf(); of the first solution
 };
 
-/// Shadows, indirect light and shade of a room whose lamps are known. Shade takes one thread:
+/// Shadows, indirect light and its correction in a room whose lamps are known. That takes one thread:
 /// `meanwhile` is called beside it, with the room as it is but for `lit`.
 SolvedRoom solvedRoom(
     const Texels& texels, const RayScene& scene, FoundRoom found,

@@ -86,7 +86,6 @@ ResolveGpu::ResolveGpu(const gpu::Device& device, const Texels& texels, const So
       layers_(device, texels.surfels.count()), gutter_(device),
       termsOfLists_(lamps_.keep(onListsOf(room), sides_.lists())),
       directOfLists_(device, sides_.lists()),
-      stray_(device, {room.stray.octaves().begin(), room.stray.octaves().end()}),
       pages_(
           device, texels.pages.size(), budgetOf(device, budget, texels),
           [&texels, lamps = room.light->lamps.size()](size_t page) {
@@ -142,7 +141,6 @@ std::vector<gpu::Timing> ResolveGpu::shade(size_t index)
                                            .firstNeighbor = surfels_.firstNeighbor.ref(),
                                            .neighbor = surfels_.neighbor.ref(),
                                            .indirect = sides_.indirect().ref(),
-                                           .stray = stray_.ref(),
                                            .lamps = lamps_.lit(page.terms, page.texels.count),
                                            .directOut = page.direct.ref(),
                                            .indirectOut = page.indirect.ref(),

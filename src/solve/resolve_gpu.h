@@ -65,7 +65,6 @@ private:
     GutterGpu gutter_;
     gpu::Array<uint32_t> termsOfLists_;
     gpu::Array<glm::uvec2> directOfLists_;
-    gpu::Array<float> stray_;
     ResidentPages<Page> pages_;
     std::optional<LayerPictures> pictures_; // of the page that was divided last
     size_t picturesOf_ = 0;

@@ -1,7 +1,7 @@
 #include "solve/room_solution.h"
 
+#include "albedo/doubts.h"
 #include "albedo/gather_closure.h"
-#include "fit/stray.h"
 #include "shading/lit_sides.h"
 #include "solve/found_room.h"
 
@@ -12,10 +12,10 @@ namespace relamp
 namespace
 {
 
-/// On surfels, less what the mesh does not explain.
+/// On surfels, corrected.
 std::vector<glm::vec3> irradianceOf(const SolvedRoom& room)
 {
-    std::vector<glm::vec3> irradiance = withoutStray(room.lighting.irradiance, room.stray);
+    std::vector<glm::vec3> irradiance = room.lighting.irradiance;
     for (size_t s = 0; s < irradiance.size(); ++s) irradiance[s] *= room.lit[s];
     return irradiance;
 }
@@ -36,6 +36,7 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightO
 {
     const FoundRoom& found = room.found;
     const std::vector<glm::vec3> irradiance = irradianceOf(room);
+    doubtCorrections(room.lit, rating.trust);
     Solution solution{.options = asked};
     solution.options.gather = found.options;
     solution.warnings = found.warnings;

@@ -1,4 +1,4 @@
-#include "fit/shade.h"
+#include "fit/light_correction.h"
 
 #include "base/radiometry.shared.h"
 #include "scenes/scenes.h"
@@ -23,10 +23,15 @@ float foundAt(float x)
     return x < 0.6f ? 0.3f : 1.0f;
 }
 
-std::vector<glm::vec3> foundOn(const Surfels& surfels)
+/// With `spread` of it where it is dim, as at a shadow's edge.
+FoundLight foundOn(const Surfels& surfels, float spread = 0.7f)
 {
-    std::vector<glm::vec3> found;
-    for (const glm::vec3 place : surfels.position) found.emplace_back(kPi * foundAt(place.x));
+    FoundLight found;
+    for (const glm::vec3 place : surfels.position) {
+        const float light = kPi * foundAt(place.x);
+        found.irradiance.emplace_back(light);
+        found.spread.push_back(place.x < 0.6f ? spread * light : 0.0f);
+    }
     return found;
 }
 
@@ -75,7 +80,7 @@ HitLists seeingWhatIsNear(const Surfels& surfels)
 std::vector<float> sharesOf(const scenes::Surfaces& floor)
 {
     const Surfels& surfels = floor.texels.surfels;
-    return findShade(surfels, floor.radiance, seeingNothing(surfels), foundOn(surfels));
+    return correctionOf(surfels, floor.radiance, seeingNothing(surfels), foundOn(surfels));
 }
 
 /// A floor that is dim all over, with a dark line at x = 0.3, two surfels wide.
@@ -90,7 +95,7 @@ scenes::Surfaces linedFloor()
 } // namespace
 
 // As little as 0.39 of the light is there; a little of the fade's foot stays paint.
-TEST(Shade, WhatFadesInTheDarkIsShade)
+TEST(LightCorrection, WhatFadesInTheDarkIsShade)
 {
     const scenes::Surfaces floor(scenes::square(kSide, 128, [](glm::vec3 p, glm::vec3) {
         return glm::vec3(0.7f, 0.6f, 0.5f) * foundAt(p.x) * fadeAt(p.x);
@@ -100,7 +105,7 @@ TEST(Shade, WhatFadesInTheDarkIsShade)
     EXPECT_NEAR(shareBetween(floor.texels.surfels, shares, 1.0f, 1.9f), 1.0f, 0.03f);
 }
 
-TEST(Shade, AnEdgeOfPaintIsNone)
+TEST(LightCorrection, AnEdgeOfPaintIsNone)
 {
     const scenes::Surfaces floor(scenes::square(kSide, 128, [](glm::vec3 p, glm::vec3) {
         return foundAt(p.x) * (p.x < 0.3f ? glm::vec3(0.1f) : glm::vec3(0.7f));
@@ -109,7 +114,7 @@ TEST(Shade, AnEdgeOfPaintIsNone)
     EXPECT_GT(shareBetween(floor.texels.surfels, shares, 0.0f, 0.25f), 0.85f);
 }
 
-TEST(Shade, AnEdgeOfColourIsNone)
+TEST(LightCorrection, AnEdgeOfColourIsNone)
 {
     const scenes::Surfaces floor(scenes::square(kSide, 128, [](glm::vec3 p, glm::vec3) {
         const glm::vec3 red(0.6f, 0.3f, 0.3f);
@@ -119,35 +124,54 @@ TEST(Shade, AnEdgeOfColourIsNone)
     EXPECT_NEAR(shareBetween(floor.texels.surfels, shares, 0.0f, 0.25f), 1.0f, 0.06f);
 }
 
-TEST(Shade, AThinLineInTheOpenIsPaint)
+TEST(LightCorrection, AThinLineInTheOpenIsPaint)
 {
     const scenes::Surfaces floor = linedFloor();
     EXPECT_GT(shareBetween(floor.texels.surfels, sharesOf(floor), 0.28f, 0.32f), 0.9f);
 }
 
-TEST(Shade, AThinLineBesideWhatThrowsItIsShade)
+TEST(LightCorrection, AThinLineBesideWhatThrowsItIsShade)
 {
     const scenes::Surfaces floor = linedFloor();
     const Surfels& surfels = floor.texels.surfels;
     const auto shares =
-        findShade(surfels, floor.radiance, seeingWhatIsNear(surfels), foundOn(surfels));
+        correctionOf(surfels, floor.radiance, seeingWhatIsNear(surfels), foundOn(surfels));
     EXPECT_LT(shareBetween(surfels, shares, 0.28f, 0.32f), 0.75f);
 }
 
-TEST(Shade, BrightPlacesAreRight)
+// The same fade, as paint: no shadow's edge is near that could be elsewhere.
+TEST(LightCorrection, LightThatIsSureIsKept)
 {
     const scenes::Surfaces floor(scenes::square(kSide, 128, [](glm::vec3 p, glm::vec3) {
-        return glm::vec3(0.7f * fadeAt(p.x)); // as paint
+        return glm::vec3(0.7f * fadeAt(p.x));
     }));
     const Surfels& surfels = floor.texels.surfels;
-    std::vector<glm::vec3> found;
-    for (const glm::vec3 place : surfels.position)
-        found.emplace_back(place.x < 0.6f ? 12.0f : 3.0f);
-    const auto shares = findShade(surfels, floor.radiance, seeingNothing(surfels), found);
-    EXPECT_GT(shareBetween(surfels, shares, 0.0f, 0.15f), 0.95f);
+    FoundLight found;
+    found.irradiance.assign(surfels.count(), glm::vec3(3.0f));
+    found.spread.assign(surfels.count(), 0.0f);
+    const auto sure = correctionOf(surfels, floor.radiance, seeingNothing(surfels), found);
+    for (size_t s = 0; s < surfels.count(); ++s)
+        found.spread[s] = surfels.position[s].x < 0.6f ? 3.0f : 0.0f;
+    const auto unsure = correctionOf(surfels, floor.radiance, seeingNothing(surfels), found);
+    EXPECT_GT(shareBetween(surfels, sure, 0.0f, 0.15f),
+              1.3f * shareBetween(surfels, unsure, 0.0f, 0.15f));
 }
 
-TEST(Shade, DarkensDirectAndIndirectAlike)
+// Two floors of one paint with nothing between: one is lit as it was found, of the other a third of
+// the light is not there and nobody beside it tells.
+TEST(LightCorrection, PlacesOfOnePaintTellEachOther)
+{
+    const scenes::Surfaces floor(scenes::square(kSide, 128, [](glm::vec3 p, glm::vec3) {
+        const bool isGap = std::abs(p.x - 0.7f) < 0.1f;
+        const float lit = p.x < 0.7f ? 0.2f : 1.0f;
+        return isGap ? glm::vec3(0.05f, 0.2f, 0.6f) : lit * glm::vec3(0.7f, 0.6f, 0.5f);
+    }));
+    const auto shares = sharesOf(floor);
+    EXPECT_NEAR(shareBetween(floor.texels.surfels, shares, 0.0f, 0.5f), 0.2f / 0.3f, 0.08f);
+    EXPECT_NEAR(shareBetween(floor.texels.surfels, shares, 1.0f, 1.9f), 1.0f, 0.03f);
+}
+
+TEST(LightCorrection, DarkensDirectAndIndirectAlike)
 {
     const scenes::Surfaces floor(scenes::square(kSide, 64, scenes::plain(glm::vec3(0.5f))));
     const TexelShading one = [](size_t, size_t, const TexelBlock& block, ShadingBlock& out) {
@@ -156,7 +180,7 @@ TEST(Shade, DarkensDirectAndIndirectAlike)
                 std::fill_n(channel, block.count, 1.0f);
     };
     const TexelShading shaded =
-        withShade(floor.texels, one, std::vector<float>(floor.texels.surfels.count(), 0.25f));
+        corrected(floor.texels, one, std::vector<float>(floor.texels.surfels.count(), 0.25f));
     const TexelLoader loader(floor.texels, 0);
     TexelBlock block;
     loader.loadGeometry(0, 100, block);

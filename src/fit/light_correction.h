@@ -1,0 +1,39 @@
+#pragma once
+
+#include "lights/surfel_radiance.h"
+#include "scan/surfels.h"
+#include "scan/texels.h"
+#include "shading/hit_lists.h"
+#include "shading/texel_shading.h"
+
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace relamp
+{
+
+/// Light on surfels as the mesh has it. One entry a surfel.
+struct FoundLight
+{
+    std::vector<glm::vec3> irradiance; // mean of its texels that are not burnt out
+    std::vector<float> spread;         // as SurfelLighting
+};
+FoundLight foundLight(const Texels& texels, const SurfelRadiance& radiance,
+                      const TexelShading& shade, std::vector<float> spread);
+
+/// How much of the light that was found on each surfel is there, 0..1.05: the rest leaks in where
+/// the mesh is open, or is kept out by what the mesh lacks.
+///
+/// A smooth change within one paint is light, an edge is paint (Land and McCann 1971); places of one
+/// paint have one albedo, near and far. Light is believed by its variance: little where a shadow's
+/// edge is near, where backs are seen and in the dark. `hits`: of all fronts. A surfel that is burnt
+/// out keeps its light. A thin pattern is paint unless `hits` say that something is near.
+std::vector<float> correctionOf(const Surfels& surfels, const SurfelRadiance& radiance,
+                                const HitLists& hits, const FoundLight& light);
+
+/// The shading times that, interpolated between surfels; direct and indirect alike.
+TexelShading corrected(const Texels& texels, TexelShading shade, std::span<const float> lit);
+
+} // namespace relamp
