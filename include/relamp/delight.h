@@ -47,7 +47,7 @@ struct DelightOptions
     // readFixturesBeside() give them. Empty: lamps are what is burnt out at their places.
     std::vector<FixtureMap> fixtures;
     EngineOptions engine; // of the solver thesis, and of the solver gather once it knows lamps,
-                          // stray light and shade; all else is the CPU's
+                          // and how to correct their light; all else is the CPU's
 };
 
 /// Why an albedo cannot be believed.

@@ -34,8 +34,8 @@ std::vector<SurfelTrust> trustByView(const HitLists& hits, size_t surfels);
 void doubtEdges(const Surfels& surfels, const SurfelRadiance& radiance, const SurfelLighting& light,
                 std::span<SurfelTrust> trust);
 
-/// Lowers `edges` where the light had to be corrected by much, by `lit` times, one a surfel: half of
-/// what was corrected by a fifth is still off by more than a seventh.
+/// Lowers `edges` where the light had to be corrected by much, by `lit` times, one a surfel: a
+/// third or more of what was corrected by a fifth is still off by 15 %.
 void doubtCorrections(std::span<const float> lit, std::span<SurfelTrust> trust);
 
 } // namespace relamp

@@ -3,6 +3,8 @@
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 namespace relamp
@@ -93,6 +95,17 @@ TEST(Doubts, SomeTrustIsLeftAtAnyEdge)
 TEST(Doubts, PatternUnderEvenLightIsTrusted)
 {
     EXPECT_EQ(doubted(trustUnder(halfLit, scenes::plain(glm::vec3(0.7f)))), 0u);
+}
+
+// Both ways alike; a tenth is always left.
+TEST(Doubts, LightThatWasCorrectedByMuchIsDoubted)
+{
+    std::vector<SurfelTrust> trust(4);
+    doubtCorrections(std::vector<float>{1.0f, 0.95f, std::exp(-0.25f), 0.3f}, trust);
+    EXPECT_FLOAT_EQ(trust[0].edges, 1.0f);
+    EXPECT_FLOAT_EQ(trust[1].edges, 1.0f);
+    EXPECT_NEAR(trust[2].edges, 0.5f, 0.01f);
+    EXPECT_FLOAT_EQ(trust[3].edges, 0.1f);
 }
 
 } // namespace relamp

@@ -2,7 +2,6 @@
 
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
-#include "lights/expand.shared.h"
 #include "shading/gathered_light.h"
 #include "shading/sampling.shared.h"
 
@@ -23,11 +22,11 @@ namespace
 
 constexpr float kBesideSurfel = 1.6f;         // surfel sizes
 constexpr float kMostOfSurfelBurntOut = 0.1f; // of a surfel
-constexpr float kPaintStep = 0.3f;   // of log albedo between two of one paint: more is an edge
-constexpr float kColorStep = 0.1f;   // of log (r / g) and log (b / g) between neighbours, likewise
+constexpr float kPaintStep = 0.3f;    // of log albedo between two of one paint: more is an edge
+constexpr float kColorStep = 0.1f;    // of log (r / g) and log (b / g) between neighbours, likewise
 constexpr float kMostLacking = 0.05f; // of log light that is too dark: so much is noise
 constexpr int kRounds = 6;            // of weights that follow from the light before
-constexpr int kSolverSteps = 16;      // of conjugate gradients in each
+constexpr int kSolverSteps = 12;      // of conjugate gradients in each
 constexpr float kDarkest = 1e-4f;     // irradiance
 
 // Standard deviation of the light found, as a share of it, where nothing else speaks against it.
@@ -39,10 +38,10 @@ constexpr float kUnsureOfBacks = 2.0f; // times the share of a view that meets b
 constexpr float kBelief = 3e-5f;
 
 // Pairs of one paint all over the scan.
-constexpr int kDraws = 4;              // of pairs that a place is in; each draw gives it two
-constexpr float kPaintColor = 0.05f;   // of log (r / g) and log (b / g): a class of paint
+constexpr int kDraws = 2;                // of pairs that a place is in; each draw gives it two
+constexpr float kPaintColor = 0.05f;     // of log (r / g) and log (b / g): a class of paint
 constexpr float kPaintBrightness = 0.5f; // of log albedo
-constexpr float kFarWeight = 0.01f;    // of a pair beside one of neighbours
+constexpr float kFarWeight = 0.02f;      // of a pair beside one of neighbours
 
 // A thin pattern in the open is paint: a joint between tiles, dots on a wallpaper.
 constexpr int kThin = 2;               // rings of neighbours; a line is narrower than twice that
@@ -73,8 +72,7 @@ float backsBefore(const HitLists& hits, size_t surfel)
     const auto backs = std::count_if(targets.begin(), targets.end(), [](HitTarget target) {
         return !target.isNothing() && target.side().isBack();
     });
-    return targets.empty() ? 0.0f
-                           : static_cast<float>(backs) / static_cast<float>(targets.size());
+    return targets.empty() ? 0.0f : static_cast<float>(backs) / static_cast<float>(targets.size());
 }
 
 /// By the variance of the logarithm of the light found.
@@ -352,8 +350,8 @@ void Settling::weigh(size_t s)
 Eigen::VectorXf Settling::run()
 {
     const Eigen::Map<const Matrix> weights(count(), count(),
-                                           static_cast<Eigen::Index>(weight_.size()),
-                                           first_.data(), column_.data(), weight_.data());
+                                           static_cast<Eigen::Index>(weight_.size()), first_.data(),
+                                           column_.data(), weight_.data());
     Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver;
     solver.setMaxIterations(kSolverSteps);
     for (int round = 0; round < kRounds; ++round) {
@@ -389,11 +387,10 @@ FoundLight foundLight(const Texels& texels, const SurfelRadiance& radiance,
                     const bool isPlain = radiance.isClipped[p][page.pixel[begin + i]] == 0;
                     const float weight = isPlain || radiance.plainArea[s] == 0.0f ? 1.0f : 0.0f;
                     counts[s] += weight;
-                    light.irradiance[s] +=
-                        weight * kPi *
-                        glm::vec3(shading.direct.r[i] + shading.indirect.r[i],
-                                  shading.direct.g[i] + shading.indirect.g[i],
-                                  shading.direct.b[i] + shading.indirect.b[i]);
+                    light.irradiance[s] += weight * kPi *
+                                           glm::vec3(shading.direct.r[i] + shading.indirect.r[i],
+                                                     shading.direct.g[i] + shading.indirect.g[i],
+                                                     shading.direct.b[i] + shading.indirect.b[i]);
                 }
             }
         });

@@ -26,10 +26,11 @@ FoundLight foundLight(const Texels& texels, const SurfelRadiance& radiance,
 /// How much of the light that was found on each surfel is there, 0..1.05: the rest leaks in where
 /// the mesh is open, or is kept out by what the mesh lacks.
 ///
-/// A smooth change within one paint is light, an edge is paint (Land and McCann 1971); places of one
-/// paint have one albedo, near and far. Light is believed by its variance: little where a shadow's
-/// edge is near, where backs are seen and in the dark. `hits`: of all fronts. A surfel that is burnt
-/// out keeps its light. A thin pattern is paint unless `hits` say that something is near.
+/// A smooth change within one paint is light, an edge is paint (Land and McCann 1971); places of
+/// one paint have one albedo, near and far. Light is believed by its variance: little where a
+/// shadow's edge is near, where backs are seen and in the dark. `hits`: of all fronts. A surfel
+/// that is burnt out keeps its light. A thin pattern is paint unless `hits` say that something is
+/// near.
 std::vector<float> correctionOf(const Surfels& surfels, const SurfelRadiance& radiance,
                                 const HitLists& hits, const FoundLight& light);
 

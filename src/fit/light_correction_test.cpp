@@ -142,9 +142,8 @@ TEST(LightCorrection, AThinLineBesideWhatThrowsItIsShade)
 // The same fade, as paint: no shadow's edge is near that could be elsewhere.
 TEST(LightCorrection, LightThatIsSureIsKept)
 {
-    const scenes::Surfaces floor(scenes::square(kSide, 128, [](glm::vec3 p, glm::vec3) {
-        return glm::vec3(0.7f * fadeAt(p.x));
-    }));
+    const scenes::Surfaces floor(scenes::square(
+        kSide, 128, [](glm::vec3 p, glm::vec3) { return glm::vec3(0.7f * fadeAt(p.x)); }));
     const Surfels& surfels = floor.texels.surfels;
     FoundLight found;
     found.irradiance.assign(surfels.count(), glm::vec3(3.0f));

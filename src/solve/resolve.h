@@ -24,8 +24,8 @@ struct SolvedRoom
     std::vector<float> lit; // of surfels, as correctionOf(); of the first solution
 };
 
-/// Shadows, indirect light and its correction in a room whose lamps are known. That takes one thread:
-/// `meanwhile` is called beside it, with the room as it is but for `lit`.
+/// Shadows, indirect light and its correction in a room whose lamps are known. That takes one
+/// thread: `meanwhile` is called beside it, with the room as it is but for `lit`.
 SolvedRoom solvedRoom(
     const Texels& texels, const RayScene& scene, FoundRoom found,
     const std::function<void(const SolvedRoom&)>& meanwhile = [](const auto&) {});
