@@ -6,7 +6,7 @@
 #include "fit/gained.h"
 #include "fit/lamp_evidence.h"
 #include "fit/lamp_groups.h"
-#include "fit/leak.h"
+#include "fit/lit_powers.h"
 #include "fit/missed.h"
 #include "fit/powers.h"
 #include "fit/suspects.h"
@@ -164,8 +164,10 @@ void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
         options.tolerance = kToleranceFirst;
     }
     isFitted_ = true;
-    if (!oneChannel) options.leak = findLeak(data, pairs, options);
-    powers_ = fitPowers(data, pairs, options);
+    std::vector<float> areas;
+    for (const Suspect& suspect : suspects_) areas.push_back(suspect.candidate.area);
+    powers_ = oneChannel ? fitPowers(data, pairs, options)
+                         : fitLitPowers(data, pairs, areas, std::move(options));
     for (size_t f = 0; f < suspects_.size(); ++f) {
         suspects_[f].radiance = powers_.radiance[f];
         suspects_[f].logError = powers_.logError[f];

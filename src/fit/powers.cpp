@@ -28,7 +28,7 @@ constexpr double kHolesWeight = 2.0;  // of that prior, times that of a lamp
 constexpr double kUsualAlbedo = 0.35; // of a room, mean of logarithms
 constexpr double kLevelWeight = 4e-4; // of that, in pairs' squared residuals a pair
 constexpr double kEffectivePairs = 150.0; // that all pairs are worth, see calibrate
-constexpr double kNever = 1e6; // squared; the channels of a lamp are always pulled together
+constexpr double kNever = 1e6;        // squared; the channels of a lamp are always pulled together
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -87,13 +87,6 @@ public:
         return logRadiance_[pair.p] - logRadiance_[pair.q] - logIrradiance_[pair.p] +
                logIrradiance_[pair.q];
     }
-    /// The square of a residual's scale. Of a place whose albedo comes out too low, light may have
-    /// leaked there.
-    [[nodiscard]] double squaredScale(MaterialPair pair, double residual) const
-    {
-        return b_ + leaked_[residual > 0.0 ? pair.q : pair.p];
-    }
-    [[nodiscard]] double surprise(MaterialPair pair) const;
     /// d log E / d unknown at every place: the share of the irradiance that comes from it.
     [[nodiscard]] const PlaceTable& shares() const { return shares_; }
     /// As few residuals, one more than unknowns, as have the squares of all; and their Jacobian.
@@ -106,7 +99,6 @@ private:
         return static_cast<double>(c_ < 0 ? luminance(rgb) : rgb[c_]);
     }
     [[nodiscard]] double firstGuess(size_t lamp) const;
-    void findIrradiance();
     void findShares(size_t place, std::span<const float> value);
     [[nodiscard]] double lack(size_t place) const;
     double weighResiduals();
@@ -129,8 +121,7 @@ private:
     std::vector<double> logRadiance_;
     std::vector<double> gathered_;
     std::vector<double> logIrradiance_;
-    std::vector<double> leaked_; // of measured places: what may have, over their light, squared
-    PlaceTable shares_;          // and a row of zeros
+    PlaceTable shares_;                 // and a row of zeros
     std::vector<PairResidual> weighed_; // of pairs; then of burnt-out places beside that row
     Eigen::VectorXd residuals_;
     RowMajor jacobian_;
@@ -144,7 +135,7 @@ Channel::Channel(const FitData& data, std::span<const MaterialPair> pairs,
       prior_(std::sqrt(options.priorWeight * pairsAPlace_)),
       farFromPrior_(what.white.empty() ? kFarFromWhite * kFarFromWhite : kNever),
       wanted_(what.white.begin(), what.white.end()), logIrradiance_(data.radiance.size()),
-      leaked_(data.places(), 0.0), shares_(data.radiance.size() + 1, data.lamps + 1)
+      shares_(data.radiance.size() + 1, data.lamps + 1)
 {
     for (size_t i = 0; i < data.radiance.size(); ++i) {
         logRadiance_.push_back(std::log(std::max(pick(data.radiance[i]), 1e-4)));
@@ -180,26 +171,10 @@ double Channel::firstGuess(size_t lamp) const
     return std::log(std::max(gathered / direct / static_cast<double>(data_.lamps), 1.0));
 }
 
-/// What leaks is told by the light that is known so far.
 void Channel::setScale(double scale)
 {
     b_ = scale * scale;
     knownAt_.clear();
-    if (options_.leak <= 0.0) return;
-    findIrradiance();
-    const auto end = logIrradiance_.begin() + static_cast<ptrdiff_t>(data_.places());
-    const double most = std::log(options_.leak) + medianOf({logIrradiance_.begin(), end});
-    for (size_t i = 0; i < leaked_.size(); ++i)
-        leaked_[i] = std::exp(2.0 * (most - logIrradiance_[i]));
-}
-
-void Channel::findIrradiance()
-{
-    std::vector<float> value;
-    for (const double log : log_) value.push_back(static_cast<float>(std::exp(log)));
-    forEachChunk(logRadiance_.size(), 512, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) findShares(i, value);
-    });
 }
 
 /// Ceres asks for a point again, with and without a Jacobian.
@@ -207,7 +182,11 @@ void Channel::PrepareForEvaluation(bool, bool)
 {
     if (knownAt_ == log_) return;
     knownAt_ = log_;
-    findIrradiance();
+    std::vector<float> value;
+    for (const double log : log_) value.push_back(static_cast<float>(std::exp(log)));
+    forEachChunk(logRadiance_.size(), 512, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) findShares(i, value);
+    });
     const double sum = weighResiduals();
     std::vector<double> ofWeighed = squaresOf(shares_, weighed_);
     const auto size = static_cast<Eigen::Index>(count() + 1);
@@ -242,14 +221,6 @@ double Channel::lack(size_t place) const
     return std::max(least - logIrradiance_[place], 0.0);
 }
 
-/// Negative log likelihood, up to a constant: Cauchy, of one scale above 0 and another below.
-double Channel::surprise(MaterialPair pair) const
-{
-    const double r = residual(pair);
-    const double scales = std::sqrt(squaredScale(pair, 1.0)) + std::sqrt(squaredScale(pair, -1.0));
-    return std::log1p(r * r / squaredScale(pair, r)) + std::log(scales);
-}
-
 /// Pairs; and what is burnt out and no lamp, which must get the light for it. Robust, for pairs may
 /// be of two materials, and a highlight on polish gets less. Gives the sum of all squares.
 double Channel::weighResiduals()
@@ -262,9 +233,8 @@ double Channel::weighResiduals()
             PairResidual& weighed = weighed_[i];
             const bool isPair = i < pairs_.size();
             const double r = isPair ? residual(weighed.pair) : lack(weighed.pair.p);
-            const double b = isPair ? squaredScale(weighed.pair, r) : b_;
-            const Robust robust(r, b);
-            const double scale = isPair ? std::sqrt(b_ / b) : r > 0.0 ? weight : 0.0;
+            const Robust robust(r, b_);
+            const double scale = isPair ? 1.0 : r > 0.0 ? weight : 0.0;
             weighed.slope = static_cast<float>(scale * robust.slope);
             weighed.value = static_cast<float>(scale * robust.value);
             sums[begin / kChunk] += scale * scale * robust.value * robust.value;
@@ -371,7 +341,6 @@ struct ChannelFit
     std::vector<double> error;
     std::vector<double> told;
     double residual = 0.0;
-    double surprise = 0.0;
     double loss = 0.0;
 };
 
@@ -397,10 +366,9 @@ std::vector<double> errorsOf(const Channel& channel, std::span<const MaterialPai
     return errors;
 }
 
-/// What is wrong with the light at a place is wrong at all places near it, so that tens of
-/// thousands of pairs are worth a hundred or two that are wrong by themselves. In 14 rooms with
-/// ground truth two thirds of 62 lamps lie within one standard error so, and nineteen in twenty
-/// within two.
+/// What is wrong with the light at a place is wrong at all places near it, so that tens of thousands
+/// of pairs are worth a hundred or two that are wrong by themselves. In 14 rooms with ground truth two
+/// thirds of 62 lamps lie within one standard error so, and nineteen in twenty within two.
 void calibrate(size_t pairs, std::span<double> errors)
 {
     const double worth = std::max(static_cast<double>(pairs) / kEffectivePairs, 1.0);
@@ -452,7 +420,6 @@ ChannelFit fitChannel(const FitData& data, std::span<const MaterialPair> pairs,
         sizes.push_back(std::abs(channel.residual(pair)));
         const double size = sizes.back() / options.lastScale;
         fit.loss += std::log1p(size * size) / static_cast<double>(pairs.size());
-        fit.surprise += channel.surprise(pair) / static_cast<double>(pairs.size());
     }
     fit.residual = medianOf(std::move(sizes));
     return fit;
@@ -506,7 +473,6 @@ Powers fitPowers(const FitData& data, std::span<const MaterialPair> pairs,
             powers.told[f] = std::min(powers.told[f], static_cast<float>(fit.told[f]));
         }
         powers.ambient[c] = static_cast<float>(std::exp(fit.log[data.lamps]));
-        powers.surprise += static_cast<float>(fit.surprise) / 3.0f;
         powers.loss += static_cast<float>(fit.loss) / 3.0f;
         powers.residual += static_cast<float>(fit.residual) / 3.0f;
     }

@@ -26,8 +26,6 @@ struct PowersOptions
     double tolerance = 1e-5; // share of the loss; a scale's fit ends when a step gains less
     bool oneChannel = false; // fit luminance alone: faster, for a first look
     std::vector<AlikeLamps> alike;
-    double leak = 0.0; // of the median irradiance, >= 0: so much may come to a place through gaps
-                       // of the mesh that it did not get in the room
     double alikeWeight = 1e-4;    // of their being as expected, in pairs' squared residuals a pair
     std::vector<glm::vec3> start; // radiances of lamps, then of ambient; empty: without evidence
 };
@@ -42,17 +40,15 @@ struct Powers
                              // least known channel; below 1/2 the prior says more than they do
     glm::vec3 ambient{0.0f}; // radiance from outside the scan
     float residual = 0.0f;   // median absolute deviation of a pair, in log radiance
-    float surprise = 0.0f;   // mean of the pairs' negative log likelihoods, up to a constant
     float loss = 0.0f;       // mean of the pairs' robust losses, in squares of the last scale
 };
 
 /// Fits the radiance of every lamp, and of what lies outside, so that pairs of one material get one
 /// albedo (method.md 6): least squares over log (L_p / L_q) - log (E_p / E_q), Cauchy, from a wide
 /// scale to a narrow one, so that pairs of different material drop out. Each channel by
-/// itself; what may have leaked to the darker of two places is forgiven, but not that it lacks
-/// light: a mesh lets in too much. Unknowns are logarithms, so nothing is negative. Places that are
-/// burnt out lift lamps, not their colour, until no paper would need to be whiter than 0.9. What
-/// the data leave open comes out at the texture's white.
+/// itself; unknowns are logarithms, so nothing is negative. Places that are burnt out lift lamps,
+/// not their colour, until no paper would need to be whiter than 0.9. What the data leave open
+/// comes out at the texture's white.
 Powers fitPowers(const FitData& data, std::span<const MaterialPair> pairs,
                  const PowersOptions& options = {});
 
