@@ -28,7 +28,7 @@ constexpr double kHolesWeight = 2.0;  // of that prior, times that of a lamp
 constexpr double kUsualAlbedo = 0.35; // of a room, mean of logarithms
 constexpr double kLevelWeight = 4e-4; // of that, in pairs' squared residuals a pair
 constexpr double kEffectivePairs = 150.0; // that all pairs are worth, see calibrate
-constexpr double kNever = 1e6;        // squared; the channels of a lamp are always pulled together
+constexpr double kNever = 1e6; // squared; the channels of a lamp are always pulled together
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -366,9 +366,10 @@ std::vector<double> errorsOf(const Channel& channel, std::span<const MaterialPai
     return errors;
 }
 
-/// What is wrong with the light at a place is wrong at all places near it, so that tens of thousands
-/// of pairs are worth a hundred or two that are wrong by themselves. In 14 rooms with ground truth two
-/// thirds of 62 lamps lie within one standard error so, and nineteen in twenty within two.
+/// What is wrong with the light at a place is wrong at all places near it, so that tens of
+/// thousands of pairs are worth a hundred or two that are wrong by themselves. In 14 rooms with
+/// ground truth two thirds of 62 lamps lie within one standard error so, and nineteen in twenty
+/// within two.
 void calibrate(size_t pairs, std::span<double> errors)
 {
     const double worth = std::max(static_cast<double>(pairs) / kEffectivePairs, 1.0);

@@ -107,7 +107,8 @@ TEST(Powers, NoiseAndWrongPairsHardlyMatter)
     }
 }
 
-// Pairs of the same places tell the same again: a lamp is known no better for there being more of them.
+// Pairs of the same places tell the same again: a lamp is known no better for there being more of
+// them.
 TEST(Powers, ErrorsDoNotFallWithTheNumberOfPairs)
 {
     const Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.02f, 0.0f);

@@ -76,7 +76,7 @@ TEST_F(DelightProgram, WritesAllThatTheGuidePromises)
     double share = report["confidence"]["good"];
     for (const auto& low : report["confidence"]["low"]) share += low.get<double>();
     EXPECT_NEAR(share, 1.0, 1e-3);
-    EXPECT_NEAR(report["confidence"]["good"].get<double>(), 0.83, 0.02);
+    EXPECT_NEAR(report["confidence"]["good"].get<double>(), 0.80, 0.02);
     EXPECT_EQ(readPicture(out() / "albedo.png").width, 1024);
 }
 
@@ -100,8 +100,8 @@ TEST_F(DelightProgram, ThesisSolverTakesSomeShadingOffTheSample)
 TEST_F(DelightProgram, GatherSolverTakesTheShadingOffTheSample)
 {
     const Score score = scoreAlbedo(readPicture(out() / "albedo.exr"), truthOfSample(kRoom));
-    EXPECT_NEAR(score.psnr, 24.0, 0.5);
-    EXPECT_NEAR(score.leakSlope, 0.043, 0.02);
+    EXPECT_NEAR(score.psnr, 24.9, 0.5);
+    EXPECT_NEAR(score.leakSlope, 0.056, 0.02);
 }
 
 TEST_F(DelightProgram, WritesTheSameBytesOnOneThreadAndOnEight)

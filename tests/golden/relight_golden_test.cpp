@@ -76,7 +76,7 @@ TEST_F(RelightProgram, NewLightsAreNearAnIndependentRenderers)
     const Picture mask = readPicture(kSample / "mask.png");
     const auto isScored = [&](size_t i) { return mask.rgb[i].r > 0.5f; };
     for (const auto& [name, own, exact] :
-         {std::tuple{"relit_A", 26.8, 28.9}, std::tuple{"relit_B", 24.8, 24.8}}) {
+         {std::tuple{"relit_A", 27.5, 28.9}, std::tuple{"relit_B", 24.8, 24.8}}) {
         const std::string lights = kSample / (std::string(name) + ".json");
         const float gain = nlohmann::json::parse(contentOf(lights))["display_gain"];
         const Picture truth = readPicture(kSample / (std::string(name) + ".exr"));
@@ -98,7 +98,7 @@ TEST_F(RelightProgram, CapturedLightPutBackShowsTheScan)
         const glm::vec3 rgb = scan.rgb[i];
         return mask.rgb[i].r > 0.5f && std::max({rgb.r, rgb.g, rgb.b}) < 0.95f;
     };
-    EXPECT_NEAR(psnr(readPicture(out("back.exr")), scan, 1.0f, isScored), 34.7, 0.5);
+    EXPECT_NEAR(psnr(readPicture(out("back.exr")), scan, 1.0f, isScored), 33.4, 0.5);
 }
 
 TEST_F(RelightProgram, WritesTheSameBytesOnAnyNumberOfThreadsAndFromAnOldTransport)
