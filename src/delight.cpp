@@ -10,15 +10,26 @@
 namespace relamp
 {
 
-Decomposition delight(const Scan& scan, const DelightOptions& options, Progress& progress)
+Decomposition delight(std::shared_ptr<const Scan> scan, const DelightOptions& options,
+                      Progress& progress)
 {
-    return Delighter(scan).solve(options, progress);
+    return Delighter(std::move(scan)).solve(options, progress);
+}
+
+Decomposition delight(Scan&& scan, const DelightOptions& options, Progress& progress)
+{
+    return Delighter(std::move(scan)).solve(options, progress);
 }
 
 Decomposition::Decomposition(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Decomposition::~Decomposition() = default;
 Decomposition::Decomposition(Decomposition&&) noexcept = default;
 Decomposition& Decomposition::operator=(Decomposition&&) noexcept = default;
+
+const std::shared_ptr<const Scan>& Decomposition::scan() const
+{
+    return state_->scan;
+}
 
 const Lights& Decomposition::lights() const
 {

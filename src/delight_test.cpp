@@ -73,7 +73,7 @@ struct Worked
 Worked work(const Scan& scan, const DelightOptions& options)
 {
     Progress progress;
-    const Decomposition result = delight(scan, options, progress);
+    const Decomposition result = delight(scenes::copyOf(scan), options, progress);
     return {rasterizeAtlas(scan, progress), result.layers(0, progress)};
 }
 
@@ -126,9 +126,9 @@ TEST(Delight, SaysSoWhereNothingShines)
 {
     const Scan scan = scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f)));
     Progress progress;
-    EXPECT_THAT(delight(scan, thesis(), progress).warnings(),
+    EXPECT_THAT(delight(scenes::copyOf(scan), thesis(), progress).warnings(),
                 testing::ElementsAre(testing::HasSubstr("no light was found")));
-    EXPECT_THAT(delight(scan, {}, progress).warnings(),
+    EXPECT_THAT(delight(scenes::copyOf(scan), {}, progress).warnings(),
                 testing::ElementsAre(testing::HasSubstr("no lamp was found")));
 }
 
@@ -221,11 +221,26 @@ TEST(Delight, StopsWhereItIsWhenCancelled)
     Progress progress;
     progress.cancel();
     try {
-        delight(scan, {}, progress);
+        delight(scenes::copyOf(scan), {}, progress);
         FAIL() << "went on";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::cancelled);
     }
+}
+
+// Whoever gave the scan may forget it: a result has all that its layers are made of.
+TEST(Delight, AResultKeepsItsScan)
+{
+    Progress progress;
+    auto scan = std::make_shared<const Scan>(panelRoom());
+    const std::weak_ptr<const Scan> watched = scan;
+    std::optional<Decomposition> found = delight(std::move(scan), thesis(), progress);
+    ASSERT_FALSE(watched.expired());
+    EXPECT_EQ(found->scan(), watched.lock());
+    EXPECT_EQ(found->layers(0, progress).albedo,
+              delight(panelRoom(), thesis(), progress).layers(0, progress).albedo);
+    found.reset();
+    EXPECT_TRUE(watched.expired());
 }
 
 // Lights that were written and read again give what they gave.
@@ -235,9 +250,9 @@ TEST(Delight, ItsOwnLightsGivenBackChangeNothing)
     Progress progress;
     for (const Solver solver : {Solver::gather, Solver::thesis}) {
         DelightOptions options{.solver = solver};
-        const Decomposition first = delight(scan, options, progress);
+        const Decomposition first = delight(scenes::copyOf(scan), options, progress);
         options.lights = first.lights();
-        const Decomposition second = delight(scan, options, progress);
+        const Decomposition second = delight(scenes::copyOf(scan), options, progress);
         const PageLayers a = first.layers(0, progress);
         const PageLayers b = second.layers(0, progress);
         for (size_t i = 0; i < a.albedo.size(); i += 97)
@@ -250,7 +265,7 @@ TEST(Delight, ADeviceThatGaveUpLeavesTheLayersToTheCpu)
 {
     const Scan scan = panelRoom();
     Progress progress;
-    const Decomposition found = delight(scan, thesis(), progress);
+    const Decomposition found = delight(scenes::copyOf(scan), thesis(), progress);
     auto state = std::make_unique<Decomposition::State>(found.state());
     bool isAsked = false;
     state->solution.onDevice = [&](size_t, const SolvedTexels&, const AlbedoOptions&, Progress&) {

@@ -184,9 +184,10 @@ std::vector<glm::vec3> placesFrom(const std::vector<float>& numbers)
     return places;
 }
 
-void printSummary(const DelightArguments& arguments, const relamp::Scan& scan,
-                  const relamp::Decomposition& result, double seconds)
+void printSummary(const DelightArguments& arguments, const relamp::Decomposition& result,
+                  double seconds)
 {
+    const relamp::Scan& scan = *result.scan();
     const relamp::Lights& lights = result.lights();
     std::string text = fmt::format("{}: {} lamps and windows (fixtures in lights.json), {} point "
                                    "lights in the GLB, {} texels in {:.1f} s\n",
@@ -233,13 +234,14 @@ int run(DelightArguments& arguments)
         arguments.scan.options.longestSide = kDraftSide;
     relamp::Scan scan = relamp::readScan(arguments.scan.file, arguments.scan.options, progress);
     scan.warnings.insert(scan.warnings.end(), notes.begin(), notes.end());
-    const relamp::Decomposition result = relamp::delight(scan, arguments.options, progress);
-    const std::string report = relamp::writeResult(scan, result, arguments.scan.file,
-                                                   arguments.folder, progress, replacing);
+    const relamp::Decomposition result =
+        relamp::delight(std::move(scan), arguments.options, progress);
+    const std::string report =
+        relamp::writeResult(result, arguments.scan.file, arguments.folder, progress, replacing);
     endProgressDisplay(talk);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (arguments.json) printExactly(report); // endOutput tells whether it came
-    if (talk == Talk::normal) printSummary(arguments, scan, result, elapsed.count());
+    if (talk == Talk::normal) printSummary(arguments, result, elapsed.count());
     return 0;
 }
 

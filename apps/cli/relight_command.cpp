@@ -82,7 +82,8 @@ Wish wishOf(const RelightArguments& arguments, const relamp::DelitRoom& room,
 {
     Wish wish;
     const PictureArguments& picture = arguments.picture;
-    if (picture.camera != "auto") wish.camera = relamp::cameraFor(picture.camera, room.scan, notes);
+    if (picture.camera != "auto")
+        wish.camera = relamp::cameraFor(picture.camera, *room.scan, notes);
     if (!picture.timeline.empty()) wish.timeline.emplace(picture.timeline, room.captured, notes);
     return wish;
 }
@@ -129,7 +130,7 @@ float writeUnlit(const RelightArguments& arguments, const relamp::DelitRoom& roo
 {
     std::vector<relamp::Image> scanned;
     if (arguments.picture.show == Show::scan)
-        for (const relamp::Page& page : room.scan.pages) scanned.push_back(page.image);
+        for (const relamp::Page& page : room.scan->pages) scanned.push_back(page.image);
     const std::vector<relamp::Image>& pages = scanned.empty() ? room.albedo : scanned;
     const relamp::Photographer photographer(room, progress);
     const relamp::Camera camera = wish.camera ? *wish.camera : photographer.goodView();

@@ -93,6 +93,8 @@ public:
     Decomposition(Decomposition&&) noexcept;
     Decomposition& operator=(Decomposition&&) noexcept;
 
+    /// The scan that was taken apart, shared with whoever gave it.
+    [[nodiscard]] const std::shared_ptr<const Scan>& scan() const;
     [[nodiscard]] const Lights& lights() const;
     /// The lights as few as they can be shown with: those closer than the merge distance are one.
     [[nodiscard]] const std::vector<PointLight>& mergedLights() const;
@@ -115,14 +117,16 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Takes the light out of a scan, once; a Delighter does again and again. The scan must outlive the
-/// result.
+/// Takes the light out of a scan, once; a Delighter does again and again. The result shares the
+/// scan, which is not null.
 ///
 /// Throws Error(unsupported) where too many texels of the scan stand for several places (see
 /// ScanOptions::allowOverlap) or a
 /// GPU is asked for that this solver has no use for, Error(device) where one is that is not there,
 /// and Error(cancelled).
-RELAMP_API Decomposition delight(const Scan& scan, const DelightOptions& options,
+RELAMP_API Decomposition delight(std::shared_ptr<const Scan> scan, const DelightOptions& options,
                                  Progress& progress);
+/// The same of a scan that is handed over: `delight(readScan(file))`, `delight(std::move(scan))`.
+RELAMP_API Decomposition delight(Scan&& scan, const DelightOptions& options, Progress& progress);
 
 } // namespace relamp

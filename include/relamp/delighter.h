@@ -22,8 +22,10 @@ namespace relamp
 class RELAMP_API Delighter
 {
 public:
-    /// The scan must outlive this and all results.
-    explicit Delighter(const Scan& scan);
+    /// All results share the scan, which is not null.
+    explicit Delighter(std::shared_ptr<const Scan> scan);
+    /// Takes the scan over.
+    explicit Delighter(Scan&& scan);
     ~Delighter();
     Delighter(Delighter&&) noexcept;
     Delighter& operator=(Delighter&&) noexcept;

@@ -35,6 +35,7 @@ public:
     explicit Photographer(const Relighter& relighter);
     /// Of a room in the light of its scan, or of none.
     Photographer(const DelitRoom& room, Progress& progress);
+    Photographer(DelitRoom&& room, Progress& progress) = delete;
     ~Photographer();
     Photographer(Photographer&&) noexcept;
     Photographer& operator=(Photographer&&) noexcept;

@@ -137,7 +137,7 @@ struct RelightOptions
 /// A room without its light.
 struct DelitRoom
 {
-    Scan scan;
+    std::shared_ptr<const Scan> scan;
     std::filesystem::path scanFile;  // that it was read from
     std::vector<Image> albedo;       // a page each, of its size
     std::vector<Image> confidence;   // the same, 0: a guess; empty: all can be trusted
@@ -174,6 +174,7 @@ public:
     /// outlive this. Throws Error(unsupported | cancelled), and Error(device) where the options ask
     /// for a GPU that is not there.
     Relighter(const DelitRoom& room, const RelightOptions& options, Progress& progress);
+    Relighter(DelitRoom&& room, const RelightOptions& options, Progress& progress) = delete;
     ~Relighter();
     Relighter(Relighter&&) noexcept;
     Relighter& operator=(Relighter&&) noexcept;

@@ -4,7 +4,6 @@
 #include "relamp/delight.h"
 #include "relamp/progress.h"
 #include "relamp/replacing.h"
-#include "relamp/scan.h"
 
 #include <filesystem>
 #include <string>
@@ -26,7 +25,7 @@ RELAMP_API void checkOutput(const std::filesystem::path& scanFile,
 ///
 /// `scanFile` is named in the report, by the way from `folder` and a checksum. Returns the report's
 /// text. Throws Error(cannotWrite | cancelled).
-RELAMP_API std::string writeResult(const Scan& scan, const Decomposition& decomposition,
+RELAMP_API std::string writeResult(const Decomposition& decomposition,
                                    const std::filesystem::path& scanFile,
                                    const std::filesystem::path& folder, Progress& progress,
                                    Replacing replacing = Replacing::unchanged);

@@ -59,13 +59,13 @@ DelitRoom roomOfFolder(const std::filesystem::path& folder, const DelitOptions& 
     run.scan.allowOutside = options.asScan.allowOutside;
     DelitRoom room;
     room.scanFile = findScan(folder, run, options.scan);
-    room.scan = scanOf(folder, run, room.scanFile, progress);
+    room.scan = std::make_shared<const Scan>(scanOf(folder, run, room.scanFile, progress));
     room.gather = run.gather;
     room.captured = readLights(folder / "lights.json", room.warnings);
     room.transport = folder / "transport.bin";
     if (options.albedo.empty()) {
-        room.albedo = readAlbedo(folder, room.scan);
-        room.confidence = readConfidence(folder, room.scan);
+        room.albedo = readAlbedo(folder, *room.scan);
+        room.confidence = readConfidence(folder, *room.scan);
     }
     return room;
 }
@@ -146,9 +146,9 @@ DelitRoom roomOfScan(const std::filesystem::path& file, const DelitOptions& opti
 {
     DelitRoom room;
     room.scanFile = file;
-    room.scan = readScan(file, options.asScan, progress);
+    room.scan = std::make_shared<const Scan>(readScan(file, options.asScan, progress));
     room.isLit = false;
-    const nlohmann::json signature = signatureOf(room.scan);
+    const nlohmann::json signature = signatureOf(*room.scan);
     const bool isAlbedo =
         options.textureIsAlbedo || signature.value("textures", nlohmann::json()) == "albedo";
     if (options.albedo.empty() && !isAlbedo)
@@ -157,9 +157,9 @@ DelitRoom roomOfScan(const std::filesystem::path& file, const DelitOptions& opti
             fmt::format("its texture has the light of the room in it, as scans have. Take that out "
                         "first, relamp delight {0} -o {1}, and relight {1}; or say "
                         "--texture-is-albedo if no light was ever baked into it",
-                        file.string(), room.scan.name));
-    room.captured = lightsOf(signature, file, room.scan, room.warnings);
-    if (options.albedo.empty()) room.albedo = paintOf(room.scan, progress);
+                        file.string(), room.scan->name));
+    room.captured = lightsOf(signature, file, *room.scan, room.warnings);
+    if (options.albedo.empty()) room.albedo = paintOf(*room.scan, progress);
     return room;
 }
 
@@ -200,8 +200,9 @@ DelitRoom readDelitRoom(const std::filesystem::path& folderOrScan, const DelitOp
     DelitRoom room = std::filesystem::is_directory(folderOrScan, ignored)
                          ? roomOfFolder(folderOrScan, options, progress)
                          : roomOfFile(folderOrScan, options, progress);
-    if (!options.albedo.empty()) room.albedo = imagesOf(options.albedo, room.scan);
-    room.warnings.insert(room.warnings.end(), room.scan.warnings.begin(), room.scan.warnings.end());
+    if (!options.albedo.empty()) room.albedo = imagesOf(options.albedo, *room.scan);
+    room.warnings.insert(room.warnings.end(), room.scan->warnings.begin(),
+                         room.scan->warnings.end());
     return room;
 }
 

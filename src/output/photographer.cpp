@@ -122,7 +122,7 @@ Photographer::Photographer(const Relighter& relighter)
 {}
 
 Photographer::Photographer(const DelitRoom& room, Progress& progress)
-    : state_(std::make_unique<State>(std::make_unique<OwnRoom>(room.scan, progress)))
+    : state_(std::make_unique<State>(std::make_unique<OwnRoom>(*room.scan, progress)))
 {}
 
 Photographer::~Photographer() = default;
@@ -222,7 +222,7 @@ Camera turned(const Camera& camera, const Scan& scan, double partOfTurn)
 std::vector<Image> radianceOfPages(const Relighter& relighter, Progress& progress)
 {
     std::vector<Image> pages;
-    for (size_t page = 0; page < relighter.room().scan.pages.size(); ++page)
+    for (size_t page = 0; page < relighter.room().scan->pages.size(); ++page)
         pages.push_back(relighter.radiance(page, progress));
     return pages;
 }

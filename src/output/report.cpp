@@ -207,9 +207,10 @@ ordered_json confidenceAsJson(const std::array<double, kDoubts>& area)
 
 } // namespace
 
-std::string reportAsJson(const Scan& scan, const Decomposition& result, const Written& written,
+std::string reportAsJson(const Decomposition& result, const Written& written,
                          const Progress& progress)
 {
+    const Scan& scan = *result.scan();
     std::vector<std::string> warnings = scan.warnings;
     const std::vector<std::string> ofResult = result.warnings();
     warnings.insert(warnings.end(), ofResult.begin(), ofResult.end());

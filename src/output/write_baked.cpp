@@ -26,7 +26,7 @@ std::filesystem::path fileOfPage(const std::filesystem::path& file, size_t page,
 void writeTextures(const Relighter& relighter, const std::filesystem::path& file,
                    Progress& progress)
 {
-    const size_t pages = relighter.room().scan.pages.size();
+    const size_t pages = relighter.room().scan->pages.size();
     std::vector<std::unique_ptr<StagedFile>> staged;
     for (size_t page = 0; page < pages; ++page)
         staged.push_back(std::make_unique<StagedFile>(fileOfPage(file, page, pages), progress));
@@ -87,7 +87,7 @@ RelitPage bakedPage(const Page& page, const Image& radiance, const ViewTransform
 void writeBakedGlb(const Relighter& relighter, const std::filesystem::path& file,
                    const ViewOptions& options, Progress& progress)
 {
-    const Scan& scan = relighter.room().scan;
+    const Scan& scan = *relighter.room().scan;
     const ViewTransform view(options);
     StagedFile staged(file, progress);
     std::vector<RelitPage> pages;

@@ -23,8 +23,9 @@ struct BulbInRoom
 
     BulbInRoom()
     {
-        room.scan = scenes::room(scenes::LitRoom::kSize, 96, scenes::LitRoom::albedo);
-        room.albedo.push_back(room.scan.pages[0].image);
+        room.scan = std::make_shared<const Scan>(
+            scenes::room(scenes::LitRoom::kSize, 96, scenes::LitRoom::albedo));
+        room.albedo.push_back(room.scan->pages[0].image);
         room.isLit = false;
         lighting.lights.push_back({.emission = {2.0f, 1.0f, 0.5f}, .position = {1.2f, 1.4f, 1.8f}});
     }

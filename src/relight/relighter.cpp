@@ -48,8 +48,8 @@ void checkSizes(const Scan& scan, std::span<const Image> albedo, std::span<const
 
 Texels checkedTexels(const DelitRoom& room, const RayScene& scene, Progress& progress)
 {
-    checkSizes(room.scan, room.albedo, room.confidence);
-    Texels texels = rasterizeAtlas(room.scan, progress, surfelsOf(room.gather.quality));
+    checkSizes(*room.scan, room.albedo, room.confidence);
+    Texels texels = rasterizeAtlas(*room.scan, progress, surfelsOf(room.gather.quality));
     checkOverlap(texels);
     separateBuried(texels, scene, progress);
     return texels;
@@ -63,7 +63,7 @@ void addNoteOfEngine(const RadiosityLight& radiosity, std::vector<std::string>& 
 } // namespace
 
 Relighter::State::State(const DelitRoom& of, const RelightOptions& with, Progress& progress)
-    : room(of), options(checked(with)), scene(of.scan), texels(checkedTexels(of, scene, progress)),
+    : room(of), options(checked(with)), scene(*of.scan), texels(checkedTexels(of, scene, progress)),
       radiance(collectRadiance(texels, progress)),
       transport(transportOfRoom(of, {texels, scene, radiance}, with, warningsOfRoom, progress)),
       open(std::make_shared<const TexelMarks>(openShares(texels, scene))), painted(of.albedo),
@@ -83,7 +83,7 @@ Relighter& Relighter::operator=(Relighter&&) noexcept = default;
 void Relighter::repaint(std::span<const Image> albedo, std::span<const Image> confidence)
 {
     State& state = *state_;
-    checkSizes(state.room.scan, albedo, confidence);
+    checkSizes(*state.room.scan, albedo, confidence);
     state.albedo = RoomAlbedo(state.texels, albedo, confidence, state.radiance.isClipped);
     state.painted = albedo;
     state.shade = {};
@@ -150,7 +150,7 @@ std::vector<Image> relight(const DelitRoom& room, const Relighting& lighting,
     Relighter relighter(room, options, progress);
     relighter.light(lighting, progress);
     std::vector<Image> pages;
-    for (size_t p = 0; p < room.scan.pages.size(); ++p)
+    for (size_t p = 0; p < room.scan->pages.size(); ++p)
         pages.push_back(relighter.radiance(p, progress));
     return pages;
 }

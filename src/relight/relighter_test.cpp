@@ -24,8 +24,8 @@ namespace
 DelitRoom painted(Scan scan)
 {
     DelitRoom room;
-    room.scan = std::move(scan);
-    room.albedo.push_back(room.scan.pages[0].image);
+    room.scan = std::make_shared<const Scan>(std::move(scan));
+    room.albedo.push_back(room.scan->pages[0].image);
     room.isLit = false;
     return room;
 }
@@ -35,7 +35,7 @@ DelitRoom litRoom()
 {
     const scenes::LitRoom lit;
     DelitRoom room;
-    room.scan = lit.scan;
+    room.scan = scenes::copyOf(lit.scan);
     room.albedo.push_back(
         scenes::room(scenes::LitRoom::kSize, 96, scenes::LitRoom::albedo).pages[0].image);
     room.captured.fixtures.push_back({scenes::LitRoom::kLampCentre,
@@ -72,7 +72,7 @@ template<class Visit>
 void forEachTexel(const DelitRoom& room, const Image& image, const Visit& visit)
 {
     Progress progress;
-    const Texels texels = rasterizeAtlas(room.scan, progress);
+    const Texels texels = rasterizeAtlas(*room.scan, progress);
     for (size_t i = 0; i < texels.pages[0].count(); ++i)
         visit(texels.siteOf(0, i), at(image, texels.pages[0].pixel[i]));
 }

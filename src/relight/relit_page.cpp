@@ -22,7 +22,7 @@ std::vector<glm::vec3> reflecting(const Relighter::State& state)
 Image relitPage(const Relighter::State& state, size_t p, Progress& progress)
 {
     const PageTexels& page = state.texels.pages[p];
-    const Image& original = state.room.scan.pages[p].image;
+    const Image& original = state.room.scan->pages[p].image;
     Image relit;
     relit.width = original.width;
     relit.height = original.height;
@@ -56,7 +56,7 @@ Image relitPage(const Relighter::State& state, size_t p, Progress& progress)
         }
         stage.advance(count);
     });
-    if (!state.room.scan.pages[p].ofVertices)
+    if (!state.room.scan->pages[p].ofVertices)
         fillGutters(std::span(relit.half), covered, relit.width, relit.height);
     return relit;
 }

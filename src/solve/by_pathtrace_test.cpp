@@ -106,10 +106,11 @@ Means meansOf(const PaperRoom& lit, const PageLayers& layers)
 TEST(ByPathtrace, AgreesWithTheGatherSolverAndWithThePaper)
 {
     PaperRoom lit(kPanel);
-    const Decomposition gather = delight(lit.scan, {}, lit.progress);
+    const Decomposition gather = delight(scenes::copyOf(lit.scan), {}, lit.progress);
     ASSERT_EQ(gather.lights().fixtures.size(), 1u);
-    const Decomposition traced = delight(
-        lit.scan, {.solver = Solver::pathtrace, .pathtrace = {.samples = 64}}, lit.progress);
+    const Decomposition traced =
+        delight(scenes::copyOf(lit.scan),
+                {.solver = Solver::pathtrace, .pathtrace = {.samples = 64}}, lit.progress);
     const Means a = meansOf(lit, gather.layers(0, lit.progress));
     const Means b = meansOf(lit, traced.layers(0, lit.progress));
     // Paths do not know of shade, which evens the paint by a few hundredths.
@@ -127,7 +128,9 @@ TEST(ByPathtrace, FollowsItsSeedAndNotItsThreads)
         const ThreadLimit limit(threads);
         const DelightOptions options{.solver = Solver::pathtrace,
                                      .pathtrace = {.samples = 4, .seed = seed}};
-        return delight(lit.scan, options, lit.progress).layers(0, lit.progress).albedo;
+        return delight(scenes::copyOf(lit.scan), options, lit.progress)
+            .layers(0, lit.progress)
+            .albedo;
     };
     const auto one = run(1, 5);
     EXPECT_EQ(one, run(8, 5));

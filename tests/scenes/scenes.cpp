@@ -137,6 +137,11 @@ Scan room(glm::vec3 size, int pixels, const Paint& paint)
     return panels(wallsOf(size), pixels, paint);
 }
 
+std::shared_ptr<const Scan> copyOf(const Scan& scan)
+{
+    return std::make_shared<const Scan>(scan);
+}
+
 Paint plain(glm::vec3 radiance)
 {
     return [radiance](glm::vec3, glm::vec3) { return radiance; };

@@ -120,12 +120,12 @@ Image photograph(const Sky& sky = {})
 {
     Progress progress;
     DelitRoom room;
-    room.scan = readScan(kBedroom / "scan.glb", {}, progress);
+    room.scan = std::make_shared<const Scan>(readScan(kBedroom / "scan.glb", {}, progress));
     std::vector<Image> pages;
-    for (const Page& page : room.scan.pages) pages.push_back(page.image);
+    for (const Page& page : room.scan->pages) pages.push_back(page.image);
     room.albedo = pages;
     std::vector<std::string> warnings;
-    Camera camera = cameraFor((kBedroom / "camera.json").string(), room.scan, warnings);
+    Camera camera = cameraFor((kBedroom / "camera.json").string(), *room.scan, warnings);
     if (sky.environment)
         camera = {{9.0f, 4.0f, 6.0f},
                   glm::normalize(glm::vec3(11.0f, 4.0f, 6.0f)),
