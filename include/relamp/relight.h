@@ -163,6 +163,11 @@ struct DelitOptions
 RELAMP_API DelitRoom readDelitRoom(const std::filesystem::path& folderOrScan,
                                    const DelitOptions& options, Progress& progress);
 
+/// The room that was taken apart, in memory: it looks as the one that readDelitRoom reads of what
+/// writeResult wrote, but for the rounding of its files. Shares the scan. Divides every page;
+/// throws Error(cancelled).
+RELAMP_API DelitRoom delitRoomOf(const Decomposition& decomposition, Progress& progress);
+
 /// Puts light into a room, again and again: what rays find of the room they find once.
 ///
 /// The same room and light give the same radiance on any number of threads.

@@ -191,7 +191,39 @@ DelitRoom roomOfFile(const std::filesystem::path& file, const DelitOptions& opti
     return room;
 }
 
+/// RGB of a page, as linear half floats.
+Image linearImage(const PageLayers& layers, std::vector<uint16_t> rgb)
+{
+    Image image{.width = layers.width, .height = layers.height, .transfer = Transfer::linear};
+    image.clipsAtWhite = false;
+    image.half = std::move(rgb);
+    return image;
+}
+
+Image greyImage(const PageLayers& layers)
+{
+    Image image{.width = layers.width, .height = layers.height};
+    image.encoded.resize(3 * image.pixels());
+    for (size_t i = 0; i < layers.confidence.size(); ++i)
+        std::fill_n(&image.encoded[3 * i], 3, layers.confidence[i]);
+    return image;
+}
+
 } // namespace
+
+DelitRoom delitRoomOf(const Decomposition& decomposition, Progress& progress)
+{
+    DelitRoom room{.scan = decomposition.scan(), .scanFile = decomposition.scan()->file};
+    for (size_t p = 0; p < room.scan->pages.size(); ++p) {
+        PageLayers layers = decomposition.layers(p, progress);
+        room.confidence.push_back(greyImage(layers));
+        room.albedo.push_back(linearImage(layers, std::move(layers.albedo)));
+    }
+    room.captured = decomposition.lights();
+    room.gather = decomposition.optionsInForce().gather;
+    room.warnings = room.scan->warnings;
+    return room;
+}
 
 DelitRoom readDelitRoom(const std::filesystem::path& folderOrScan, const DelitOptions& options,
                         Progress& progress)
