@@ -4,6 +4,7 @@
 #include "base/radiometry.shared.h"
 #include "decomposition_state.h"
 #include "relamp/error.h"
+#include "relamp/pixel_view.h"
 #include "relamp/threads.h"
 #include "scan/texels.h"
 #include "scenes/scenes.h"
@@ -241,6 +242,46 @@ TEST(Delight, AResultKeepsItsScan)
               delight(panelRoom(), thesis(), progress).layers(0, progress).albedo);
     found.reset();
     EXPECT_TRUE(watched.expired());
+}
+
+// The wall x = 0 and the floor of a box say where they are and look into it.
+TEST(Delight, TexelsKnowTheirPlace)
+{
+    Progress progress;
+    const Decomposition found = delight(panelRoom(), thesis(), progress);
+    const PageGeometry geometry = found.geometry(0);
+    const auto place = pixelView(geometry.positions, geometry.width, geometry.height);
+    const auto normal = pixelView(geometry.normals, geometry.width, geometry.height);
+    ASSERT_EQ(place.channels, 3);
+    size_t covered = 0;
+    for (int row = 0; row < place.height; ++row)
+        for (int column = 0; column < place.width; ++column) {
+            const glm::vec3 p(place.at(row, column, 0), place.at(row, column, 1),
+                              place.at(row, column, 2));
+            const glm::vec3 n(normal.at(row, column, 0), normal.at(row, column, 1),
+                              normal.at(row, column, 2));
+            if (n == glm::vec3(0.0f)) {
+                ASSERT_EQ(p, glm::vec3(0.0f));
+                continue;
+            }
+            ++covered;
+            ASSERT_NEAR(glm::length(n), 1.0f, 1e-5f);
+            const glm::vec3 wall = glm::mix(kRoom, glm::vec3(0.0f), 0.5f * (n + 1.0f));
+            ASSERT_NEAR(glm::dot(p - wall, n), 0.0f, 1e-4f); // walls stand where normals come from
+        }
+    EXPECT_EQ(covered, found.texelCount());
+}
+
+TEST(PixelView, StridesLeadToWhatIsThere)
+{
+    const std::vector<int> values{0, 1, 2, 10, 11, 12, 20, 21, 22, 30, 31, 32}; // 2 x 2, RGB
+    const PixelView<int> view = pixelView(values, 2, 2);
+    EXPECT_EQ(view.channels, 3);
+    EXPECT_EQ(view.at(1, 0, 2), 22);
+    const PixelView<int> green = view.channel(1).part(0, 1, 2, 1);
+    EXPECT_EQ(green.at(0, 0), 11);
+    EXPECT_EQ(green.at(1, 0), 31);
+    EXPECT_EQ(green.first, &values[4]);
 }
 
 // Lights that were written and read again give what they gave.

@@ -76,6 +76,16 @@ struct PageLayers
     std::array<double, kDoubts> area{}; // m^2 of surface by `doubt`
 };
 
+/// Where the texels of a page lie: three floats a pixel, 3 * width * height. 0 where no surface is,
+/// so that a normal of 0 tells these pixels.
+struct PageGeometry
+{
+    int width = 0;
+    int height = 0;
+    std::vector<float> positions; // world, m
+    std::vector<float> normals;   // unit
+};
+
 /// How well the result explains the scan.
 struct Closure
 {
@@ -106,6 +116,9 @@ public:
     [[nodiscard]] std::vector<std::string> warnings() const;
     [[nodiscard]] size_t texelCount() const;
     [[nodiscard]] double area() const; // m^2 of textured surface
+
+    /// Where the texels of one page lie.
+    [[nodiscard]] PageGeometry geometry(size_t page) const;
 
     /// Computes the layers of one page. Memory is a page's, whatever the size of the scan.
     [[nodiscard]] PageLayers layers(size_t page, Progress& progress) const;
