@@ -121,7 +121,7 @@ public:
     [[nodiscard]] PageGeometry geometry(size_t page) const;
 
     /// Computes the layers of one page. Memory is a page's, whatever the size of the scan.
-    [[nodiscard]] PageLayers layers(size_t page, Progress& progress) const;
+    [[nodiscard]] PageLayers layers(size_t page, Progress& progress = unwatched()) const;
 
     /// For relamp's own parts; its type is not public.
     [[nodiscard]] const State& state() const;
@@ -137,9 +137,11 @@ private:
 /// ScanOptions::allowOverlap) or a
 /// GPU is asked for that this solver has no use for, Error(device) where one is that is not there,
 /// and Error(cancelled).
-RELAMP_API Decomposition delight(std::shared_ptr<const Scan> scan, const DelightOptions& options,
-                                 Progress& progress);
+RELAMP_API Decomposition delight(std::shared_ptr<const Scan> scan,
+                                 const DelightOptions& options = {},
+                                 Progress& progress = unwatched());
 /// The same of a scan that is handed over: `delight(readScan(file))`, `delight(std::move(scan))`.
-RELAMP_API Decomposition delight(Scan&& scan, const DelightOptions& options, Progress& progress);
+RELAMP_API Decomposition delight(Scan&& scan, const DelightOptions& options = {},
+                                 Progress& progress = unwatched());
 
 } // namespace relamp

@@ -31,7 +31,8 @@ public:
     Delighter& operator=(Delighter&&) noexcept;
 
     /// As delight(), to the bit. After an Error it can be used on.
-    [[nodiscard]] Decomposition solve(const DelightOptions& options, Progress& progress);
+    [[nodiscard]] Decomposition solve(const DelightOptions& options = {},
+                                      Progress& progress = unwatched());
 
     /// Whether the last result of solve() is the solver gather's, so that it can be resolved.
     [[nodiscard]] bool canResolve() const;
@@ -48,8 +49,8 @@ public:
     ///
     /// Throws Error(unsupported) unless canResolve(), Error(sizeMismatch) where these are other
     /// fixtures or a sun that is not there, Error(malformed) where a number is negative or none.
-    [[nodiscard]] Decomposition resolve(const Lights& lights, const AlbedoOptions& albedo,
-                                        Progress& progress);
+    [[nodiscard]] Decomposition resolve(const Lights& lights, const AlbedoOptions& albedo = {},
+                                        Progress& progress = unwatched());
 
 private:
     struct State;

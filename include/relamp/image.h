@@ -86,6 +86,6 @@ RELAMP_API Image readImage(const std::filesystem::path& file,
 /// Writes `image` without its opacity as .png, 8 bits of sRGB, or as .exr, linear half floats,
 /// whole or not at all. Throws Error(cannotWrite | cancelled), the former of any other ending, too.
 RELAMP_API void writeImage(const Image& image, const std::filesystem::path& file,
-                           Progress& progress);
+                           Progress& progress = unwatched());
 
 } // namespace relamp

@@ -27,7 +27,8 @@ RELAMP_API void checkOutput(const std::filesystem::path& scanFile,
 /// text. Throws Error(cannotWrite | cancelled).
 RELAMP_API std::string writeResult(const Decomposition& decomposition,
                                    const std::filesystem::path& scanFile,
-                                   const std::filesystem::path& folder, Progress& progress,
+                                   const std::filesystem::path& folder,
+                                   Progress& progress = unwatched(),
                                    Replacing replacing = Replacing::unchanged);
 
 } // namespace relamp

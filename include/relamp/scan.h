@@ -116,8 +116,8 @@ RELAMP_API Bounds boundsOf(const Scan& scan);
 /// Pictures, buffers and materials that it names are read from its folder and those below, links
 /// followed; from elsewhere only with `allowOutside`. Throws Error with a sentence on anything that
 /// is not a whole, textured or coloured surface, and on what leads outside.
-RELAMP_API Scan readScan(const std::filesystem::path& file, const ScanOptions& options,
-                         Progress& progress);
+RELAMP_API Scan readScan(const std::filesystem::path& file, const ScanOptions& options = {},
+                         Progress& progress = unwatched());
 
 /// A piece of surface in somebody's own memory, as makeScan takes it: a Mesh before it is checked.
 struct SurfaceArrays

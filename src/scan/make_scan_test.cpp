@@ -1,4 +1,5 @@
 #include "base/half.h"
+#include "relamp/delight.h"
 #include "relamp/error.h"
 #include "relamp/scan.h"
 #include "scenes/refusal.h"
@@ -80,6 +81,12 @@ TEST(MakeScan, ColoursOfVerticesAreAPage)
     const Scan scan = arrays.scan();
     ASSERT_TRUE(scan.pages.at(0).ofVertices);
     EXPECT_EQ(Radiance(scan.pages[0].image)[1], glm::vec3(2.0f));
+}
+
+// What nobody watches is asked for without a Progress.
+TEST(MakeScan, LeadsToAnAlbedoInOneLine)
+{
+    EXPECT_EQ(delight(Arrays().scan()).layers(0).width, 2);
 }
 
 TEST(MakeScan, SaysWhatIsWrong)
