@@ -25,6 +25,10 @@ found=$(
         }'
     includes apps | grep -E '"[^"]*/' | grep -vE '"relamp/' | sed 's/$/: not a public header/' || true
     includes include/relamp | grep -vE '"relamp/|<glm/|<[a-z_]+>' | sed 's/$/: not for a public header/' || true
+    for header in include/relamp/*.h; do
+        name=relamp/${header##*/}
+        [[ $name == relamp/relamp.h ]] || grep -q "\"$name\"" include/relamp/relamp.h || echo "$header: relamp.h lacks it"
+    done
     grep -rnE '\b(RTC|Vk|vk::|Eigen::|tinygltf::|OIIO::|tbb::|ai(Scene|Mesh))' include/relamp |
         sed 's/$/: not for a public header/' || true
 )
