@@ -2,7 +2,7 @@
 
 #include "parallel.h"
 
-#include "relamp/flattened.h"
+#include "inside/flattened.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include "base/parallel.h"
 #include "flatten/flatten.h"
 #include "image/gutter.h"
-#include "relamp/flattened.h"
+#include "inside/flattened.h"
 #include "scan/overlap.h"
 
 #include <utility>
