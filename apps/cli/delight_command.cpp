@@ -133,15 +133,12 @@ void addPlaces(CLI::App& command, const char* name, std::vector<float>& numbers,
 void addGatherDials(CLI::App& command, DelightArguments& arguments)
 {
     relamp::GatherOptions& gather = arguments.options.gather;
-    const std::map<std::string, relamp::Quality> qualities{{"draft", relamp::Quality::draft},
-                                                           {"standard", relamp::Quality::standard},
-                                                           {"high", relamp::Quality::high}};
     command
         .add_option(
             "--quality", gather.quality,
             "draft for a first look, on textures of 512 pixels, where a small lamp may be missed; "
             "standard; or high: four times the rays [standard]")
-        ->transform(oneOf(qualities))
+        ->transform(oneOf<relamp::Quality>())
         ->type_name("NAME")
         ->group(kGatherGroup);
     addPlaces(command, "--light", arguments.lightsAt,
@@ -258,14 +255,11 @@ void addDelightCommand(CLI::App& app, Run& run)
                     "Folder for the result; made if it is not there")
         ->required()
         ->type_name("DIR");
-    const std::map<std::string, relamp::Solver> solvers{{"gather", relamp::Solver::gather},
-                                                        {"pathtrace", relamp::Solver::pathtrace},
-                                                        {"thesis", relamp::Solver::thesis}};
     command
         .add_option("--solver", arguments->options.solver,
                     "How the shading is found: gather, pathtrace (slow, the reference), or thesis "
                     "(Choi 2018) [gather]")
-        ->transform(oneOf(solvers))
+        ->transform(oneOf<relamp::Solver>())
         ->type_name("NAME");
     command
         .add_option("--lights", arguments->lights,

@@ -14,6 +14,7 @@
 #include "relamp/inspect.h"
 #include "relamp/light_probes.h"
 #include "relamp/lights.h"
+#include "relamp/names.h"
 #include "relamp/pathtrace.h"
 #include "relamp/picture.h"
 #include "relamp/pixel_view.h"

@@ -4,6 +4,7 @@
 #include "lights/lights_from.h"
 #include "output/folder_record.h"
 #include "output/result_folder.h"
+#include "relamp/names.h"
 #include "relamp/relight.h"
 #include "scan/gltf_read.h"
 #include "scan/gltf_write.h"
@@ -128,7 +129,7 @@ Lights lightsOf(const nlohmann::json& signature, const std::filesystem::path& fi
                 const Scan& scan, std::vector<std::string>& warnings)
 {
     if (!signature.contains("lights")) return {};
-    const std::string up = scan.options.up == UpAxis::z ? "z" : "y";
+    const std::string up = nameOf(scan.options.up);
     if (signature.value("up", nlohmann::json(up)) != up ||
         signature.value("scale", nlohmann::json(scan.options.scale)) != scan.options.scale) {
         warnings.push_back(fmt::format("{}: was made with --up {} --scale {}; say so again, or its "
