@@ -21,7 +21,7 @@ relamp::Image imageOf(const relamp::PageLayers& layers, std::vector<uint16_t> ha
     image.height = layers.height;
     image.transfer = relamp::Transfer::linear;
     image.clipsAtWhite = false;
-    image.half = std::move(half);
+    image.rgb = std::move(half);
     return image;
 }
 
@@ -30,9 +30,10 @@ relamp::Image greyOf(const relamp::PageLayers& layers)
     relamp::Image image;
     image.width = layers.width;
     image.height = layers.height;
-    image.encoded.resize(3 * layers.confidence.size());
+    std::vector<uint8_t> rgb(3 * layers.confidence.size());
     for (size_t i = 0; i < layers.confidence.size(); ++i)
-        std::fill_n(&image.encoded[3 * i], 3, layers.confidence[i]);
+        std::fill_n(&rgb[3 * i], 3, layers.confidence[i]);
+    image.rgb = std::move(rgb);
     return image;
 }
 

@@ -85,11 +85,10 @@ Image paintedPage(const Texels& texels, size_t page)
     const Image& picture = texels.scan->pages[page].image;
     Image painted = picture;
     painted.transfer = Transfer::linear;
-    painted.encoded.clear();
-    painted.half.resize(3 * picture.pixels());
+    std::vector<uint16_t> half(3 * picture.pixels());
     const auto put = [&](size_t pixel, glm::vec3 color) {
         for (int c = 0; c < 3; ++c)
-            painted.half[3 * pixel + static_cast<size_t>(c)] = halfFromFloat(color[c]);
+            half[3 * pixel + static_cast<size_t>(c)] = halfFromFloat(color[c]);
     };
     const Radiance plain(picture);
     for (size_t pixel = 0; pixel < picture.pixels(); ++pixel) put(pixel, plain[pixel]);
@@ -100,6 +99,7 @@ Image paintedPage(const Texels& texels, size_t page)
         for (size_t i = 0; i < count; ++i)
             put(texels.pages[page].pixel[begin + i], {block.r[i], block.g[i], block.b[i]});
     });
+    painted.rgb = std::move(half);
     return painted;
 }
 
@@ -197,16 +197,17 @@ Image linearImage(const PageLayers& layers, std::vector<uint16_t> rgb)
 {
     Image image{.width = layers.width, .height = layers.height, .transfer = Transfer::linear};
     image.clipsAtWhite = false;
-    image.half = std::move(rgb);
+    image.rgb = std::move(rgb);
     return image;
 }
 
 Image greyImage(const PageLayers& layers)
 {
     Image image{.width = layers.width, .height = layers.height};
-    image.encoded.resize(3 * image.pixels());
+    std::vector<uint8_t> rgb(3 * image.pixels());
     for (size_t i = 0; i < layers.confidence.size(); ++i)
-        std::fill_n(&image.encoded[3 * i], 3, layers.confidence[i]);
+        std::fill_n(&rgb[3 * i], 3, layers.confidence[i]);
+    image.rgb = std::move(rgb);
     return image;
 }
 

@@ -33,7 +33,7 @@ void writeTextures(const Relighter& relighter, const std::filesystem::path& file
     for (size_t page = 0; page < pages; ++page) {
         const Image radiance = relighter.radiance(page, progress);
         const Progress::Stage stage(progress, "write");
-        writeExr(staged[page]->path(), radiance.half, {radiance.width, radiance.height});
+        writeExr(staged[page]->path(), radiance.half(), {radiance.width, radiance.height});
     }
     progress.check();
     for (const auto& one : staged) one->commit();
@@ -70,11 +70,11 @@ RelitPage bakedPage(const Page& page, const Image& radiance, const ViewTransform
 {
     RelitPage baked;
     if (page.ofVertices) {
-        baked.vertexAlbedo = shownFloats(radiance.half, view);
+        baked.vertexAlbedo = shownFloats(radiance.half(), view);
         return baked;
     }
     const Size size{radiance.width, radiance.height};
-    const std::vector<uint8_t> rgb = shownBytes(radiance.half, view);
+    const std::vector<uint8_t> rgb = shownBytes(radiance.half(), view);
     if (page.image.wasJpeg && radiance.alpha.empty())
         baked.albedo = {encodeJpeg(rgb, size), "image/jpeg"};
     else if (radiance.alpha.empty())

@@ -58,7 +58,7 @@ TEST(LightProbes, AGlanceIsTheLightOfTexels)
     double all = 0.0;
     for (size_t i = 0; i < glanced.size(); ++i) {
         const uint32_t pixel = texels.pages[0].pixel[i];
-        const float exact = floatFromHalf(radiance.half[3 * size_t{pixel} + 1]);
+        const float exact = floatFromHalf(radiance.half()[3 * size_t{pixel} + 1]);
         off += std::pow(exact - glanced[i].shading.g * albedo[pixel].g, 2.0);
         all += std::pow(exact, 2.0);
     }
@@ -78,7 +78,7 @@ TEST(LightProbes, TexelsAreTheSameAfterAGlance)
     relighter.glance(bulb.lighting, bulb.progress);
     relighter.light(bulb.lighting, bulb.progress);
 
-    EXPECT_EQ(relighter.radiance(0, bulb.progress).half, alone.half);
+    EXPECT_EQ(relighter.radiance(0, bulb.progress).half(), alone.half());
 }
 
 TEST(LightProbes, FarFromTheRoomItIsDark)

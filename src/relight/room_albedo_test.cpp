@@ -37,9 +37,9 @@ struct HalfKnown
         albedo.push_back(scenes::square(2.0f, 64, paint).pages[0].image);
         Image& known = confidence.emplace_back();
         known.width = known.height = 64;
-        known.encoded.assign(size_t{3} * 64 * 64, 0);
+        known.rgb = std::vector<uint8_t>(size_t{3} * 64 * 64);
         for (size_t pixel = 0; pixel < known.pixels(); ++pixel)
-            if (pixel % 64 < 32) known.encoded[3 * pixel] = 255;
+            if (pixel % 64 < 32) known.encoded()[3 * pixel] = 255;
     }
 
     [[nodiscard]] RoomAlbedo room() const

@@ -48,9 +48,8 @@ void checkTexture(const Image& image, const std::string& what)
     if (image.width < 1 || image.height < 1)
         malformed(what, fmt::format("is {} x {} pixels", image.width, image.height));
     const size_t values = 3 * image.pixels();
-    if (image.encoded.empty() == image.half.empty())
-        malformed(what, "has to have bytes or half floats, one of the two");
-    if (const size_t has = image.encoded.size() + image.half.size(); has != values)
+    const size_t has = image.isEncoded() ? image.encoded().size() : image.half().size();
+    if (has != values)
         malformed(what, fmt::format("is {} x {} pixels in RGB and has {} values, not {}",
                                     image.width, image.height, has, values));
     if (!image.alpha.empty() && image.alpha.size() != image.pixels())
@@ -58,7 +57,7 @@ void checkTexture(const Image& image, const std::string& what)
                                     image.pixels()));
     if (image.transfer == Transfer::automatic)
         malformed(what, "has to say whether its numbers are srgb or linear");
-    if (!isLight(image.half))
+    if (!image.isEncoded() && !isLight(image.half()))
         malformed(what, "has values that are no light: negative, infinite or no number");
 }
 
@@ -66,7 +65,8 @@ std::vector<Page> pagesOf(std::vector<Image> textures, const std::string& scan)
 {
     uint64_t bytes = 0;
     for (const Image& image : textures)
-        bytes += image.encoded.size() + image.half.size() * sizeof(uint16_t);
+        bytes +=
+            image.isEncoded() ? image.encoded().size() : image.half().size() * sizeof(uint16_t);
     PagePixels pixels(textures.size(), bytes, scan);
     std::vector<Page> pages;
     for (Image& image : textures) {

@@ -26,7 +26,7 @@ struct Arrays
     std::vector<glm::vec3> normals;
     std::vector<glm::vec3> colors;
     std::vector<Image> textures{
-        {.width = 2, .height = 2, .transfer = Transfer::srgb, .encoded = std::vector<uint8_t>(12)}};
+        {.width = 2, .height = 2, .transfer = Transfer::srgb, .rgb = std::vector<uint8_t>(12)}};
     int texture = 0;
     std::string name = "square";
     ScanOptions options;
@@ -55,7 +55,7 @@ TEST(MakeScan, IsWhatAFileOfTheSameWouldBe)
     const Scan made = makeScan("scene", std::span(&surface, 1), {square.pages[0].image});
     EXPECT_EQ(made.meshes[0].positions, mesh.positions);
     EXPECT_EQ(made.meshes[0].normals, mesh.normals);
-    EXPECT_EQ(made.pages[0].image.half, square.pages[0].image.half);
+    EXPECT_EQ(made.pages[0].image.half(), square.pages[0].image.half());
     EXPECT_THAT(made.warnings, testing::IsEmpty());
 }
 
@@ -113,9 +113,8 @@ TEST(MakeScan, SaysWhatIsWrong)
     EXPECT_THAT(refusalAfter([](Arrays& a) { a.textures[0].transfer = Transfer::automatic; }),
                 HasSubstr("srgb or linear"));
     EXPECT_THAT(refusalAfter([](Arrays& a) {
-                    a.textures[0].encoded.clear();
-                    a.textures[0].half.assign(12, halfFromFloat(0.5f));
-                    a.textures[0].half[3] = 0xbc00; // -1
+                    a.textures[0].rgb = std::vector<uint16_t>(12, halfFromFloat(0.5f));
+                    a.textures[0].half()[3] = 0xbc00; // -1
                 }),
                 HasSubstr("texture 0: has values that are no light"));
     EXPECT_THAT(refusalAfter([](Arrays& a) { a.triangles.clear(); }),

@@ -37,7 +37,7 @@ struct PaperRoom
         const TracedRoom room = roomWith(radiance);
         const PathTracer tracer(texels, scene, room);
         const PageTexels& page = texels.pages[0];
-        std::vector<uint16_t>& half = scan.pages[0].image.half;
+        std::vector<uint16_t>& half = scan.pages[0].image.half();
         forEachChunk(page.count(), 64, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
                 if (room.isClipped[0][page.pixel[i]] != 0) continue;

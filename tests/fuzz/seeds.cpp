@@ -135,7 +135,7 @@ std::string litRoom()
     });
     const SrgbFromHalf byteFrom;
     std::vector<uint8_t> bytes;
-    for (const uint16_t half : room.pages[0].image.half) bytes.push_back(byteFrom(half));
+    for (const uint16_t half : room.pages[0].image.half()) bytes.push_back(byteFrom(half));
     const Size size{room.pages[0].image.width, room.pages[0].image.height};
     return writeUnlitGlb(room, {{.albedo = {encodePng(bytes, size, 3), "image/png"}}});
 }

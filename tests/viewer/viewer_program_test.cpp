@@ -144,7 +144,7 @@ Image colouredSky()
     for (int y = 0; y < sky.height; ++y)
         for (int x = 0; x < sky.width; ++x)
             for (const int value : {4 * x, 8 * y, 255 - 4 * x})
-                sky.encoded.push_back(static_cast<uint8_t>(value));
+                sky.encoded().push_back(static_cast<uint8_t>(value));
     return sky;
 }
 
