@@ -1,5 +1,6 @@
 #include "relight/room_albedo.h"
 
+#include "base/half.h"
 #include "scenes/axes.h"
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"
@@ -63,6 +64,20 @@ void expectNear(glm::vec3 value, glm::vec3 expected)
 }
 
 } // namespace
+
+// A file of confidence may have 16 bits, which an Image has as half floats.
+TEST(RoomAlbedo, ConfidenceIsReadOfAnyKindOfPicture)
+{
+    const HalfKnown bytes(scenes::plain(kWall), glm::vec3(0.1f));
+    HalfKnown halves(scenes::plain(kWall), glm::vec3(0.1f));
+    for (Image& image : halves.confidence) {
+        std::vector<uint16_t> rgb;
+        for (const uint8_t byte : image.encoded())
+            rgb.push_back(halfFromFloat(static_cast<float>(byte) / 255.0f));
+        image.rgb = std::move(rgb);
+    }
+    EXPECT_EQ(halves.room().ofSurfels(), bytes.room().ofSurfels());
+}
 
 TEST(RoomAlbedo, WhatIsAGuessGetsThatOfTheSurfaceAround)
 {
