@@ -21,8 +21,8 @@ constexpr size_t kTexels = size_t{1} << 20;
 DelitRoom sampleWithAlbedo()
 {
     DelitRoom room;
-    room.scan = sampleRoom(kTexels);
-    room.albedo.push_back(room.scan.pages[0].image);
+    room.scan = std::make_shared<const Scan>(sampleRoom(kTexels));
+    room.albedo.push_back(room.scan->pages[0].image);
     room.isLit = false;
     return room;
 }

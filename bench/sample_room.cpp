@@ -15,15 +15,17 @@ Image scaled(const Image& image, double factor)
     Image result = image;
     result.width = static_cast<int>(std::lround(factor * image.width));
     result.height = static_cast<int>(std::lround(factor * image.height));
-    result.encoded.resize(3 * result.pixels());
+    std::vector<uint8_t> rgb(3 * result.pixels());
+    const std::vector<uint8_t>& before = image.encoded();
     for (int y = 0; y < result.height; ++y)
         for (int x = 0; x < result.width; ++x) {
             const int fromX = std::min(static_cast<int>(x / factor), image.width - 1);
             const int fromY = std::min(static_cast<int>(y / factor), image.height - 1);
             const auto from = static_cast<size_t>(fromY * image.width + fromX);
             const auto to = static_cast<size_t>(y * result.width + x);
-            std::copy_n(&image.encoded[3 * from], 3, &result.encoded[3 * to]);
+            std::copy_n(&before[3 * from], 3, &rgb[3 * to]);
         }
+    result.rgb = std::move(rgb);
     return result;
 }
 

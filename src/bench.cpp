@@ -1,4 +1,4 @@
-#include "relamp/bench.h"
+#include "inside/bench.h"
 
 #include "albedo/divide.h"
 #include "albedo/page_layers.h"

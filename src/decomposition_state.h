@@ -13,9 +13,10 @@ namespace relamp
 /// What a Decomposition knows; the parts that write results see it too.
 struct Decomposition::State
 {
-    std::shared_ptr<const RayScene> scene;
+    std::shared_ptr<const Scan> scan;
+    std::shared_ptr<const RayScene> scene; // of it, as the next
     std::shared_ptr<const Texels> texels;
-    Solution solution; // refers to both
+    Solution solution; // refers to all of them
 };
 
 } // namespace relamp

@@ -6,20 +6,33 @@
 #include "relamp/delighter.h"
 #include "scan/overlap.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace relamp
 {
 
-Decomposition delight(const Scan& scan, const DelightOptions& options, Progress& progress)
+Decomposition delight(std::shared_ptr<const Scan> scan, const DelightOptions& options,
+                      Progress& progress)
 {
-    return Delighter(scan).solve(options, progress);
+    return Delighter(std::move(scan)).solve(options, progress);
+}
+
+Decomposition delight(Scan&& scan, const DelightOptions& options, Progress& progress)
+{
+    return Delighter(std::move(scan)).solve(options, progress);
 }
 
 Decomposition::Decomposition(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Decomposition::~Decomposition() = default;
 Decomposition::Decomposition(Decomposition&&) noexcept = default;
 Decomposition& Decomposition::operator=(Decomposition&&) noexcept = default;
+
+const std::shared_ptr<const Scan>& Decomposition::scan() const
+{
+    return state_->scan;
+}
 
 const Lights& Decomposition::lights() const
 {
@@ -63,6 +76,27 @@ size_t Decomposition::texelCount() const
 double Decomposition::area() const
 {
     return state_->texels->area;
+}
+
+PageGeometry Decomposition::geometry(size_t page) const
+{
+    const Image& image = state_->scan->pages[page].image;
+    const PageTexels& texels = state_->texels->pages[page];
+    PageGeometry geometry{image.width, image.height, std::vector<float>(3 * image.pixels()),
+                          std::vector<float>(3 * image.pixels())};
+    const TexelLoader loader(*state_->texels, page);
+    forEachBlock(texels, [&](size_t begin, size_t count) {
+        TexelBlock block;
+        loader.loadGeometry(begin, count, block);
+        for (size_t i = 0; i < count; ++i) {
+            const size_t at = 3 * size_t{texels.pixel[begin + i]};
+            std::copy_n(std::array{block.x[i], block.y[i], block.z[i]}.begin(), 3,
+                        &geometry.positions[at]);
+            std::copy_n(std::array{block.nx[i], block.ny[i], block.nz[i]}.begin(), 3,
+                        &geometry.normals[at]);
+        }
+    });
+    return geometry;
 }
 
 const Decomposition::State& Decomposition::state() const

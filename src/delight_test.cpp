@@ -4,6 +4,7 @@
 #include "base/radiometry.shared.h"
 #include "decomposition_state.h"
 #include "relamp/error.h"
+#include "relamp/pixel_view.h"
 #include "relamp/threads.h"
 #include "scan/texels.h"
 #include "scenes/scenes.h"
@@ -73,7 +74,7 @@ struct Worked
 Worked work(const Scan& scan, const DelightOptions& options)
 {
     Progress progress;
-    const Decomposition result = delight(scan, options, progress);
+    const Decomposition result = delight(scenes::copyOf(scan), options, progress);
     return {rasterizeAtlas(scan, progress), result.layers(0, progress)};
 }
 
@@ -126,9 +127,9 @@ TEST(Delight, SaysSoWhereNothingShines)
 {
     const Scan scan = scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f)));
     Progress progress;
-    EXPECT_THAT(delight(scan, thesis(), progress).warnings(),
+    EXPECT_THAT(delight(scenes::copyOf(scan), thesis(), progress).warnings(),
                 testing::ElementsAre(testing::HasSubstr("no light was found")));
-    EXPECT_THAT(delight(scan, {}, progress).warnings(),
+    EXPECT_THAT(delight(scenes::copyOf(scan), {}, progress).warnings(),
                 testing::ElementsAre(testing::HasSubstr("no lamp was found")));
 }
 
@@ -221,11 +222,66 @@ TEST(Delight, StopsWhereItIsWhenCancelled)
     Progress progress;
     progress.cancel();
     try {
-        delight(scan, {}, progress);
+        delight(scenes::copyOf(scan), {}, progress);
         FAIL() << "went on";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::cancelled);
     }
+}
+
+// Whoever gave the scan may forget it: a result has all that its layers are made of.
+TEST(Delight, AResultKeepsItsScan)
+{
+    Progress progress;
+    auto scan = std::make_shared<const Scan>(panelRoom());
+    const std::weak_ptr<const Scan> watched = scan;
+    std::optional<Decomposition> found = delight(std::move(scan), thesis(), progress);
+    ASSERT_FALSE(watched.expired());
+    EXPECT_EQ(found->scan(), watched.lock());
+    EXPECT_EQ(found->layers(0, progress).albedo,
+              delight(panelRoom(), thesis(), progress).layers(0, progress).albedo);
+    found.reset();
+    EXPECT_TRUE(watched.expired());
+}
+
+// The wall x = 0 and the floor of a box say where they are and look into it.
+TEST(Delight, TexelsKnowTheirPlace)
+{
+    Progress progress;
+    const Decomposition found = delight(panelRoom(), thesis(), progress);
+    const PageGeometry geometry = found.geometry(0);
+    const auto place = pixelView(geometry.positions, geometry.width, geometry.height);
+    const auto normal = pixelView(geometry.normals, geometry.width, geometry.height);
+    ASSERT_EQ(place.channels, 3);
+    size_t covered = 0;
+    for (int row = 0; row < place.height; ++row)
+        for (int column = 0; column < place.width; ++column) {
+            const glm::vec3 p(place.at(row, column, 0), place.at(row, column, 1),
+                              place.at(row, column, 2));
+            const glm::vec3 n(normal.at(row, column, 0), normal.at(row, column, 1),
+                              normal.at(row, column, 2));
+            if (n == glm::vec3(0.0f)) {
+                ASSERT_EQ(p, glm::vec3(0.0f));
+                continue;
+            }
+            ++covered;
+            ASSERT_NEAR(glm::length(n), 1.0f, 1e-5f);
+            const glm::vec3 wall = glm::mix(kRoom, glm::vec3(0.0f), 0.5f * (n + 1.0f));
+            ASSERT_NEAR(glm::dot(p - wall, n), 0.0f, 1e-4f); // walls stand where normals come from
+        }
+    EXPECT_EQ(covered, found.texelCount());
+}
+
+TEST(PixelView, StridesLeadToWhatIsThere)
+{
+    const std::vector<int> values{0, 1, 2, 10, 11, 12, 20, 21, 22, 30, 31, 32}; // 2 x 2, RGB
+    const PixelView<int> view = pixelView(values, 2, 2);
+    EXPECT_EQ(view.channels, 3);
+    EXPECT_EQ(view.at(1, 0, 2), 22);
+    const PixelView<int> green = view.channel(1).part(0, 1, 2, 1);
+    EXPECT_EQ(green.at(0, 0), 11);
+    EXPECT_EQ(green.at(1, 0), 31);
+    EXPECT_EQ(green.first, &values[4]);
 }
 
 // Lights that were written and read again give what they gave.
@@ -235,9 +291,9 @@ TEST(Delight, ItsOwnLightsGivenBackChangeNothing)
     Progress progress;
     for (const Solver solver : {Solver::gather, Solver::thesis}) {
         DelightOptions options{.solver = solver};
-        const Decomposition first = delight(scan, options, progress);
+        const Decomposition first = delight(scenes::copyOf(scan), options, progress);
         options.lights = first.lights();
-        const Decomposition second = delight(scan, options, progress);
+        const Decomposition second = delight(scenes::copyOf(scan), options, progress);
         const PageLayers a = first.layers(0, progress);
         const PageLayers b = second.layers(0, progress);
         for (size_t i = 0; i < a.albedo.size(); i += 97)
@@ -250,7 +306,7 @@ TEST(Delight, ADeviceThatGaveUpLeavesTheLayersToTheCpu)
 {
     const Scan scan = panelRoom();
     Progress progress;
-    const Decomposition found = delight(scan, thesis(), progress);
+    const Decomposition found = delight(scenes::copyOf(scan), thesis(), progress);
     auto state = std::make_unique<Decomposition::State>(found.state());
     bool isAsked = false;
     state->solution.onDevice = [&](size_t, const SolvedTexels&, const AlbedoOptions&, Progress&) {

@@ -9,6 +9,7 @@
 #include "solve/by_thesis.h"
 #include "solve/found_room.h"
 
+#include <cassert>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -38,13 +39,13 @@ void checkEngine(const DelightOptions& options)
 
 struct Delighter::State
 {
-    explicit State(const Scan& of) : scan(of) {}
+    explicit State(std::shared_ptr<const Scan> of) : scan(std::move(of)) {}
 
     void prepare(const DelightOptions& options, Progress& progress);
     Solution solve(const DelightOptions& options, Progress& progress);
     [[nodiscard]] Decomposition decompositionOf(Solution solution) const;
 
-    const Scan& scan;
+    std::shared_ptr<const Scan> scan; // outlives all below, which refers to it
     std::shared_ptr<const RayScene> scene;
     std::shared_ptr<const Texels> texels;
     SurfelOptions surfels; // of `texels`
@@ -58,14 +59,14 @@ void Delighter::State::prepare(const DelightOptions& options, Progress& progress
 {
     if (!scene) {
         const Progress::Stage stage(progress, "bvh");
-        scene = std::make_shared<const RayScene>(scan);
+        scene = std::make_shared<const RayScene>(*scan);
     }
     const SurfelOptions wanted = surfelsFor(options);
     if (texels && surfels == wanted) return;
     gather.reset();
     thesis.reset();
     texels.reset();
-    auto found = std::make_shared<Texels>(rasterizeAtlas(scan, progress, wanted));
+    auto found = std::make_shared<Texels>(rasterizeAtlas(*scan, progress, wanted));
     checkOverlap(*found);
     if (options.solver != Solver::thesis) separateBuried(*found, *scene, progress);
     texels = std::move(found);
@@ -90,10 +91,15 @@ Solution Delighter::State::solve(const DelightOptions& options, Progress& progre
 Decomposition Delighter::State::decompositionOf(Solution solution) const
 {
     return Decomposition(std::make_unique<Decomposition::State>(
-        Decomposition::State{scene, texels, std::move(solution)}));
+        Decomposition::State{scan, scene, texels, std::move(solution)}));
 }
 
-Delighter::Delighter(const Scan& scan) : state_(std::make_unique<State>(scan)) {}
+Delighter::Delighter(std::shared_ptr<const Scan> scan)
+    : state_(std::make_unique<State>(std::move(scan)))
+{
+    assert(state_->scan);
+}
+Delighter::Delighter(Scan&& scan) : Delighter(std::make_shared<const Scan>(std::move(scan))) {}
 Delighter::~Delighter() = default;
 Delighter::Delighter(Delighter&&) noexcept = default;
 Delighter& Delighter::operator=(Delighter&&) noexcept = default;

@@ -75,7 +75,7 @@ ErrorCode codeOf(const std::function<void()>& work)
 /// A room that is solved and can be resolved.
 struct Room
 {
-    explicit Room(Scan of) : scan(std::move(of)), delighter(scan)
+    explicit Room(Scan of) : scan(std::move(of)), delighter(scenes::copyOf(scan))
     {
         found.emplace(delighter.solve(draft(), progress));
     }
@@ -102,18 +102,18 @@ Lights brighter(Lights lights, float factor)
 TEST(Delighter, SolvesAsDelightDoesWhateverItSolvedBefore)
 {
     Room room(scenes::LitRoom().scan);
-    expectSame(*room.found, delight(room.scan, draft(), room.progress));
+    expectSame(*room.found, delight(scenes::copyOf(room.scan), draft(), room.progress));
 
     DelightOptions other = draft();
     other.gather.notLights = {scenes::LitRoom::kSheetCentre};
     other.gather.shadowRays = 4;
     expectSame(room.delighter.solve(other, room.progress),
-               delight(room.scan, other, room.progress));
+               delight(scenes::copyOf(room.scan), other, room.progress));
 
     other.albedo.fill = true;
     other.albedo.darkest = 0.1f;
     expectSame(room.delighter.solve(other, room.progress),
-               delight(room.scan, other, room.progress));
+               delight(scenes::copyOf(room.scan), other, room.progress));
     expectSame(room.delighter.solve(draft(), room.progress), *room.found);
 }
 
@@ -121,7 +121,7 @@ TEST(Delighter, DialsOfTheThesisAreThoseOfDelight)
 {
     const Scan scan = scenes::LitRoom().scan;
     Progress progress;
-    Delighter delighter(scan);
+    Delighter delighter(scenes::copyOf(scan));
     DelightOptions options = thesisSolver();
     const Decomposition first = delighter.solve(options, progress);
     const PageLayers before = layersOf(first);
@@ -133,7 +133,8 @@ TEST(Delighter, DialsOfTheThesisAreThoseOfDelight)
                                            [&] { options.thesis.useLpv = false; }};
     for (const auto& turn : dials) {
         turn();
-        expectSame(delighter.solve(options, progress), delight(scan, options, progress));
+        expectSame(delighter.solve(options, progress),
+                   delight(scenes::copyOf(scan), options, progress));
     }
     EXPECT_EQ(layersOf(first).albedo, before.albedo);
 }
@@ -162,7 +163,7 @@ TEST(Delighter, ResultsOutliveIt)
     std::optional<Decomposition> found;
     std::optional<Decomposition> resolved;
     {
-        Delighter delighter(scan);
+        Delighter delighter(scenes::copyOf(scan));
         Progress progress;
         found.emplace(delighter.solve(draft(), progress));
         resolved.emplace(
@@ -247,7 +248,7 @@ TEST(Delighter, RefusesWhatAreNotItsLightsAndGoesOn)
               ErrorCode::cancelled);
     EXPECT_EQ(codeOf([&] { static_cast<void>(room.delighter.solve(thesisSolver(), cancelled)); }),
               ErrorCode::cancelled);
-    Delighter fresh(room.scan);
+    Delighter fresh(scenes::copyOf(room.scan));
     EXPECT_EQ(codeOf([&] { static_cast<void>(fresh.resolve(found, {}, room.progress)); }),
               ErrorCode::unsupported);
 }
@@ -270,10 +271,10 @@ TEST_F(GpuDelighter, SolvesAndResolvesAsTheCpuDoes)
     for (Scan scan : {scenes::LitRoom().scan, scenes::SunRoom(glm::vec3(3.0f)).scan}) {
         DelightOptions options = draft();
         Progress progress;
-        Delighter cpu(scan);
+        Delighter cpu(scenes::copyOf(scan));
         options.engine.engine = Engine::cpu;
         const Decomposition found = cpu.solve(options, progress);
-        Delighter gpu(scan);
+        Delighter gpu(scenes::copyOf(scan));
         options.engine.engine = Engine::gpu;
         const Decomposition foundByGpu = gpu.solve(options, progress);
         EXPECT_EQ(foundByGpu.optionsInForce().engine.gpu, device().description().name);
@@ -291,7 +292,7 @@ TEST_F(GpuDelighter, SolvesAndResolvesAsTheCpuDoes)
         }
         // And back, to the bit.
         expectSame(gpu.resolve(found.lights(), options.albedo, progress), foundByGpu);
-        expectSame(delight(scan, options, progress), foundByGpu);
+        expectSame(delight(scenes::copyOf(scan), options, progress), foundByGpu);
     }
 }
 
@@ -299,16 +300,16 @@ TEST_F(GpuDelighter, SaysAtOnceThatADeviceIsNotThere)
 {
     const Scan scan = scenes::LitRoom().scan;
     Progress progress;
-    Delighter delighter(scan);
+    Delighter delighter(scenes::copyOf(scan));
     DelightOptions options = draft();
     options.engine.gpu = "no such";
     EXPECT_EQ(codeOf([&] { static_cast<void>(delighter.solve(options, progress)); }),
               ErrorCode::device);
-    EXPECT_EQ(codeOf([&] { static_cast<void>(delight(scan, options, progress)); }),
+    EXPECT_EQ(codeOf([&] { static_cast<void>(delight(scenes::copyOf(scan), options, progress)); }),
               ErrorCode::device);
     options.engine = {.engine = Engine::gpu};
     options.solver = Solver::pathtrace; // which is the CPU's
-    EXPECT_EQ(codeOf([&] { static_cast<void>(delight(scan, options, progress)); }),
+    EXPECT_EQ(codeOf([&] { static_cast<void>(delight(scenes::copyOf(scan), options, progress)); }),
               ErrorCode::unsupported);
 }
 
@@ -317,7 +318,7 @@ TEST_F(GpuDelighter, EarlierResultsStayWhatTheyAre)
 {
     const Scan scan = scenes::LitRoom().scan;
     Progress progress;
-    Delighter delighter(scan);
+    Delighter delighter(scenes::copyOf(scan));
     DelightOptions options = thesisSolver();
     options.engine.engine = Engine::gpu;
     const Decomposition first = delighter.solve(options, progress);
@@ -330,7 +331,7 @@ TEST_F(GpuDelighter, EarlierResultsStayWhatTheyAre)
     EXPECT_EQ(layersOf(first).albedo, before.albedo);
     EXPECT_EQ(layersOf(second).albedo, after.albedo);
     EXPECT_EQ(layersOf(first).indirect, before.indirect);
-    expectSame(second, delight(scan, options, progress));
+    expectSame(second, delight(scenes::copyOf(scan), options, progress));
 }
 
 } // namespace relamp

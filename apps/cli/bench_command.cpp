@@ -3,7 +3,7 @@
 #include "scan_arguments.h"
 #include "terminal.h"
 
-#include "relamp/bench.h"
+#include "inside/bench.h"
 #include "relamp/threads.h"
 
 #include <memory>

@@ -133,15 +133,12 @@ void addPlaces(CLI::App& command, const char* name, std::vector<float>& numbers,
 void addGatherDials(CLI::App& command, DelightArguments& arguments)
 {
     relamp::GatherOptions& gather = arguments.options.gather;
-    const std::map<std::string, relamp::Quality> qualities{{"draft", relamp::Quality::draft},
-                                                           {"standard", relamp::Quality::standard},
-                                                           {"high", relamp::Quality::high}};
     command
         .add_option(
             "--quality", gather.quality,
             "draft for a first look, on textures of 512 pixels, where a small lamp may be missed; "
             "standard; or high: four times the rays [standard]")
-        ->transform(oneOf(qualities))
+        ->transform(oneOf<relamp::Quality>())
         ->type_name("NAME")
         ->group(kGatherGroup);
     addPlaces(command, "--light", arguments.lightsAt,
@@ -184,9 +181,10 @@ std::vector<glm::vec3> placesFrom(const std::vector<float>& numbers)
     return places;
 }
 
-void printSummary(const DelightArguments& arguments, const relamp::Scan& scan,
-                  const relamp::Decomposition& result, double seconds)
+void printSummary(const DelightArguments& arguments, const relamp::Decomposition& result,
+                  double seconds)
 {
+    const relamp::Scan& scan = *result.scan();
     const relamp::Lights& lights = result.lights();
     std::string text = fmt::format("{}: {} lamps and windows (fixtures in lights.json), {} point "
                                    "lights in the GLB, {} texels in {:.1f} s\n",
@@ -236,13 +234,14 @@ int run(DelightArguments& arguments)
     if (arguments.options.lights)
         arguments.options.fixtures =
             relamp::readFixturesBeside(arguments.lights, arguments.scan.file, scan);
-    const relamp::Decomposition result = relamp::delight(scan, arguments.options, progress);
-    const std::string report = relamp::writeResult(scan, result, arguments.scan.file,
-                                                   arguments.folder, progress, replacing);
+    const relamp::Decomposition result =
+        relamp::delight(std::move(scan), arguments.options, progress);
+    const std::string report =
+        relamp::writeResult(result, arguments.scan.file, arguments.folder, progress, replacing);
     endProgressDisplay(talk);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (arguments.json) printExactly(report); // endOutput tells whether it came
-    if (talk == Talk::normal) printSummary(arguments, scan, result, elapsed.count());
+    if (talk == Talk::normal) printSummary(arguments, result, elapsed.count());
     return 0;
 }
 
@@ -259,14 +258,11 @@ void addDelightCommand(CLI::App& app, Run& run)
                     "Folder for the result; made if it is not there")
         ->required()
         ->type_name("DIR");
-    const std::map<std::string, relamp::Solver> solvers{{"gather", relamp::Solver::gather},
-                                                        {"pathtrace", relamp::Solver::pathtrace},
-                                                        {"thesis", relamp::Solver::thesis}};
     command
         .add_option("--solver", arguments->options.solver,
                     "How the shading is found: gather, pathtrace (slow, the reference), or thesis "
                     "(Choi 2018) [gather]")
-        ->transform(oneOf(solvers))
+        ->transform(oneOf<relamp::Solver>())
         ->type_name("NAME");
     command
         .add_option("--lights", arguments->lights,

@@ -73,9 +73,6 @@ void addFilm(CLI::App& command, PictureArguments& arguments)
 
 void addPictureArguments(CLI::App& command, PictureArguments& arguments)
 {
-    const std::map<std::string, relamp::View> views{{"standard", relamp::View::standard},
-                                                    {"agx", relamp::View::agx},
-                                                    {"aces", relamp::View::aces}};
     const std::map<std::string, Show> shows{
         {"relit", Show::relit}, {"scan", Show::scan}, {"albedo", Show::albedo}};
     const std::string group = "Pictures";
@@ -94,7 +91,7 @@ void addPictureArguments(CLI::App& command, PictureArguments& arguments)
         .add_option("--view", arguments.view,
                     "How bright light is shown: agx, aces, standard (cut off at white) [agx; "
                     "standard with --show and --bake]")
-        ->transform(oneOf(views))
+        ->transform(oneOf<relamp::View>())
         ->type_name("NAME")
         ->group(group);
     command

@@ -82,7 +82,8 @@ Wish wishOf(const RelightArguments& arguments, const relamp::DelitRoom& room,
 {
     Wish wish;
     const PictureArguments& picture = arguments.picture;
-    if (picture.camera != "auto") wish.camera = relamp::cameraFor(picture.camera, room.scan, notes);
+    if (picture.camera != "auto")
+        wish.camera = relamp::cameraFor(picture.camera, *room.scan, notes);
     if (!picture.timeline.empty()) wish.timeline.emplace(picture.timeline, room.captured, notes);
     return wish;
 }
@@ -272,14 +273,11 @@ std::string complaintOfOutput(const RelightArguments& arguments)
 
 void addSolverOptions(CLI::App& command, relamp::RelightOptions& options)
 {
-    const std::map<std::string, relamp::Solver> solvers{{"gather", relamp::Solver::gather},
-                                                        {"pathtrace", relamp::Solver::pathtrace},
-                                                        {"thesis", relamp::Solver::thesis}};
     command
         .add_option("--solver", options.solver,
                     "gather (shadows and radiosity), pathtrace (slow, the reference), or thesis "
                     "(no shadows, one bounce) [gather]")
-        ->transform(oneOf(solvers))
+        ->transform(oneOf<relamp::Solver>())
         ->type_name("NAME");
     command
         .add_option(

@@ -25,11 +25,6 @@ void refuseEmptyValues(CLI::App& app)
 
 void addScanArguments(CLI::App& command, ScanArguments& arguments)
 {
-    using relamp::Transfer;
-    using relamp::UpAxis;
-    const std::map<std::string, UpAxis> axes{{"y", UpAxis::y}, {"z", UpAxis::z}};
-    const std::map<std::string, Transfer> transfers{
-        {"auto", Transfer::automatic}, {"srgb", Transfer::srgb}, {"linear", Transfer::linear}};
     relamp::ScanOptions& options = arguments.options;
 
     command.add_option("scan", arguments.file, "glTF, GLB, OBJ, PLY, or what else Assimp reads")
@@ -37,7 +32,7 @@ void addScanArguments(CLI::App& command, ScanArguments& arguments)
         ->type_name("SCAN");
     command
         .add_option("--up", options.up, "The file's axis that points to the ceiling: y or z [y]")
-        ->transform(oneOf(axes))
+        ->transform(oneOf<relamp::UpAxis>())
         ->type_name("AXIS");
     command.add_option("--scale", options.scale, "Metres a unit of the file [1]")
         ->check(between(1e-6, 1e6))
@@ -45,7 +40,7 @@ void addScanArguments(CLI::App& command, ScanArguments& arguments)
     command
         .add_option("--transfer", options.transfer,
                     "What the texture's numbers are: srgb, linear, or auto by type [auto]")
-        ->transform(oneOf(transfers))
+        ->transform(oneOf<relamp::Transfer>())
         ->type_name("CURVE");
     command
         .add_option("--skip-mesh", options.skipMeshes, "Leave out meshes of this name (repeatable)")
@@ -63,15 +58,12 @@ void addScanArguments(CLI::App& command, ScanArguments& arguments)
 
 void addEngineArguments(CLI::App& command, relamp::EngineOptions& engine, const std::string& what)
 {
-    using relamp::Engine;
-    const std::map<std::string, Engine> engines{
-        {"auto", Engine::automatic}, {"cpu", Engine::cpu}, {"gpu", Engine::gpu}};
     command
         .add_option(
             "--engine", engine.engine,
             fmt::format("What computes {}: cpu, gpu, or auto: a real GPU if there is one [auto]",
                         what))
-        ->transform(oneOf(engines))
+        ->transform(oneOf<relamp::Engine>())
         ->type_name("NAME");
     command
         .add_option("--gpu", engine.gpu,

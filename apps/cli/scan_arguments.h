@@ -1,6 +1,7 @@
 #pragma once
 
 #include "relamp/devices.h"
+#include "relamp/names.h"
 #include "relamp/scan.h"
 
 #include <filesystem>
@@ -36,6 +37,15 @@ CLI::Validator oneOf(const std::map<std::string, Value>& values)
         return "";
     };
     return {take, ""};
+}
+
+/// Takes the names of an enumeration, relamp/names.h.
+template<class Enum>
+CLI::Validator oneOf()
+{
+    std::map<std::string, Enum> values;
+    for (const char* name : relamp::Names<Enum>::all) values[name] = *relamp::named<Enum>(name);
+    return oneOf(values);
 }
 
 /// Refuses the empty text for every option of `app` and its commands: a name that a script has

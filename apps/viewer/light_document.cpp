@@ -1,6 +1,7 @@
 #include "light_document.h"
 
 #include "relamp/error.h"
+#include "relamp/names.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,6 @@ namespace
 using nlohmann::ordered_json;
 using relamp::LightType;
 
-constexpr std::array<const char*, 6> kTypes{"point", "spot", "rectangle", "disc", "sphere", "sun"};
 constexpr std::array<const char*, 5> kUnits{"lumens", "candela", "watts", "nits", "lux"};
 constexpr std::array<const char*, 3> kRgbUnits{"intensity", "radiance", "irradiance"};
 
@@ -62,7 +62,7 @@ ordered_json jsonOf(const LampItem& lamp)
 {
     ordered_json item;
     if (!lamp.name.empty()) item["name"] = lamp.name;
-    item["type"] = nameOf(lamp.type);
+    item["type"] = relamp::nameOf(lamp.type);
     if (lamp.type != LightType::sun) item["position"] = listOf(lamp.position);
     if (lamp.aims() || !lamp.ies.empty()) item["direction"] = listOf(lamp.direction);
     if (lamp.type == LightType::rectangle) {
@@ -349,17 +349,10 @@ relamp::Relighting lightingOf(const LightDocument& document, const std::filesyst
     return reader.read(textOf(document, captured), folder / "lights.json", captured, notes);
 }
 
-const char* nameOf(LightType type)
-{
-    return kTypes[static_cast<size_t>(type)];
-}
-
 LightType lightTypeNamed(const std::string& name)
 {
-    for (size_t i = 0; i < kTypes.size(); ++i)
-        if (name == kTypes[i]) return static_cast<LightType>(i);
+    if (const auto type = relamp::named<LightType>(name)) return *type;
     throw relamp::Error(relamp::ErrorCode::malformed,
-                        fmt::format("\"{}\" is no kind of light; there are point, spot, rectangle, "
-                                    "disc, sphere and sun",
-                                    name));
+                        fmt::format("\"{}\" is no kind of light; there are {}", name,
+                                    relamp::namesInWords<LightType>()));
 }

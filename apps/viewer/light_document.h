@@ -126,6 +126,5 @@ relamp::Relighting lightingOf(const LightDocument& document, const std::filesyst
                               const relamp::Lights& captured, std::vector<std::string>& notes,
                               relamp::RelightingReader& reader);
 
-const char* nameOf(relamp::LightType type);
 /// Throws relamp::Error with the names that there are.
 relamp::LightType lightTypeNamed(const std::string& name);

@@ -3,6 +3,8 @@
 #include "actions.h"
 #include "viewer.h"
 
+#include "relamp/names.h"
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -51,7 +53,7 @@ void drawList(Viewer& viewer)
     for (size_t i = 0; i < light.lamps.size(); ++i) {
         const LampItem& lamp = light.lamps[i];
         row(Selection::Kind::lamp, i, light.lamps[i].on,
-            lamp.name.empty() ? fmt::format("{} {}", nameOf(lamp.type), i) : lamp.name);
+            lamp.name.empty() ? fmt::format("{} {}", relamp::nameOf(lamp.type), i) : lamp.name);
     }
     ImGui::EndChild();
 }
@@ -189,7 +191,7 @@ void drawShapeOf(LampItem& lamp)
 void drawLamp(Viewer& viewer, size_t index)
 {
     LampItem& lamp = viewer.studio.edit.light.lamps[index];
-    ImGui::InputTextWithHint("Name", nameOf(lamp.type), &lamp.name);
+    ImGui::InputTextWithHint("Name", relamp::nameOf(lamp.type), &lamp.name);
     drawEmission(lamp);
     drawShapeOf(lamp);
     button("Copy", "copy", viewer);

@@ -232,7 +232,7 @@ void RelightingThread::refine()
 {
     guard([this](relamp::Progress& progress) {
         room_->relighter.light(room_->light, progress);
-        std::vector<TexturePixels> pixels = PageShrinker(room_->room->scan, means_.limits)(
+        std::vector<TexturePixels> pixels = PageShrinker(*room_->room->scan, means_.limits)(
             relamp::radianceOfPages(room_->relighter, progress), TexelFormat::rgb9e5);
         const std::lock_guard lock(mutex_);
         if (isRoomNew_ || isLightNew_) return;

@@ -4,6 +4,7 @@
 #include "viewer.h"
 
 #include "relamp/error.h"
+#include "relamp/names.h"
 
 #include <algorithm>
 #include <array>
@@ -53,6 +54,12 @@ size_t indexOf(const std::string& word, const std::array<const char*, count>& na
         known += (i == 0 ? "" : ", ") + std::string(names[i]);
     }
     wrongSetting(fmt::format("\"{}\" is none of {}", word, known));
+}
+
+template<class Enum>
+Enum valueOf(const std::string& word)
+{
+    return static_cast<Enum>(indexOf(word, relamp::Names<Enum>::all));
 }
 
 Layer layerNamed(const std::string& word)
@@ -167,21 +174,12 @@ const std::map<std::string, std::function<void(Viewer&, const Words&)>>& setting
          }},
         {"place", [](V& v, const W& w) { v.place = vector(w); }},
         {"exposure", [](V& v, const W& w) { v.studio.edit.view.exposure = number(w); }},
-        {"view",
-         [](V& v, const W& w) {
-             constexpr std::array<const char*, 3> kViews{"standard", "agx", "aces"};
-             v.studio.edit.view.view = static_cast<relamp::View>(indexOf(w[1], kViews));
-         }},
+        {"view", [](V& v, const W& w) { v.studio.edit.view.view = valueOf<relamp::View>(w[1]); }},
         {"solver",
-         [](V& v, const W& w) {
-             constexpr std::array<const char*, 3> kSolvers{"gather", "pathtrace", "thesis"};
-             v.studio.edit.dials.solver = static_cast<relamp::Solver>(indexOf(w[1], kSolvers));
-         }},
+         [](V& v, const W& w) { v.studio.edit.dials.solver = valueOf<relamp::Solver>(w[1]); }},
         {"quality",
          [](V& v, const W& w) {
-             constexpr std::array<const char*, 3> kQualities{"draft", "standard", "high"};
-             v.studio.edit.dials.gather.quality =
-                 static_cast<relamp::Quality>(indexOf(w[1], kQualities));
+             v.studio.edit.dials.gather.quality = valueOf<relamp::Quality>(w[1]);
          }},
         {"lights", [](V& v, const W& w) { v.studio.loadLights(w[1]); }},
         {"timeline", [](V& v, const W& w) { v.studio.loadTimeline(w[1]); }},

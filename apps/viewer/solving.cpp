@@ -2,8 +2,8 @@
 
 #include "parallel.h"
 
+#include "inside/flattened.h"
 #include "relamp/error.h"
-#include "relamp/flattened.h"
 
 #include <algorithm>
 
@@ -22,7 +22,7 @@ relamp::Image imageOf(const relamp::PageLayers& layers, std::vector<uint16_t> ha
     image.height = layers.height;
     image.transfer = relamp::Transfer::linear;
     image.clipsAtWhite = false;
-    image.half = std::move(half);
+    image.rgb = std::move(half);
     return image;
 }
 
@@ -31,9 +31,10 @@ relamp::Image greyOf(const relamp::PageLayers& layers)
     relamp::Image image;
     image.width = layers.width;
     image.height = layers.height;
-    image.encoded.resize(3 * layers.confidence.size());
+    std::vector<uint8_t> rgb(3 * layers.confidence.size());
     for (size_t i = 0; i < layers.confidence.size(); ++i)
-        std::fill_n(&image.encoded[3 * i], 3, layers.confidence[i]);
+        std::fill_n(&rgb[3 * i], 3, layers.confidence[i]);
+    image.rgb = std::move(rgb);
     return image;
 }
 
@@ -61,16 +62,16 @@ Paint divide(const relamp::Decomposition& found, const PageShrinker& shrunk, siz
 }
 
 /// All but the room, and its paint.
-Paint tell(relamp::Decomposition found, std::shared_ptr<const relamp::Scan> scan,
-           const TextureLimits& limits, Solved& solved, relamp::Progress& progress)
+Paint tell(relamp::Decomposition found, const TextureLimits& limits, Solved& solved,
+           relamp::Progress& progress)
 {
-    Paint paint = divide(found, PageShrinker(*scan, limits), scan->pages.size(), solved, progress);
+    const relamp::Scan& scan = *found.scan();
+    Paint paint = divide(found, PageShrinker(scan, limits), scan.pages.size(), solved, progress);
     solved.captured = found.lights();
     solved.albedo = found.optionsInForce().albedo;
     solved.closure = found.closure();
     solved.notes = found.warnings();
     solved.decomposition = std::make_shared<const relamp::Decomposition>(std::move(found));
-    solved.scan = std::move(scan);
     return paint;
 }
 
@@ -138,9 +139,9 @@ Solved RoomSolver::solved(Side& side, const relamp::DelightOptions& options,
             found = side.delighter.resolve(lightsUnder(solved.scanned, scanned.light, side.found),
                                            options.albedo, progress);
     }
-    Paint paint = tell(std::move(found), side.scan, limits_, solved, progress);
+    Paint paint = tell(std::move(found), limits_, solved, progress);
     auto room = std::make_shared<relamp::DelitRoom>();
-    room->scan = *side.scan;
+    room->scan = side.scan;
     room->albedo = std::move(paint.albedo);
     room->confidence = std::move(paint.confidence);
     room->fixtures = std::move(paint.fixtures);
@@ -182,8 +183,8 @@ Solved RoomSolver::resolved(Side& side, const relamp::AlbedoOptions& albedo,
     solved.scanned = scanned.items;
     const relamp::Lights lights =
         lightsUnder(itemsOf(scanned, side.found), scanned.light, side.found);
-    solved.paint = std::make_shared<const Paint>(tell(
-        side.delighter.resolve(lights, albedo, progress), side.scan, limits_, solved, progress));
+    solved.paint = std::make_shared<const Paint>(
+        tell(side.delighter.resolve(lights, albedo, progress), limits_, solved, progress));
     return solved;
 }
 
@@ -205,12 +206,12 @@ Solved readSolved(const std::filesystem::path& folder, const relamp::ScanOptions
         relamp::readDelitRoom(folder, {.asScan = options}, progress));
     Solved solved;
     solved.notes = room->warnings;
-    const PageShrinker shrunk(room->scan, limits);
+    const PageShrinker shrunk(*room->scan, limits);
     solved.photos = texturesOfScan(*room, options, shrunk, progress, solved.notes);
     solved.textures[PageTexture::albedo] = shrunk(room->albedo, TexelFormat::srgb8);
     if (!room->confidence.empty())
         solved.textures[PageTexture::confidence] = shrunk(room->confidence, TexelFormat::grey8);
-    const size_t pages = room->scan.pages.size();
+    const size_t pages = room->scan->pages.size();
     const auto nameOf = [&](const char* layer, size_t p) {
         return pages == 1 ? fmt::format("{}.exr", layer) : fmt::format("{}.{}.exr", layer, p);
     };
@@ -224,7 +225,6 @@ Solved readSolved(const std::filesystem::path& folder, const relamp::ScanOptions
         if (images.size() == pages) solved.textures[which] = shrunk(images, TexelFormat::rgb9e5);
     }
     solved.captured = solved.found = room->captured;
-    solved.scan = std::shared_ptr<const relamp::Scan>(room, &room->scan);
     solved.room = std::move(room);
     return solved;
 }

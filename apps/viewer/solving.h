@@ -39,8 +39,7 @@ struct Solved
     std::shared_ptr<const Paint> paint;
     std::map<PageTexture, std::vector<TexturePixels>> textures; // one a page
     std::vector<TexturePixels> photos; // of a folder: the pictures of its scan, one a page
-    std::shared_ptr<const relamp::Decomposition> decomposition; // of `scan`; none of a folder
-    std::shared_ptr<const relamp::Scan> scan;                   // that it was made from
+    std::shared_ptr<const relamp::Decomposition> decomposition; // none of a folder
     relamp::Lights captured;                                    // by which the albedo was found
     relamp::Lights found; // before anybody said how it was on the day of the scan
     ScannedItems scanned; // what was said
@@ -92,8 +91,7 @@ private:
     /// A scan as one of the solvers takes it.
     struct Side
     {
-        explicit Side(std::shared_ptr<const relamp::Scan> of)
-            : scan(std::move(of)), delighter(*scan)
+        explicit Side(std::shared_ptr<const relamp::Scan> of) : scan(std::move(of)), delighter(scan)
         {}
 
         std::shared_ptr<const relamp::Scan> scan;

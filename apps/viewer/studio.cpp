@@ -164,8 +164,8 @@ void Studio::readScan(const Wish& wish, relamp::Progress& progress)
                PageShrinker(*scan, limits_).textures(), roomSolver});
     mailbox_.post([this, opened] { adopt(*opened); });
     auto unlit = std::make_shared<relamp::DelitRoom>();
-    unlit->scan = relamp::coarsened(*scan, kGlanceLength);
-    for (const relamp::Page& page : unlit->scan.pages) unlit->albedo.push_back(page.image);
+    unlit->scan = std::make_shared<const relamp::Scan>(relamp::coarsened(*scan, kGlanceLength));
+    for (const relamp::Page& page : unlit->scan->pages) unlit->albedo.push_back(page.image);
     find(unlit, progress);
     roomSolver->solve(
         wish.dials, {},
@@ -182,9 +182,9 @@ void Studio::readFolder(const Wish& wish, relamp::Progress& progress)
 {
     const auto solved =
         std::make_shared<const Solved>(readSolved(wish.path, wish.scan, limits_, progress));
-    const auto opened = std::make_shared<const Opened>(
-        Opened{wish, solved->scan, std::make_shared<const RoomMesh>(roomMesh(*solved->scan)),
-               solved->photos, nullptr});
+    const auto opened = std::make_shared<const Opened>(Opened{
+        wish, solved->room->scan, std::make_shared<const RoomMesh>(roomMesh(*solved->room->scan)),
+        solved->photos, nullptr});
     mailbox_.post([this, solved, opened] {
         if (adopt(*opened)) adopt(*solved);
     });
@@ -196,7 +196,7 @@ void Studio::find(const std::shared_ptr<const relamp::DelitRoom>& room, relamp::
 {
     const auto photographer = std::make_shared<const relamp::Photographer>(*room, progress);
     std::optional<relamp::Camera> view;
-    if (room->scan.cameras.empty()) view = photographer->goodView();
+    if (room->scan->cameras.empty()) view = photographer->goodView();
     mailbox_.post([this, room, photographer, view] {
         const auto reach = std::make_shared<Reach>(
             [room, photographer](glm::vec3 from, std::span<const glm::vec3> directions) {
@@ -269,7 +269,6 @@ void Studio::adopt(const Solved& solved)
     sendLight();
     if (solved.isDraft) return;
     decomposition_ = solved.decomposition;
-    decomposed_ = solved.scan;
     notes_.clear();
     tell(solved.notes);
     if (canResolve() && edit.scanned != solved.scanned) resolve(); // it was said meanwhile

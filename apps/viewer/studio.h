@@ -190,7 +190,6 @@ private:
     relamp::Lights found_;                   // before anybody said how it was then
     std::shared_ptr<RoomSolver> roomSolver_; // of the thread of `solver_`
     std::shared_ptr<const relamp::Decomposition> decomposition_;
-    std::shared_ptr<const relamp::Scan> decomposed_; // the scan that it refers to
     std::optional<relamp::Closure> closure_;
     std::vector<std::string> notes_; // on the solution, that were told
     std::optional<Opening> opening_;

@@ -56,9 +56,8 @@ void Studio::loadLights(const std::filesystem::path& file)
 void Studio::saveResult(const std::filesystem::path& folder)
 {
     if (!decomposition_) return say("The room is not solved yet; it can be saved when it is.");
-    saver_.start([this, folder, found = decomposition_, scan = decomposed_,
-                  path = path_](relamp::Progress& progress) {
-        relamp::writeResult(*scan, *found, path, folder, progress);
+    saver_.start([this, folder, found = decomposition_, path = path_](relamp::Progress& progress) {
+        relamp::writeResult(*found, path, folder, progress);
         mailbox_.post([this, folder] {
             say(fmt::format("The room without its light is in {}.", folder.string()));
         });

@@ -216,7 +216,7 @@ TexturePixels texturePixels(const relamp::Image& image, TexelFormat format, uint
     pixels.levels.push_back({first.width(), first.height(), 0});
     pixels.bytes.resize(texel * first.width() * first.height());
     const bool isSame = shrink == 1 && format == TexelFormat::srgb8 &&
-                        image.transfer == relamp::Transfer::srgb && !image.encoded.empty();
+                        image.transfer == relamp::Transfer::srgb && image.isEncoded();
     forEachRow(first.height(), [&](size_t y) {
         for (size_t x = 0; x < first.width(); ++x) {
             std::byte* to = pixels.bytes.data() + texel * (y * first.width() + x);
@@ -224,7 +224,7 @@ TexturePixels texturePixels(const relamp::Image& image, TexelFormat format, uint
                 put(to, format, first.at(static_cast<uint32_t>(x), static_cast<uint32_t>(y)));
                 continue;
             }
-            std::memcpy(to, image.encoded.data() + 3 * (y * first.width() + x), 3);
+            std::memcpy(to, image.encoded().data() + 3 * (y * first.width() + x), 3);
             to[3] = std::byte{255};
         }
     });

@@ -6,6 +6,7 @@
 #include "script_runner.h"
 
 #include "relamp/error.h"
+#include "relamp/names.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,16 +37,6 @@ glm::ivec2 sizeOf(const Viewer::Options& options, const Settings& settings)
     return options.size ? *options.size : glm::ivec2(settings.width, settings.height);
 }
 
-relamp::View viewNamed(const std::string& name)
-{
-    return name == "agx"    ? relamp::View::agx
-           : name == "aces" ? relamp::View::aces
-                            : relamp::View::standard;
-}
-
-constexpr const char* kViews[] = {"standard", "agx", "aces"};
-constexpr const char* kQualities[] = {"draft", "standard", "high"};
-
 } // namespace
 
 Viewer::Viewer(const Options& options)
@@ -62,10 +53,10 @@ Viewer::Viewer(const Options& options)
 {
     shown.panels = settings.panels;
     if (settings.walks) studio.camera.mode = CameraRig::Mode::walk;
-    studio.edit.view.view = viewNamed(settings.view);
-    for (int q = 0; q < 3; ++q)
-        if (settings.quality == kQualities[q])
-            studio.edit.dials.gather.quality = static_cast<relamp::Quality>(q);
+    studio.edit.view.view =
+        relamp::named<relamp::View>(settings.view).value_or(relamp::View::standard);
+    if (const auto quality = relamp::named<relamp::Quality>(settings.quality))
+        studio.edit.dials.gather.quality = *quality;
     if (!options.path.empty()) studio.open(options.path, options.scan);
     if (!options.script.empty())
         script_ = std::make_unique<ScriptRunner>(readScript(options.script), options.script);
@@ -81,8 +72,8 @@ Viewer::~Viewer()
     }
     settings.panels = shown.panels;
     settings.walks = studio.camera.mode == CameraRig::Mode::walk;
-    settings.view = kViews[static_cast<size_t>(studio.edit.view.view)];
-    settings.quality = kQualities[static_cast<size_t>(studio.edit.dials.gather.quality)];
+    settings.view = relamp::nameOf(studio.edit.view.view);
+    settings.quality = relamp::nameOf(studio.edit.dials.gather.quality);
     if (!studio.path().empty()) {
         const std::string path = std::filesystem::absolute(studio.path()).string();
         std::erase(settings.recent, path);

@@ -74,8 +74,9 @@ relamp::Image Viewer::lightOfView()
     image.width = static_cast<int>(size.width);
     image.height = static_cast<int>(size.height);
     image.transfer = relamp::Transfer::linear;
-    image.half.resize(3 * image.pixels());
-    for (size_t i = 0; i < image.pixels(); ++i) std::memcpy(&image.half[3 * i], &pixels[8 * i], 6);
+    std::vector<uint16_t> half(3 * image.pixels());
+    for (size_t i = 0; i < image.pixels(); ++i) std::memcpy(&half[3 * i], &pixels[8 * i], 6);
+    image.rgb = std::move(half);
     return image;
 }
 
@@ -93,15 +94,16 @@ relamp::Image Viewer::pictureOf(bool onlyView)
     relamp::Image image;
     image.width = static_cast<int>(part.extent.width);
     image.height = static_cast<int>(part.extent.height);
-    image.encoded.resize(3 * image.pixels());
+    std::vector<uint8_t> rgb(3 * image.pixels());
     size_t to = 0;
     for (uint32_t y = 0; y < part.extent.height; ++y)
         for (uint32_t x = 0; x < part.extent.width; ++x, to += 3) {
             const size_t from =
                 size_t{y + static_cast<uint32_t>(part.offset.y)} * target_.size().width + x +
                 static_cast<uint32_t>(part.offset.x);
-            std::memcpy(&image.encoded[to], &pixels[4 * from], 3);
+            std::memcpy(&rgb[to], &pixels[4 * from], 3);
         }
+    image.rgb = std::move(rgb);
     return image;
 }
 

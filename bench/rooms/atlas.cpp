@@ -134,7 +134,7 @@ ChartMesh meshOf(const Atlas& atlas, float cell)
     page.name = "scan";
     page.image.width = atlas.side;
     page.image.height = atlas.side;
-    page.image.encoded.assign(3 * page.image.pixels(), 255);
+    page.image.rgb = std::vector<uint8_t>(3 * page.image.pixels(), 255);
     result.scan.name = "room";
     result.scan.meshes.push_back(std::move(mesh));
     result.scan.pages.push_back(std::move(page));

@@ -79,6 +79,16 @@ struct PageLayers
     std::array<double, kDoubts> area{}; // m^2 of surface by `doubt`
 };
 
+/// Where the texels of a page lie: three floats a pixel, 3 * width * height. 0 where no surface is,
+/// so that a normal of 0 tells these pixels.
+struct PageGeometry
+{
+    int width = 0;
+    int height = 0;
+    std::vector<float> positions; // world, m
+    std::vector<float> normals;   // unit
+};
+
 /// How well the result explains the scan.
 struct Closure
 {
@@ -96,6 +106,8 @@ public:
     Decomposition(Decomposition&&) noexcept;
     Decomposition& operator=(Decomposition&&) noexcept;
 
+    /// The scan that was taken apart, shared with whoever gave it.
+    [[nodiscard]] const std::shared_ptr<const Scan>& scan() const;
     [[nodiscard]] const Lights& lights() const;
     /// The lights as few as they can be shown with: those closer than the merge distance are one.
     [[nodiscard]] const std::vector<PointLight>& mergedLights() const;
@@ -110,9 +122,11 @@ public:
 
     /// Whose the texels of one page are, lamps that are off included.
     [[nodiscard]] FixtureMap fixtures(size_t page) const;
+    /// Where the texels of one page lie.
+    [[nodiscard]] PageGeometry geometry(size_t page) const;
 
     /// Computes the layers of one page. Memory is a page's, whatever the size of the scan.
-    [[nodiscard]] PageLayers layers(size_t page, Progress& progress) const;
+    [[nodiscard]] PageLayers layers(size_t page, Progress& progress = unwatched()) const;
 
     /// For relamp's own parts; its type is not public.
     [[nodiscard]] const State& state() const;
@@ -121,14 +135,18 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Takes the light out of a scan, once; a Delighter does again and again. The scan must outlive the
-/// result.
+/// Takes the light out of a scan, once; a Delighter does again and again. The result shares the
+/// scan, which is not null.
 ///
 /// Throws Error(unsupported) where too many texels of the scan stand for several places (see
 /// ScanOptions::allowOverlap) or a
 /// GPU is asked for that this solver has no use for, Error(device) where one is that is not there,
 /// and Error(cancelled).
-RELAMP_API Decomposition delight(const Scan& scan, const DelightOptions& options,
-                                 Progress& progress);
+RELAMP_API Decomposition delight(std::shared_ptr<const Scan> scan,
+                                 const DelightOptions& options = {},
+                                 Progress& progress = unwatched());
+/// The same of a scan that is handed over: `delight(readScan(file))`, `delight(std::move(scan))`.
+RELAMP_API Decomposition delight(Scan&& scan, const DelightOptions& options = {},
+                                 Progress& progress = unwatched());
 
 } // namespace relamp

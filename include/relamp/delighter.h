@@ -22,14 +22,17 @@ namespace relamp
 class RELAMP_API Delighter
 {
 public:
-    /// The scan must outlive this and all results.
-    explicit Delighter(const Scan& scan);
+    /// All results share the scan, which is not null.
+    explicit Delighter(std::shared_ptr<const Scan> scan);
+    /// Takes the scan over.
+    explicit Delighter(Scan&& scan);
     ~Delighter();
     Delighter(Delighter&&) noexcept;
     Delighter& operator=(Delighter&&) noexcept;
 
     /// As delight(), to the bit. After an Error it can be used on.
-    [[nodiscard]] Decomposition solve(const DelightOptions& options, Progress& progress);
+    [[nodiscard]] Decomposition solve(const DelightOptions& options = {},
+                                      Progress& progress = unwatched());
 
     /// Whether the last result of solve() is the solver gather's, so that it can be resolved.
     [[nodiscard]] bool canResolve() const;
@@ -46,8 +49,8 @@ public:
     ///
     /// Throws Error(unsupported) unless canResolve(), Error(sizeMismatch) where these are other
     /// fixtures or a sun that is not there, Error(malformed) where a number is negative or none.
-    [[nodiscard]] Decomposition resolve(const Lights& lights, const AlbedoOptions& albedo,
-                                        Progress& progress);
+    [[nodiscard]] Decomposition resolve(const Lights& lights, const AlbedoOptions& albedo = {},
+                                        Progress& progress = unwatched());
 
 private:
     struct State;

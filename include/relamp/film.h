@@ -36,7 +36,7 @@ RELAMP_API void checkFilm(const Film& film, const std::filesystem::path& target)
 /// flicker: Photographer::automaticExposure over frames that are spread evenly over it. Sets the
 /// light where the film has a timeline. Throws Error(cancelled).
 RELAMP_API float automaticExposure(Relighter& relighter, const Photographer& photographer,
-                                   const Film& film, Progress& progress);
+                                   const Film& film, Progress& progress = unwatched());
 
 /// Writes a film: a video through the program ffmpeg where `isVideo(target)`, else a folder of
 /// frame_0001.png and so on with a list of them, film.json, in which no frame of a longer film
@@ -44,6 +44,6 @@ RELAMP_API float automaticExposure(Relighter& relighter, const Photographer& pho
 /// Error(cannotWrite | unsupported | cancelled); the first where ffmpeg is not there or does not do
 /// its work. `progress` is told of "frame 3 of 192" as a part.
 RELAMP_API void writeFilm(Relighter& relighter, const Photographer& photographer, const Film& film,
-                          const std::filesystem::path& target, Progress& progress);
+                          const std::filesystem::path& target, Progress& progress = unwatched());
 
 } // namespace relamp

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -26,18 +27,34 @@ enum class Transfer {
 
 /// A picture of light: RGB, row 0 on top, plus opacity where the file had any.
 ///
-/// 8-bit files stay as they are in `encoded`; everything finer is kept as linear IEEE half floats
-/// in `half`. Exactly one of the two is filled.
+/// The pixels of 8-bit files stay as they are; everything finer is kept as linear IEEE half floats,
+/// finite, >= 0. It is one of the two, 3 * width * height.
 struct Image
 {
     int width = 0;
     int height = 0;
-    Transfer transfer = Transfer::srgb; // of `encoded`; never `automatic`
-    bool clipsAtWhite = true;     // false where the file can hold more than white (float formats)
-    bool wasJpeg = false;         // came as a JPEG file
-    std::vector<uint8_t> encoded; // 3 * width * height
-    std::vector<uint16_t> half;   // 3 * width * height, finite, >= 0
-    std::vector<uint8_t> alpha;   // width * height, or empty where all is opaque
+    Transfer transfer = Transfer::srgb; // of bytes; never `automatic`
+    bool clipsAtWhite = true; // false where the file can hold more than white (float formats)
+    bool wasJpeg = false;     // came as a JPEG file
+    std::variant<std::vector<uint8_t>, std::vector<uint16_t>> rgb; // bytes, or half floats
+    std::vector<uint8_t> alpha; // width * height, or empty where all is opaque
+
+    [[nodiscard]] bool isEncoded() const
+    {
+        return std::holds_alternative<std::vector<uint8_t>>(rgb);
+    }
+    /// The bytes, where it isEncoded(), and the half floats, where it is not; else both throw
+    /// std::bad_variant_access.
+    [[nodiscard]] std::vector<uint8_t>& encoded() { return std::get<std::vector<uint8_t>>(rgb); }
+    [[nodiscard]] const std::vector<uint8_t>& encoded() const
+    {
+        return std::get<std::vector<uint8_t>>(rgb);
+    }
+    [[nodiscard]] std::vector<uint16_t>& half() { return std::get<std::vector<uint16_t>>(rgb); }
+    [[nodiscard]] const std::vector<uint16_t>& half() const
+    {
+        return std::get<std::vector<uint16_t>>(rgb);
+    }
 
     [[nodiscard]] size_t pixels() const
     {
@@ -86,6 +103,6 @@ RELAMP_API Image readImage(const std::filesystem::path& file,
 /// Writes `image` without its opacity as .png, 8 bits of sRGB, or as .exr, linear half floats,
 /// whole or not at all. Throws Error(cannotWrite | cancelled), the former of any other ending, too.
 RELAMP_API void writeImage(const Image& image, const std::filesystem::path& file,
-                           Progress& progress);
+                           Progress& progress = unwatched());
 
 } // namespace relamp

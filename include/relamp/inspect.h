@@ -52,6 +52,6 @@ struct Inspection
     std::vector<std::string> problems; // a sentence each, with what to do about it
 };
 
-RELAMP_API Inspection inspect(const Scan& scan, Progress& progress);
+RELAMP_API Inspection inspect(const Scan& scan, Progress& progress = unwatched());
 
 } // namespace relamp

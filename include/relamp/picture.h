@@ -34,7 +34,8 @@ public:
     /// Of a room that is relit; shares what the relighter knows of it.
     explicit Photographer(const Relighter& relighter);
     /// Of a room in the light of its scan, or of none.
-    Photographer(const DelitRoom& room, Progress& progress);
+    explicit Photographer(const DelitRoom& room, Progress& progress = unwatched());
+    explicit Photographer(DelitRoom&& room, Progress& progress = unwatched()) = delete;
     ~Photographer();
     Photographer(Photographer&&) noexcept;
     Photographer& operator=(Photographer&&) noexcept;
@@ -52,24 +53,26 @@ public:
     /// What the camera sees where `pages`, a picture a page of the scan, is the light on the walls:
     /// linear half RGB. A hole shows the sky; from inside, the back of a surface is black.
     [[nodiscard]] Image take(std::span<const Image> pages, const Camera& camera,
-                             const PictureOptions& options, Progress& progress) const;
+                             const PictureOptions& options = {},
+                             Progress& progress = unwatched()) const;
 
     /// Stops for `options.view` that bring the log-average luminance of what is seen to middle
     /// grey, 0.18: Reinhard et al., Photographic Tone Reproduction for Digital Images, 2002,
     /// equations 1 and 2. Black counts for nothing; 0 where all is black. Measured on a small
     /// picture.
     [[nodiscard]] float automaticExposure(std::span<const Image> pages, const Camera& camera,
-                                          const PictureOptions& options, Progress& progress) const;
+                                          const PictureOptions& options = {},
+                                          Progress& progress = unwatched()) const;
 
     /// The same through the view, for people: sRGB, three bytes a pixel.
     [[nodiscard]] std::vector<uint8_t> develop(std::span<const Image> pages, const Camera& camera,
-                                               const PictureOptions& options,
-                                               Progress& progress) const;
+                                               const PictureOptions& options = {},
+                                               Progress& progress = unwatched()) const;
 
     /// Writes what `develop` gives as .png, or what `take` gives as .exr, whole or not at all.
     /// Throws Error(cannotWrite | cancelled).
     void write(std::span<const Image> pages, const Camera& camera, const PictureOptions& options,
-               const std::filesystem::path& file, Progress& progress) const;
+               const std::filesystem::path& file, Progress& progress = unwatched()) const;
 
 private:
     struct State;
@@ -88,6 +91,7 @@ RELAMP_API Camera cameraFor(const std::string& choice, const Scan& scan,
 RELAMP_API Camera turned(const Camera& camera, const Scan& scan, double partOfTurn);
 
 /// Radiance of all pages under the light that was set.
-RELAMP_API std::vector<Image> radianceOfPages(const Relighter& relighter, Progress& progress);
+RELAMP_API std::vector<Image> radianceOfPages(const Relighter& relighter,
+                                              Progress& progress = unwatched());
 
 } // namespace relamp

@@ -94,4 +94,11 @@ private:
     std::string part_;
 };
 
+/// What a function gets by default that can be watched: a Progress of this one call, which nobody
+/// watches. It lives as long as the call.
+inline Progress& unwatched(Progress&& ofThisCall = Progress())
+{
+    return ofThisCall;
+}
+
 } // namespace relamp

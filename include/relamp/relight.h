@@ -138,7 +138,7 @@ struct RelightOptions
 /// A room without its light.
 struct DelitRoom
 {
-    Scan scan;                        // of a result, as its GLB has it: with albedo for texture
+    std::shared_ptr<const Scan> scan; // of a result, as its GLB has it: with albedo for texture
     std::filesystem::path scanFile;   // that it was made from; it need not be there
     std::filesystem::path folder;     // of its result; empty: it has none
     std::vector<Image> albedo;        // a page each, of its size
@@ -166,7 +166,14 @@ struct DelitOptions
 /// Throws Error with a sentence where something is missing or of another size, or nothing says that
 /// the texture is an albedo.
 RELAMP_API DelitRoom readDelitRoom(const std::filesystem::path& folderOrScan,
-                                   const DelitOptions& options, Progress& progress);
+                                   const DelitOptions& options = {},
+                                   Progress& progress = unwatched());
+
+/// The room that was taken apart, in memory: it looks as the one that readDelitRoom reads of what
+/// writeResult wrote, but for the rounding of its files. Shares the scan. Divides every page;
+/// throws Error(cancelled).
+RELAMP_API DelitRoom delitRoomOf(const Decomposition& decomposition,
+                                 Progress& progress = unwatched());
 
 /// The textures of the scan that a room was made from, as it was lit, one a page; of a room without
 /// a folder, its own. Throws Error with a sentence where the scan is not there or another file than
@@ -184,7 +191,10 @@ public:
     /// and these options; else it is written there, as far as the place lets it. `room` must
     /// outlive this. Throws Error(unsupported | cancelled), and Error(device) where the options ask
     /// for a GPU that is not there.
-    Relighter(const DelitRoom& room, const RelightOptions& options, Progress& progress);
+    explicit Relighter(const DelitRoom& room, const RelightOptions& options = {},
+                       Progress& progress = unwatched());
+    explicit Relighter(DelitRoom&& room, const RelightOptions& options = {},
+                       Progress& progress = unwatched()) = delete;
     ~Relighter();
     Relighter(Relighter&&) noexcept;
     Relighter& operator=(Relighter&&) noexcept;
@@ -195,16 +205,16 @@ public:
     void repaint(std::span<const Image> albedo, std::span<const Image> confidence);
 
     /// Sets the light. Shadows are found for lights whose place or shape is new; all else is sums.
-    void light(const Relighting& lighting, Progress& progress);
+    void light(const Relighting& lighting, Progress& progress = unwatched());
 
     /// The same for a first look while a person moves a lamp: shadows are as fine as a surfel, 3 to
     /// 12 cm, and LightProbes alone can be asked until `light` is called again. Only with
     /// Solver::gather; others do what `light` does.
-    void glance(const Relighting& lighting, Progress& progress);
+    void glance(const Relighting& lighting, Progress& progress = unwatched());
 
     /// Radiance of every texel of a page under the light that was set, linear half RGB of the
     /// page's size; pixels that no surface covers continue what lies next to them.
-    [[nodiscard]] Image radiance(size_t page, Progress& progress) const;
+    [[nodiscard]] Image radiance(size_t page, Progress& progress = unwatched()) const;
 
     [[nodiscard]] const DelitRoom& room() const;
     /// What is doubtful of the room or of the light that was set, a sentence each.
@@ -219,12 +229,13 @@ private:
 
 /// Radiance of all pages under some light, once.
 RELAMP_API std::vector<Image> relight(const DelitRoom& room, const Relighting& lighting,
-                                      const RelightOptions& options, Progress& progress);
+                                      const RelightOptions& options = {},
+                                      Progress& progress = unwatched());
 
 /// Writes the light that was set as textures: `file` ends in .exr, one picture of linear radiance a
 /// page (name.0.exr, name.1.exr where there are several); or in .glb, the scan unlit with the light
 /// in its textures, as `view` shows it. All files or none. Throws Error(cannotWrite | cancelled).
 RELAMP_API void writeBaked(const Relighter& relighter, const std::filesystem::path& file,
-                           const ViewOptions& view, Progress& progress);
+                           const ViewOptions& view = {}, Progress& progress = unwatched());
 
 } // namespace relamp

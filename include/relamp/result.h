@@ -4,7 +4,6 @@
 #include "relamp/delight.h"
 #include "relamp/progress.h"
 #include "relamp/replacing.h"
-#include "relamp/scan.h"
 
 #include <filesystem>
 #include <string>
@@ -26,9 +25,10 @@ RELAMP_API void checkOutput(const std::filesystem::path& scanFile,
 ///
 /// `scanFile` is named in the report, by the way from `folder` and a checksum. Returns the report's
 /// text. Throws Error(cannotWrite | cancelled).
-RELAMP_API std::string writeResult(const Scan& scan, const Decomposition& decomposition,
+RELAMP_API std::string writeResult(const Decomposition& decomposition,
                                    const std::filesystem::path& scanFile,
-                                   const std::filesystem::path& folder, Progress& progress,
+                                   const std::filesystem::path& folder,
+                                   Progress& progress = unwatched(),
                                    Replacing replacing = Replacing::unchanged);
 
 /// Whose the texels of a scan are by the fixtures.png beside a lights file, one map a page, for

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -115,8 +116,29 @@ RELAMP_API Bounds boundsOf(const Scan& scan);
 /// Pictures, buffers and materials that it names are read from its folder and those below, links
 /// followed; from elsewhere only with `allowOutside`. Throws Error with a sentence on anything that
 /// is not a whole, textured or coloured surface, and on what leads outside.
-RELAMP_API Scan readScan(const std::filesystem::path& file, const ScanOptions& options,
-                         Progress& progress);
+RELAMP_API Scan readScan(const std::filesystem::path& file, const ScanOptions& options = {},
+                         Progress& progress = unwatched());
+
+/// A piece of surface in somebody's own memory, as makeScan takes it: a Mesh before it is checked.
+struct SurfaceArrays
+{
+    std::string name;                      // what messages call it
+    int texture = -1;                      // index; -1: it has none, but colours
+    std::span<const glm::vec3> positions;  // by ScanOptions::up and scale
+    std::span<const glm::uvec3> triangles; // counter-clockwise seen from the lit side
+    std::span<const glm::vec2> uvs;        // of `positions`, v downwards; of a textured surface
+    std::span<const glm::vec3> normals;    // of `positions`, or none: found as readScan finds them
+    std::span<const glm::vec3> colors;     // of `positions`, linear, >= 0; or none: white
+};
+
+/// A scan of what is in memory, held to the same rules as a file. Nothing that the spans refer to
+/// is kept. `name` is what messages, and the GLB of a result, are called by: a file's name without
+/// its ending. Of the options, `transfer` counts for nothing: every Image says its own.
+///
+/// Throws Error(malformed | unsupported) with a sentence: numbers that mean nothing, indices out of
+/// range, lists or textures of the wrong length, nothing that shows light.
+RELAMP_API Scan makeScan(const std::string& name, std::span<const SurfaceArrays> surfaces,
+                         std::vector<Image> textures, const ScanOptions& options = {});
 
 /// The scan with its textures halved, their light averaged, until no side of one is longer than
 /// `longestSide` pixels, >= 1.

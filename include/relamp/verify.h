@@ -58,7 +58,7 @@ struct Verification
 ///
 /// Throws Error with a sentence where the folder or the scan is missing, or the scan is another
 /// file than it was.
-RELAMP_API Verification verify(const std::filesystem::path& folder, const VerifyOptions& options,
-                               Progress& progress);
+RELAMP_API Verification verify(const std::filesystem::path& folder,
+                               const VerifyOptions& options = {}, Progress& progress = unwatched());
 
 } // namespace relamp

@@ -25,7 +25,7 @@ const glm::vec3 kFaint(5.2f, 4.9f, 4.4f);      // does not
 Decomposition solve(const Scan& scan, const DelightOptions& options = {})
 {
     Progress progress;
-    return delight(scan, options, progress);
+    return delight(scenes::copyOf(scan), options, progress);
 }
 
 float degreesOff(const Sun& sun, glm::vec3 wanted = SunRoom::kTowardsSun)

@@ -2,7 +2,7 @@
 #include "base/parallel.h"
 #include "flatten/flatten.h"
 #include "image/gutter.h"
-#include "relamp/flattened.h"
+#include "inside/flattened.h"
 #include "scan/overlap.h"
 
 #include <utility>
@@ -22,14 +22,15 @@ std::vector<Image> flattened(const Scan& scan, const ThesisOptions& dials, Progr
         page.width = scan.pages[p].image.width;
         page.height = scan.pages[p].image.height;
         page.transfer = Transfer::linear;
-        page.half.resize(3 * page.pixels());
+        std::vector<uint16_t> half(3 * page.pixels());
         forEachChunk(page.pixels(), 1 << 14, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
                 const glm::vec3 rgb = colours.at(p, i);
                 for (size_t c = 0; c < 3; ++c)
-                    page.half[3 * i + c] = halfFromFloat(rgb[static_cast<int>(c)]);
+                    half[3 * i + c] = halfFromFloat(rgb[static_cast<int>(c)]);
             }
         });
+        page.rgb = std::move(half);
         pages.push_back(std::move(page));
     }
     return pages;

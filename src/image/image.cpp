@@ -7,8 +7,8 @@ namespace relamp
 {
 
 Radiance::Radiance(const Image& image)
-    : bytes_(image.encoded.empty() ? nullptr : image.encoded.data()),
-      half_(image.half.data()), linearOf_{}
+    : bytes_(image.isEncoded() ? image.encoded().data() : nullptr),
+      half_(image.isEncoded() ? nullptr : image.half().data()), linearOf_{}
 {
     for (int i = 0; i < 256; ++i) {
         const float encoded = static_cast<float>(i) / 255.0f;

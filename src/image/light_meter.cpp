@@ -23,11 +23,11 @@ constexpr float kMostStops = 32.0f;
 
 void LightMeter::add(const Image& picture)
 {
-    assert(picture.half.size() == 3 * picture.pixels());
+    const std::vector<uint16_t>& half = picture.half();
+    assert(half.size() == 3 * picture.pixels());
     for (size_t i = 0; i < picture.pixels(); ++i) {
-        const glm::vec3 rgb(floatFromHalf(picture.half[3 * i]),
-                            floatFromHalf(picture.half[3 * i + 1]),
-                            floatFromHalf(picture.half[3 * i + 2]));
+        const glm::vec3 rgb(floatFromHalf(half[3 * i]), floatFromHalf(half[3 * i + 1]),
+                            floatFromHalf(half[3 * i + 2]));
         const float brightness = luminance(rgb);
         if (brightness <= 0.0f) continue;
         logs_ += std::log2(kDelta + brightness);

@@ -15,8 +15,8 @@ namespace
 Image greys(const std::vector<float>& light)
 {
     Image picture{.width = static_cast<int>(light.size()), .height = 1};
-    for (const float grey : light)
-        for (int c = 0; c < 3; ++c) picture.half.push_back(halfFromFloat(grey));
+    auto& half = picture.rgb.emplace<std::vector<uint16_t>>();
+    for (const float grey : light) half.insert(half.end(), 3, halfFromFloat(grey));
     return picture;
 }
 

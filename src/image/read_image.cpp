@@ -156,16 +156,17 @@ void takeSamples(std::vector<uint8_t>&& samples, size_t channels, Transfer trans
     const auto same = [](uint8_t v) { return v; };
     if (channels % 2 == 0) takeAlpha(samples, channels, channels - 1, image.alpha, same);
     if (channels == 3)
-        image.encoded = std::move(samples);
+        image.rgb = std::move(samples);
     else
-        takeRgb(samples, channels, image.encoded, same);
+        takeRgb(samples, channels, image.encoded(), same);
 }
 
 void takeSamples(std::vector<float>&& samples, size_t channels, Transfer transfer, Image& image)
 {
     image.transfer = Transfer::linear;
     const bool encoded = transfer == Transfer::srgb;
-    takeRgb(samples, channels, image.half, [&](float value) {
+    image.rgb = std::vector<uint16_t>();
+    takeRgb(samples, channels, image.half(), [&](float value) {
         const float v = finiteOrZero(value);
         return halfFromFloat(encoded ? linearFromSrgb(v) : v);
     });
@@ -194,7 +195,7 @@ Image readImage(std::span<const std::byte> bytes, const std::string& name, Trans
     const auto channels = static_cast<size_t>(header.channelsToRead());
     std::visit([&](auto& samples) { takeSamples(std::move(samples), channels, transfer, image); },
                picture.samples);
-    if (header.halvesColor) sharpenChroma(image.encoded, image.width, image.height);
+    if (header.halvesColor) sharpenChroma(image.encoded(), image.width, image.height);
     return image;
 }
 

@@ -66,7 +66,7 @@ TEST(ReadImage, EveryLosslessFormatOfBytesGivesThemBack)
         const Image image =
             read(pictureFile(format, fourColors()), Transfer::automatic, "picture.tga");
         EXPECT_EQ(image.width, 2) << format;
-        EXPECT_EQ(image.encoded, fourColors().samples) << format;
+        EXPECT_EQ(image.encoded(), fourColors().samples) << format;
         EXPECT_EQ(image.transfer, Transfer::srgb) << format;
         EXPECT_TRUE(image.clipsAtWhite) << format;
         EXPECT_FALSE(image.wasJpeg) << format;
@@ -79,7 +79,7 @@ TEST(ReadImage, LossyFormatsAreNear)
     for (const char* format : {"jpeg", "webp"}) {
         const Image image = read(pictureFile(format, Pixels<uint8_t>{8, 8, 3, Bytes(192, 100)}));
         EXPECT_EQ(image.wasJpeg, format == std::string("jpeg"));
-        EXPECT_THAT(image.encoded, Each(testing::AllOf(testing::Ge(98), testing::Le(102))))
+        EXPECT_THAT(image.encoded(), Each(testing::AllOf(testing::Ge(98), testing::Le(102))))
             << format;
     }
 }
@@ -92,7 +92,7 @@ TEST(ReadImage, OnlyAJpegThatHalvesColourIsSharpened)
             picture.samples.insert(picture.samples.end(), {160, 60, 50});
         else
             picture.samples.insert(picture.samples.end(), {190, 200, 170});
-    const auto redAtEdge = [](const Bytes& file) { return read(file).encoded[3 * (8 * 16 + 6)]; };
+    const auto redAtEdge = [](const Bytes& file) { return read(file).encoded()[3 * (8 * 16 + 6)]; };
     EXPECT_NEAR(redAtEdge(pictureFile("jpeg", picture)), 160, 3);
     EXPECT_NEAR(redAtEdge(pictureFile("jpeg", picture, "4:2:0")), 160, 12);
     EXPECT_NEAR(redAtEdge(pictureFile("jpeg", picture, "4:2:2")), 160, 12);
@@ -103,27 +103,27 @@ TEST(ReadImage, OnlyAJpegThatHalvesColourIsSharpened)
 
 TEST(ReadImage, PalettesAreLookedUp)
 {
-    EXPECT_EQ(read(scenes::palettePng()).encoded, fourColors().samples);
+    EXPECT_EQ(read(scenes::palettePng()).encoded(), fourColors().samples);
 }
 
 TEST(ReadImage, GreyIsSpreadOverTheColours)
 {
     const Image image = read(pictureFile("png", Pixels<uint8_t>{2, 1, 1, {7, 200}}));
-    EXPECT_THAT(image.encoded, ElementsAre(7, 7, 7, 200, 200, 200));
+    EXPECT_THAT(image.encoded(), ElementsAre(7, 7, 7, 200, 200, 200));
 }
 
 TEST(ReadImage, OpacityIsKeptApartAndLeavesColoursAlone)
 {
     const Image rgba =
         read(pictureFile("png", Pixels<uint8_t>{2, 1, 4, {10, 20, 30, 0, 40, 50, 60, 128}}));
-    EXPECT_THAT(rgba.encoded, ElementsAre(10, 20, 30, 40, 50, 60));
+    EXPECT_THAT(rgba.encoded(), ElementsAre(10, 20, 30, 40, 50, 60));
     EXPECT_THAT(rgba.alpha, ElementsAre(0, 128));
 
     const Image opaque = read(pictureFile("png", Pixels<uint8_t>{1, 1, 4, {10, 20, 30, 255}}));
     EXPECT_THAT(opaque.alpha, IsEmpty());
 
     const Image greyAlpha = read(pictureFile("png", Pixels<uint8_t>{2, 1, 2, {9, 0, 11, 255}}));
-    EXPECT_THAT(greyAlpha.encoded, ElementsAre(9, 9, 9, 11, 11, 11));
+    EXPECT_THAT(greyAlpha.encoded(), ElementsAre(9, 9, 9, 11, 11, 11));
     EXPECT_THAT(greyAlpha.alpha, ElementsAre(0, 255));
 }
 
@@ -132,7 +132,7 @@ TEST(ReadImage, SixteenBitsAreSrgbInHalfFloats)
 {
     for (const char* format : {"png", "tiff"}) {
         const Image image = read(pictureFile(format, Pixels<uint16_t>{1, 1, 3, {0, 32896, 65535}}));
-        EXPECT_THAT(image.encoded, IsEmpty());
+        EXPECT_FALSE(image.isEncoded());
         EXPECT_LT(distance(image, 0, {0.0f, 0.2159f, 1.0f}), 2e-4f) << format;
         EXPECT_TRUE(image.clipsAtWhite);
     }
@@ -180,7 +180,7 @@ TEST(ReadImage, AFourthChannelThatIsNoOpacityIsPassedOver)
 TEST(ReadImage, FilesAreKnownByContentNotByName)
 {
     const scenes::TemporaryFolder folder;
-    EXPECT_EQ(readImage(folder.write("picture.jpg", pictureFile("png", fourColors()))).encoded,
+    EXPECT_EQ(readImage(folder.write("picture.jpg", pictureFile("png", fourColors()))).encoded(),
               fourColors().samples);
 }
 

@@ -1,6 +1,7 @@
 #include "output/camera_file.h"
 
 #include "lights/json_document.h"
+#include "relamp/names.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -47,10 +48,9 @@ glm::vec3 upFrom(const JsonItem& item, glm::vec3 forward)
 
 Across acrossFrom(const JsonItem& item)
 {
-    const std::string across = item.text("across", "width");
-    if (across != "width" && across != "height")
-        item.refuse("\"across\" must be \"width\" or \"height\"", "across");
-    return across == "width" ? Across::width : Across::height;
+    const auto across = named<Across>(item.text("across", nameOf(Across::width)));
+    if (!across) item.refuse("\"across\" must be \"width\" or \"height\"", "across");
+    return *across;
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "output/fixtures_file.h"
 #include "output/folder_record.h"
 #include "output/result_folder.h"
+#include "relamp/names.h"
 #include "relamp/relight.h"
 #include "scan/gltf_read.h"
 #include "scan/gltf_write.h"
@@ -60,15 +61,15 @@ DelitRoom roomOfFolder(const std::filesystem::path& folder, const DelitOptions& 
     DelitRoom room;
     room.scanFile = run.scanFile;
     room.folder = folder;
-    room.scan = roomOf(folder, run, progress);
+    room.scan = std::make_shared<const Scan>(roomOf(folder, run, progress));
     room.isLit = false;
     room.gather = run.gather;
     room.captured = readLights(folder / "lights.json", room.warnings);
-    room.fixtures = readFixtureMaps(folder, room.scan.pages.size());
+    room.fixtures = readFixtureMaps(folder, room.scan->pages.size());
     room.transport = folder / "transport.bin";
     if (options.albedo.empty()) {
-        room.albedo = readAlbedo(folder, room.scan);
-        room.confidence = readConfidence(folder, room.scan);
+        room.albedo = readAlbedo(folder, *room.scan);
+        room.confidence = readConfidence(folder, *room.scan);
     }
     return room;
 }
@@ -87,11 +88,10 @@ Image paintedPage(const Texels& texels, size_t page)
     const Image& picture = texels.scan->pages[page].image;
     Image painted = picture;
     painted.transfer = Transfer::linear;
-    painted.encoded.clear();
-    painted.half.resize(3 * picture.pixels());
+    std::vector<uint16_t> half(3 * picture.pixels());
     const auto put = [&](size_t pixel, glm::vec3 color) {
         for (int c = 0; c < 3; ++c)
-            painted.half[3 * pixel + static_cast<size_t>(c)] = halfFromFloat(color[c]);
+            half[3 * pixel + static_cast<size_t>(c)] = halfFromFloat(color[c]);
     };
     const Radiance plain(picture);
     for (size_t pixel = 0; pixel < picture.pixels(); ++pixel) put(pixel, plain[pixel]);
@@ -102,6 +102,7 @@ Image paintedPage(const Texels& texels, size_t page)
         for (size_t i = 0; i < count; ++i)
             put(texels.pages[page].pixel[begin + i], {block.r[i], block.g[i], block.b[i]});
     });
+    painted.rgb = std::move(half);
     return painted;
 }
 
@@ -131,7 +132,7 @@ Lights lightsOf(const nlohmann::json& signature, const std::filesystem::path& fi
                 const Scan& scan, std::vector<std::string>& warnings)
 {
     if (!signature.contains("lights")) return {};
-    const std::string up = scan.options.up == UpAxis::z ? "z" : "y";
+    const std::string up = nameOf(scan.options.up);
     if (signature.value("up", nlohmann::json(up)) != up ||
         signature.value("scale", nlohmann::json(scan.options.scale)) != scan.options.scale) {
         warnings.push_back(fmt::format("{}: was made with --up {} --scale {}; say so again, or its "
@@ -149,9 +150,9 @@ DelitRoom roomOfScan(const std::filesystem::path& file, const DelitOptions& opti
 {
     DelitRoom room;
     room.scanFile = file;
-    room.scan = readScan(file, options.asScan, progress);
+    room.scan = std::make_shared<const Scan>(readScan(file, options.asScan, progress));
     room.isLit = false;
-    const nlohmann::json signature = signatureOf(room.scan);
+    const nlohmann::json signature = signatureOf(*room.scan);
     const bool isAlbedo =
         options.textureIsAlbedo || signature.value("textures", nlohmann::json()) == "albedo";
     if (options.albedo.empty() && !isAlbedo)
@@ -160,9 +161,9 @@ DelitRoom roomOfScan(const std::filesystem::path& file, const DelitOptions& opti
             fmt::format("its texture has the light of the room in it, as scans have. Take that out "
                         "first, relamp delight {0} -o {1}, and relight {1}; or say "
                         "--texture-is-albedo if no light was ever baked into it",
-                        file.string(), room.scan.name));
-    room.captured = lightsOf(signature, file, room.scan, room.warnings);
-    if (options.albedo.empty()) room.albedo = paintOf(room.scan, progress);
+                        file.string(), room.scan->name));
+    room.captured = lightsOf(signature, file, *room.scan, room.warnings);
+    if (options.albedo.empty()) room.albedo = paintOf(*room.scan, progress);
     return room;
 }
 
@@ -184,7 +185,41 @@ DelitRoom roomOfFile(const std::filesystem::path& file, const DelitOptions& opti
                           : roomOfFolder(folder, options, progress);
 }
 
+/// RGB of a page, as linear half floats.
+Image linearImage(const PageLayers& layers, std::vector<uint16_t> rgb)
+{
+    Image image{.width = layers.width, .height = layers.height, .transfer = Transfer::linear};
+    image.clipsAtWhite = false;
+    image.rgb = std::move(rgb);
+    return image;
+}
+
+Image greyImage(const PageLayers& layers)
+{
+    Image image{.width = layers.width, .height = layers.height};
+    std::vector<uint8_t> rgb(3 * image.pixels());
+    for (size_t i = 0; i < layers.confidence.size(); ++i)
+        std::fill_n(&rgb[3 * i], 3, layers.confidence[i]);
+    image.rgb = std::move(rgb);
+    return image;
+}
+
 } // namespace
+
+DelitRoom delitRoomOf(const Decomposition& decomposition, Progress& progress)
+{
+    DelitRoom room{.scan = decomposition.scan(), .scanFile = decomposition.scan()->file};
+    for (size_t p = 0; p < room.scan->pages.size(); ++p) {
+        PageLayers layers = decomposition.layers(p, progress);
+        room.confidence.push_back(greyImage(layers));
+        room.albedo.push_back(linearImage(layers, std::move(layers.albedo)));
+        room.fixtures.push_back(decomposition.fixtures(p));
+    }
+    room.captured = decomposition.lights();
+    room.gather = decomposition.optionsInForce().gather;
+    room.warnings = room.scan->warnings;
+    return room;
+}
 
 DelitRoom readDelitRoom(const std::filesystem::path& folderOrScan, const DelitOptions& options,
                         Progress& progress)
@@ -193,8 +228,9 @@ DelitRoom readDelitRoom(const std::filesystem::path& folderOrScan, const DelitOp
     DelitRoom room = std::filesystem::is_directory(folderOrScan, ignored)
                          ? roomOfFolder(folderOrScan, options, progress)
                          : roomOfFile(folderOrScan, options, progress);
-    if (!options.albedo.empty()) room.albedo = imagesOf(options.albedo, room.scan);
-    room.warnings.insert(room.warnings.end(), room.scan.warnings.begin(), room.scan.warnings.end());
+    if (!options.albedo.empty()) room.albedo = imagesOf(options.albedo, *room.scan);
+    room.warnings.insert(room.warnings.end(), room.scan->warnings.begin(),
+                         room.scan->warnings.end());
     return room;
 }
 
@@ -208,7 +244,7 @@ std::vector<Image> readScanned(const DelitRoom& room, const DelitOptions& option
         scan = scanOf(room.folder, run, findScan(room.folder, run, options.scan), progress);
     }
     std::vector<Image> pictures;
-    for (const Page& page : (scan ? *scan : room.scan).pages) pictures.push_back(page.image);
+    for (const Page& page : (scan ? *scan : *room.scan).pages) pictures.push_back(page.image);
     return pictures;
 }
 

@@ -1,8 +1,11 @@
 #include "relamp/relight.h"
 
+#include "image/transfer.h"
 #include "image/write_image.h"
+#include "relamp/result.h"
 #include "scan/gltf_write.h"
 #include "scenes/gltf_files.h"
+#include "scenes/lit_room.h"
 #include "scenes/refusal.h"
 #include "scenes/temporary_folder.h"
 
@@ -40,6 +43,47 @@ TEST(DelitRoom, AScanIsRefusedUnlessItsTextureIsSaidToBeAnAlbedo)
         scenes::refusalOf([&] { readDelitRoom(folder / "plain.glb", {}, progress); });
     EXPECT_THAT(refusal, testing::HasSubstr("relamp delight"));
     EXPECT_THAT(refusal, testing::HasSubstr("--texture-is-albedo"));
+}
+
+// Files of albedo have half floats, those of confidence bytes, as the room in memory has them.
+TEST(DelitRoom, InMemoryLooksAsFromItsFolder)
+{
+    const scenes::TemporaryFolder folder;
+    const Scan lit = scenes::LitRoom().scan;
+    const Image& photo = lit.pages[0].image;
+    const Radiance radiance(photo);
+    std::vector<uint8_t> bytes;
+    for (size_t pixel = 0; pixel < photo.pixels(); ++pixel)
+        for (int c = 0; c < 3; ++c)
+            bytes.push_back(static_cast<uint8_t>(
+                std::lround(255.0f * srgbFromLinear(std::min(radiance[pixel][c], 1.0f)))));
+    const auto png = encodePng(bytes, {photo.width, photo.height}, 3);
+    const auto file =
+        folder.write("room.glb", writeUnlitGlb(lit, {{.albedo = {png, "image/png"}}}));
+
+    Progress progress;
+    const Decomposition found = delight(
+        readScan(file, {}, progress),
+        {.gather = {.quality = Quality::draft}, .engine = {.engine = Engine::cpu}}, progress);
+    writeResult(found, file, folder / "out", progress);
+    const DelitRoom read = readDelitRoom(folder / "out", {}, progress);
+    const DelitRoom made = delitRoomOf(found, progress);
+    const auto litAnew = [&](const DelitRoom& room) {
+        Relighting lighting = darkened(room.captured);
+        setFixture(lighting, room.captured, "all=50%");
+        return relight(room, lighting, {.rays = 16, .engine = {.engine = Engine::cpu}}, progress)
+            .at(0);
+    };
+    const Image expected = litAnew(read);
+    const Image image = litAnew(made);
+    const Radiance a(expected);
+    const Radiance b(image);
+    double light = 0.0;
+    for (size_t pixel = 0; pixel < image.pixels(); ++pixel) {
+        light += static_cast<double>(a[pixel].g);
+        ASSERT_LT(glm::distance(a[pixel], b[pixel]), 0.002f * glm::length(a[pixel]) + 1e-4f);
+    }
+    EXPECT_GT(light, 0.01 * static_cast<double>(image.pixels())); // black would agree, too
 }
 
 // Wherever it was copied to.

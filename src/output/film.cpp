@@ -120,7 +120,7 @@ private:
     [[nodiscard]] Camera cameraAt(int frame) const
     {
         if (!film_.turns) return film_.camera;
-        return turned(film_.camera, relighter_.room().scan,
+        return turned(film_.camera, *relighter_.room().scan,
                       static_cast<double>(frame) / film_.frames);
     }
 

@@ -37,8 +37,9 @@ protected:
     Relighter& relighter()
     {
         if (relighter_) return *relighter_;
-        room_.scan = scenes::room({3.0f, 2.5f, 4.0f}, 16, scenes::plain(glm::vec3(0.5f)));
-        room_.albedo = {room_.scan.pages[0].image};
+        room_.scan = std::make_shared<const Scan>(
+            scenes::room({3.0f, 2.5f, 4.0f}, 16, scenes::plain(glm::vec3(0.5f))));
+        room_.albedo = {room_.scan->pages[0].image};
         relighter_ = std::make_unique<Relighter>(room_, RelightOptions{.rays = 16}, progress);
         Relighting lighting;
         lighting.lights = {{.emission = glm::vec3(1.0f), .position = {1.5f, 1.5f, 2.0f}}};
@@ -188,7 +189,7 @@ TEST_F(FilmOfABox, AFilmHasOneExposureForAllItsFrames)
     float most = -99.0f;
     double sum = 0.0;
     for (int frame = 0; frame < film.frames; ++frame) {
-        const Camera camera = turned(film.camera, room_.scan, frame / 3.0);
+        const Camera camera = turned(film.camera, *room_.scan, frame / 3.0);
         const float stops = photographer.automaticExposure(pages, camera, film.picture, progress);
         least = std::min(least, stops);
         most = std::max(most, stops);
@@ -202,15 +203,15 @@ TEST_F(FilmOfABox, AFilmHasOneExposureForAllItsFrames)
 // Inside, a turntable turns the camera where it stands; outside, it goes around the room.
 TEST_F(FilmOfABox, ATurnLeadsBackToWhereItBegan)
 {
-    const Camera inside = turned(film.camera, room_.scan, 0.25);
+    const Camera inside = turned(film.camera, *room_.scan, 0.25);
     EXPECT_EQ(inside.position, film.camera.position);
     EXPECT_LT(glm::length(inside.forward - glm::vec3(1.0f, 0.0f, 0.0f)), 1e-6f);
 
     const Camera before{.position = {1.5f, 1.25f, 10.0f}};
-    const Camera beside = turned(before, room_.scan, 0.25);
+    const Camera beside = turned(before, *room_.scan, 0.25);
     EXPECT_LT(glm::length(beside.position - glm::vec3(-6.5f, 1.25f, 2.0f)), 1e-5f);
     EXPECT_LT(glm::length(beside.forward - glm::vec3(1.0f, 0.0f, 0.0f)), 1e-6f);
-    EXPECT_LT(glm::length(turned(before, room_.scan, 1.0).position - before.position), 1e-4f);
+    EXPECT_LT(glm::length(turned(before, *room_.scan, 1.0).position - before.position), 1e-4f);
 }
 
 } // namespace relamp

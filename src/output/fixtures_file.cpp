@@ -48,13 +48,13 @@ std::vector<uint8_t> rgbOf(const FixtureMap& map)
 
 FixtureMap fixtureMapFrom(const Image& picture, const std::string& name)
 {
-    if (picture.encoded.empty())
+    if (!picture.isEncoded())
         malformed(name, "must be a picture of 8 bits, as relamp wrote it; let relamp delight write "
                         "the folder anew, with --force");
     FixtureMap map{picture.width, picture.height, {}};
     map.id.resize(picture.pixels());
     for (size_t i = 0; i < map.id.size(); ++i) {
-        const uint8_t* rgb = &picture.encoded[3 * i];
+        const uint8_t* rgb = &picture.encoded()[3 * i];
         map.id[i] = fixtureFrom(rgb[0] | uint32_t{rgb[1]} << 8 | uint32_t{rgb[2]} << 16);
     }
     return map;

@@ -35,7 +35,7 @@ TEST(FixturesFile, RedCountsFromOneAndWhiteIsNobodys)
 TEST(FixturesFile, PicturesOfMoreThanEightBitsAreRefused)
 {
     Image fine{.width = 1, .height = 1};
-    fine.half = {0, 0, 0};
+    fine.rgb = std::vector<uint16_t>{0, 0, 0};
     EXPECT_THROW(static_cast<void>(fixtureMapFrom(fine, "fixtures.png")), Error);
 }
 

@@ -16,7 +16,7 @@ namespace
 
 std::vector<uint8_t> bytesOf(const Image& image)
 {
-    if (!image.encoded.empty() && image.transfer == Transfer::srgb) return image.encoded;
+    if (image.isEncoded() && image.transfer == Transfer::srgb) return image.encoded();
     const Radiance radiance(image);
     std::vector<uint8_t> bytes(3 * image.pixels());
     for (size_t i = 0; i < image.pixels(); ++i)
@@ -27,7 +27,7 @@ std::vector<uint8_t> bytesOf(const Image& image)
 
 std::vector<uint16_t> halvesOf(const Image& image)
 {
-    if (!image.half.empty()) return image.half;
+    if (!image.isEncoded()) return image.half();
     const Radiance radiance(image);
     std::vector<uint16_t> halves(3 * image.pixels());
     for (size_t i = 0; i < image.pixels(); ++i)

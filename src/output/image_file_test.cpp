@@ -14,7 +14,7 @@ Image twoPixels()
     Image image;
     image.width = 2;
     image.height = 1;
-    image.encoded = {10, 128, 255, 0, 64, 200};
+    image.rgb = std::vector<uint8_t>{10, 128, 255, 0, 64, 200};
     return image;
 }
 

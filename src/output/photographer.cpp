@@ -83,12 +83,13 @@ Image imageOf(const std::vector<glm::vec3>& light, Size size)
     image.height = size.height;
     image.transfer = Transfer::linear;
     image.clipsAtWhite = false;
-    image.half.resize(3 * light.size());
+    std::vector<uint16_t> rgb(3 * light.size());
     forEachChunk(light.size(), 4096, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
             for (int c = 0; c < 3; ++c)
-                image.half[3 * i + static_cast<size_t>(c)] = halfFromFloat(light[i][c]);
+                rgb[3 * i + static_cast<size_t>(c)] = halfFromFloat(light[i][c]);
     });
+    image.rgb = std::move(rgb);
     return image;
 }
 
@@ -122,7 +123,7 @@ Photographer::Photographer(const Relighter& relighter)
 {}
 
 Photographer::Photographer(const DelitRoom& room, Progress& progress)
-    : state_(std::make_unique<State>(std::make_unique<OwnRoom>(room.scan, progress)))
+    : state_(std::make_unique<State>(std::make_unique<OwnRoom>(*room.scan, progress)))
 {}
 
 Photographer::~Photographer() = default;
@@ -188,7 +189,7 @@ void Photographer::write(std::span<const Image> pages, const Camera& camera,
     const Size size{options.width, options.height};
     StagedFile staged(file, progress);
     if (file.extension() == ".exr") {
-        writeExr(staged.path(), take(pages, camera, options, progress).half, size);
+        writeExr(staged.path(), take(pages, camera, options, progress).half(), size);
     } else {
         const auto png = encodePng(develop(pages, camera, options, progress), size, 3);
         writeFile(staged.path(), std::as_bytes(std::span(png)));
@@ -222,7 +223,7 @@ Camera turned(const Camera& camera, const Scan& scan, double partOfTurn)
 std::vector<Image> radianceOfPages(const Relighter& relighter, Progress& progress)
 {
     std::vector<Image> pages;
-    for (size_t page = 0; page < relighter.room().scan.pages.size(); ++page)
+    for (size_t page = 0; page < relighter.room().scan->pages.size(); ++page)
         pages.push_back(relighter.radiance(page, progress));
     return pages;
 }

@@ -14,7 +14,8 @@ namespace relamp
 TEST(Photographer, SeesPastBacksUpToWhatFacesIt)
 {
     DelitRoom room;
-    room.scan = scenes::room({4.0f, 2.5f, 5.0f}, 16, scenes::plain(glm::vec3(0.5f)));
+    room.scan = std::make_shared<const Scan>(
+        scenes::room({4.0f, 2.5f, 5.0f}, 16, scenes::plain(glm::vec3(0.5f))));
     Progress progress;
     const Photographer photographer(room, progress);
     const std::vector<glm::vec3> ways{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};

@@ -3,6 +3,7 @@
 #include "base/json.h"
 #include "base/radiometry.shared.h"
 #include "decomposition_state.h"
+#include "relamp/names.h"
 #include "relamp/version.h"
 #include "relight/photometry.h"
 
@@ -27,19 +28,6 @@ double toMillisecond(double seconds)
     return std::round(seconds * 1e3) / 1e3;
 }
 
-const char* nameOf(Transfer transfer)
-{
-    switch (transfer) {
-    case Transfer::srgb:
-        return "srgb";
-    case Transfer::linear:
-        return "linear";
-    case Transfer::automatic:
-        break;
-    }
-    return "auto";
-}
-
 /// The way to the scan from the folder of its result, so that both can be moved together, and what
 /// tells it from other files.
 ordered_json sourceAsJson(const Written& written)
@@ -61,7 +49,7 @@ ordered_json scanAsJson(const Scan& scan, const Decomposition& result, const Wri
         pages.push_back(
             {{"name", page.name}, {"width", page.image.width}, {"height", page.image.height}});
     ordered_json json = sourceAsJson(written);
-    json.update({{"up", scan.options.up == UpAxis::z ? "z" : "y"},
+    json.update({{"up", nameOf(scan.options.up)},
                  {"scale", scan.options.scale},
                  {"transfer", nameOf(scan.options.transfer)},
                  {"longestSide", scan.options.longestSide},
@@ -87,8 +75,7 @@ ordered_json placesAsJson(const std::vector<glm::vec3>& places)
 
 ordered_json optionsAsJson(const GatherOptions& gather)
 {
-    constexpr const char* kNames[] = {"draft", "standard", "high"};
-    return {{"quality", kNames[static_cast<size_t>(gather.quality)]},
+    return {{"quality", nameOf(gather.quality)},
             {"rays", gather.rays},
             {"shadowRays", gather.shadowRays},
             {"lights", placesAsJson(gather.lights)},
@@ -119,19 +106,6 @@ ordered_json optionsAsJson(const ThesisOptions& thesis)
             {"flattenRange", shortest(thesis.flattenRange)},
             {"lpv", thesis.useLpv},
             {"ambientLight", thesis.useAmbient}};
-}
-
-const char* nameOf(Solver solver)
-{
-    switch (solver) {
-    case Solver::thesis:
-        return "thesis";
-    case Solver::pathtrace:
-        return "pathtrace";
-    case Solver::gather:
-        break;
-    }
-    return "gather";
 }
 
 ordered_json optionsAsJson(const DelightOptions& options)
@@ -196,21 +170,19 @@ ordered_json lightsAsReport(const Decomposition& result)
 /// Shares of the area.
 ordered_json confidenceAsJson(const std::array<double, kDoubts>& area)
 {
-    constexpr const char* kNames[kDoubts] = {"",         "clipped",         "shines",
-                                             "unlit",    "unseen",          "backFace",
-                                             "penumbra", "whiterThanPaper", "shared"};
     const double all = std::max(std::accumulate(area.begin(), area.end(), 0.0), 1e-30);
     const auto share = [&](double part) { return std::round(part / all * 1e4) / 1e4; };
     ordered_json low = ordered_json::object();
-    for (size_t d = 1; d < kDoubts; ++d) low[kNames[d]] = share(area[d]);
+    for (size_t d = 1; d < kDoubts; ++d) low[nameOf(static_cast<Doubt>(d))] = share(area[d]);
     return {{"good", share(area[0])}, {"low", std::move(low)}};
 }
 
 } // namespace
 
-std::string reportAsJson(const Scan& scan, const Decomposition& result, const Written& written,
+std::string reportAsJson(const Decomposition& result, const Written& written,
                          const Progress& progress)
 {
+    const Scan& scan = *result.scan();
     std::vector<std::string> warnings = scan.warnings;
     const std::vector<std::string> ofResult = result.warnings();
     warnings.insert(warnings.end(), ofResult.begin(), ofResult.end());

@@ -3,7 +3,6 @@
 #include "output/folder_record.h"
 #include "relamp/delight.h"
 #include "relamp/progress.h"
-#include "relamp/scan.h"
 
 #include <array>
 #include <filesystem>
@@ -23,7 +22,7 @@ struct Written
 
 /// The text of report.json: what was read, the options in force, the seconds of every stage, the
 /// lights, how well the loop closes, how much can be believed, warnings, what was written.
-std::string reportAsJson(const Scan& scan, const Decomposition& decomposition,
-                         const Written& written, const Progress& progress);
+std::string reportAsJson(const Decomposition& decomposition, const Written& written,
+                         const Progress& progress);
 
 } // namespace relamp

@@ -2,6 +2,7 @@
 
 #include "base/fail.h"
 #include "lights/json_document.h"
+#include "relamp/names.h"
 
 #include <algorithm>
 #include <array>
@@ -12,13 +13,6 @@ namespace relamp
 {
 namespace
 {
-
-Transfer transferNamed(const std::string& name)
-{
-    return name == "srgb"     ? Transfer::srgb
-           : name == "linear" ? Transfer::linear
-                              : Transfer::automatic;
-}
 
 /// A way that begins at `folder` as it is from here. Both may lead through links.
 std::filesystem::path fromHere(const std::filesystem::path& folder, const std::string& way)
@@ -45,15 +39,16 @@ FormerRun runFrom(const JsonItem& report, const std::filesystem::path& folder)
     run.scanMark = *mark;
     run.scanFile = fromHere(folder, scan.textAt("file"));
     run.triangles = static_cast<size_t>(scan.whole("triangles", 0, kMostTriangles, 0));
-    run.scan.up = scan.textAt("up") == "z" ? UpAxis::z : UpAxis::y;
+    run.scan.up = named<UpAxis>(scan.textAt("up")).value_or(UpAxis::y);
     run.scan.scale = scan.numberAt("scale", 1e-6, 1e6);
-    run.scan.transfer = transferNamed(scan.textAt("transfer"));
+    run.scan.transfer = named<Transfer>(scan.textAt("transfer")).value_or(Transfer::automatic);
     run.scan.longestSide = static_cast<int>(scan.whole("longestSide", 0, kLongestPageSide, 0));
     run.scan.skipMeshes = scan.texts("skippedMeshes");
     run.scan.allowOverlap = scan.flag("allowOverlap", false);
     run.isGltf = scan.flag("gltf", false);
     // Lamps are found on surfels as they were then, and so are the same.
-    if (options.text("quality", "standard") == "draft") run.gather.quality = Quality::draft;
+    if (named<Quality>(options.text("quality", "")) == Quality::draft)
+        run.gather.quality = Quality::draft;
     run.gather.rays = static_cast<int>(options.whole("rays", 0, kMostRays, run.gather.rays));
     run.gather.lights = options.vectors("lights");
     run.gather.notLights = options.vectors("notLights");

@@ -89,10 +89,10 @@ TEST(RoomView, NothingBesideAChartLeaksIn)
 {
     Seen furnace(scenes::room({3.0f, 2.5f, 4.0f}, 24, scenes::plain(glm::vec3(0.5f))));
     const PageTexels& covered = furnace.texels.pages[0];
-    std::vector<uint16_t> leaky(furnace.pages[0].half.size(), halfFromFloat(1000.0f));
+    std::vector<uint16_t> leaky(furnace.pages[0].half().size(), halfFromFloat(1000.0f));
     for (const uint32_t pixel : covered.pixel)
         for (size_t c = 0; c < 3; ++c) leaky[3 * pixel + c] = halfFromFloat(0.5f);
-    furnace.pages[0].half = leaky;
+    furnace.pages[0].rgb = leaky;
     for (const float yaw : {0.0f, 0.9f, 2.5f, 4.0f}) {
         const Camera camera{.position = {1.2f, 1.4f, 2.3f},
                             .forward = {std::sin(yaw), 0.0f, std::cos(yaw)},

@@ -26,14 +26,14 @@ std::filesystem::path fileOfPage(const std::filesystem::path& file, size_t page,
 void writeTextures(const Relighter& relighter, const std::filesystem::path& file,
                    Progress& progress)
 {
-    const size_t pages = relighter.room().scan.pages.size();
+    const size_t pages = relighter.room().scan->pages.size();
     std::vector<std::unique_ptr<StagedFile>> staged;
     for (size_t page = 0; page < pages; ++page)
         staged.push_back(std::make_unique<StagedFile>(fileOfPage(file, page, pages), progress));
     for (size_t page = 0; page < pages; ++page) {
         const Image radiance = relighter.radiance(page, progress);
         const Progress::Stage stage(progress, "write");
-        writeExr(staged[page]->path(), radiance.half, {radiance.width, radiance.height});
+        writeExr(staged[page]->path(), radiance.half(), {radiance.width, radiance.height});
     }
     progress.check();
     for (const auto& one : staged) one->commit();
@@ -70,11 +70,11 @@ RelitPage bakedPage(const Page& page, const Image& radiance, const ViewTransform
 {
     RelitPage baked;
     if (page.ofVertices) {
-        baked.vertexAlbedo = shownFloats(radiance.half, view);
+        baked.vertexAlbedo = shownFloats(radiance.half(), view);
         return baked;
     }
     const Size size{radiance.width, radiance.height};
-    const std::vector<uint8_t> rgb = shownBytes(radiance.half, view);
+    const std::vector<uint8_t> rgb = shownBytes(radiance.half(), view);
     if (page.image.wasJpeg && radiance.alpha.empty())
         baked.albedo = {encodeJpeg(rgb, size), "image/jpeg"};
     else if (radiance.alpha.empty())
@@ -87,7 +87,7 @@ RelitPage bakedPage(const Page& page, const Image& radiance, const ViewTransform
 void writeBakedGlb(const Relighter& relighter, const std::filesystem::path& file,
                    const ViewOptions& options, Progress& progress)
 {
-    const Scan& scan = relighter.room().scan;
+    const Scan& scan = *relighter.room().scan;
     const ViewTransform view(options);
     StagedFile staged(file, progress);
     std::vector<RelitPage> pages;

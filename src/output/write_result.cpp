@@ -71,10 +71,9 @@ std::vector<uint8_t> pictureOf(const std::vector<Doubt>& doubt)
 class ResultWriter
 {
 public:
-    ResultWriter(const Scan& scan, const Decomposition& result, StagedFolder& folder,
-                 Progress& progress)
-        : scan_(scan), result_(result), folder_(folder), progress_(progress),
-          relit_(scan.pages.size())
+    ResultWriter(const Decomposition& result, StagedFolder& folder, Progress& progress)
+        : scan_(*result.scan()), result_(result), folder_(folder), progress_(progress),
+          relit_(scan_.pages.size())
     {}
 
     void run();
@@ -207,17 +206,17 @@ void ResultWriter::run()
 
 } // namespace
 
-std::string writeResult(const Scan& scan, const Decomposition& decomposition,
-                        const std::filesystem::path& scanFile, const std::filesystem::path& folder,
-                        Progress& progress, Replacing replacing)
+std::string writeResult(const Decomposition& decomposition, const std::filesystem::path& scanFile,
+                        const std::filesystem::path& folder, Progress& progress,
+                        Replacing replacing)
 {
     checkOutput(scanFile, folder, replacing);
     StagedFolder staged(folder, progress);
-    ResultWriter writer(scan, decomposition, staged, progress);
+    ResultWriter writer(decomposition, staged, progress);
     writer.run();
     std::string report = reportAsJson(
-        scan, decomposition,
-        {scanFile, folder, FolderRecord(staged.path(), kReport), writer.area()}, progress);
+        decomposition, {scanFile, folder, FolderRecord(staged.path(), kReport), writer.area()},
+        progress);
     writeFile(staged / kReport, report);
     progress.check();
     checkOutput(scanFile, folder, replacing); // somebody may have edited it meanwhile

@@ -23,8 +23,9 @@ struct BulbInRoom
 
     BulbInRoom()
     {
-        room.scan = scenes::room(scenes::LitRoom::kSize, 96, scenes::LitRoom::albedo);
-        room.albedo.push_back(room.scan.pages[0].image);
+        room.scan = std::make_shared<const Scan>(
+            scenes::room(scenes::LitRoom::kSize, 96, scenes::LitRoom::albedo));
+        room.albedo.push_back(room.scan->pages[0].image);
         room.isLit = false;
         lighting.lights.push_back({.emission = {2.0f, 1.0f, 0.5f}, .position = {1.2f, 1.4f, 1.8f}});
     }
@@ -57,7 +58,7 @@ TEST(LightProbes, AGlanceIsTheLightOfTexels)
     double all = 0.0;
     for (size_t i = 0; i < glanced.size(); ++i) {
         const uint32_t pixel = texels.pages[0].pixel[i];
-        const float exact = floatFromHalf(radiance.half[3 * size_t{pixel} + 1]);
+        const float exact = floatFromHalf(radiance.half()[3 * size_t{pixel} + 1]);
         off += std::pow(exact - glanced[i].shading.g * albedo[pixel].g, 2.0);
         all += std::pow(exact, 2.0);
     }
@@ -77,7 +78,7 @@ TEST(LightProbes, TexelsAreTheSameAfterAGlance)
     relighter.glance(bulb.lighting, bulb.progress);
     relighter.light(bulb.lighting, bulb.progress);
 
-    EXPECT_EQ(relighter.radiance(0, bulb.progress).half, alone.half);
+    EXPECT_EQ(relighter.radiance(0, bulb.progress).half(), alone.half());
 }
 
 TEST(LightProbes, FarFromTheRoomItIsDark)

@@ -53,16 +53,16 @@ void checkMaps(const DelitRoom& room)
         return map.width == page.image.width && map.height == page.image.height &&
                map.id.size() == page.image.pixels();
     };
-    if (!room.fixtures.empty() && !std::ranges::equal(room.fixtures, room.scan.pages, fits))
+    if (!room.fixtures.empty() && !std::ranges::equal(room.fixtures, room.scan->pages, fits))
         throw Error(ErrorCode::sizeMismatch, "the map of fixtures has another size than the room's "
                                              "texture; it belongs to another scan");
 }
 
 Texels checkedTexels(const DelitRoom& room, const RayScene& scene, Progress& progress)
 {
-    checkSizes(room.scan, room.albedo, room.confidence);
+    checkSizes(*room.scan, room.albedo, room.confidence);
     checkMaps(room);
-    Texels texels = rasterizeAtlas(room.scan, progress, surfelsOf(room.gather.quality));
+    Texels texels = rasterizeAtlas(*room.scan, progress, surfelsOf(room.gather.quality));
     checkOverlap(texels);
     separateBuried(texels, scene, progress);
     return texels;
@@ -76,7 +76,7 @@ void addNoteOfEngine(const RadiosityLight& radiosity, std::vector<std::string>& 
 } // namespace
 
 Relighter::State::State(const DelitRoom& of, const RelightOptions& with, Progress& progress)
-    : room(of), options(checked(with)), scene(of.scan), texels(checkedTexels(of, scene, progress)),
+    : room(of), options(checked(with)), scene(*of.scan), texels(checkedTexels(of, scene, progress)),
       radiance(collectRadiance(texels, progress, burntOutBy(of.fixtures))),
       surfaces(surfacesOfRoom(of, {texels, scene, radiance}, warningsOfRoom)),
       transport(transportOfRoom({texels, scene, radiance}, with, warningsOfRoom, progress)),
@@ -103,7 +103,7 @@ Relighter& Relighter::operator=(Relighter&&) noexcept = default;
 void Relighter::repaint(std::span<const Image> albedo, std::span<const Image> confidence)
 {
     State& state = *state_;
-    checkSizes(state.room.scan, albedo, confidence);
+    checkSizes(*state.room.scan, albedo, confidence);
     state.albedo = RoomAlbedo(state.texels, albedo, confidence, state.radiance.isClipped);
     state.painted = albedo;
     state.shade = {};
@@ -168,7 +168,7 @@ std::vector<Image> relight(const DelitRoom& room, const Relighting& lighting,
     Relighter relighter(room, options, progress);
     relighter.light(lighting, progress);
     std::vector<Image> pages;
-    for (size_t p = 0; p < room.scan.pages.size(); ++p)
+    for (size_t p = 0; p < room.scan->pages.size(); ++p)
         pages.push_back(relighter.radiance(p, progress));
     return pages;
 }

@@ -24,8 +24,8 @@ namespace
 DelitRoom painted(Scan scan)
 {
     DelitRoom room;
-    room.scan = std::move(scan);
-    room.albedo.push_back(room.scan.pages[0].image);
+    room.scan = std::make_shared<const Scan>(std::move(scan));
+    room.albedo.push_back(room.scan->pages[0].image);
     room.isLit = false;
     return room;
 }
@@ -35,7 +35,7 @@ DelitRoom litRoom()
 {
     const scenes::LitRoom lit;
     DelitRoom room;
-    room.scan = lit.scan;
+    room.scan = scenes::copyOf(lit.scan);
     room.albedo.push_back(
         scenes::room(scenes::LitRoom::kSize, 96, scenes::LitRoom::albedo).pages[0].image);
     room.captured.fixtures.push_back({scenes::LitRoom::kLampCentre,
@@ -63,8 +63,8 @@ Image lit(const DelitRoom& room, const Relighting& lighting, const RelightOption
 
 glm::vec3 at(const Image& image, size_t pixel)
 {
-    return {floatFromHalf(image.half[3 * pixel]), floatFromHalf(image.half[3 * pixel + 1]),
-            floatFromHalf(image.half[3 * pixel + 2])};
+    return {floatFromHalf(image.half()[3 * pixel]), floatFromHalf(image.half()[3 * pixel + 1]),
+            floatFromHalf(image.half()[3 * pixel + 2])};
 }
 
 /// Calls visit(site, radiance) for every texel.
@@ -72,7 +72,7 @@ template<class Visit>
 void forEachTexel(const DelitRoom& room, const Image& image, const Visit& visit)
 {
     Progress progress;
-    const Texels texels = rasterizeAtlas(room.scan, progress);
+    const Texels texels = rasterizeAtlas(*room.scan, progress);
     for (size_t i = 0; i < texels.pages[0].count(); ++i)
         visit(texels.siteOf(0, i), at(image, texels.pages[0].pixel[i]));
 }
@@ -80,11 +80,12 @@ void forEachTexel(const DelitRoom& room, const Image& image, const Visit& visit)
 double rmsBetween(const Image& a, const Image& b)
 {
     double sum = 0.0;
-    for (size_t i = 0; i < a.half.size(); ++i) {
-        const double off = static_cast<double>(floatFromHalf(a.half[i]) - floatFromHalf(b.half[i]));
+    for (size_t i = 0; i < a.half().size(); ++i) {
+        const double off =
+            static_cast<double>(floatFromHalf(a.half()[i]) - floatFromHalf(b.half()[i]));
         sum += off * off;
     }
-    return std::sqrt(sum / static_cast<double>(a.half.size()));
+    return std::sqrt(sum / static_cast<double>(a.half().size()));
 }
 
 } // namespace
@@ -181,11 +182,11 @@ TEST(Relighter, RepaintedIsAsIfItHadNeverBeenOtherwise)
     Progress progress;
     Relighter relighter(room, {}, progress);
     relighter.light(lighting, progress);
-    EXPECT_NE(relighter.radiance(0, progress).half, expected.half);
+    EXPECT_NE(relighter.radiance(0, progress).half(), expected.half());
     EXPECT_THROW(relighter.repaint({}, {}), Error);
     relighter.repaint(other.albedo, other.confidence);
     relighter.light(lighting, progress);
-    EXPECT_EQ(relighter.radiance(0, progress).half, expected.half);
+    EXPECT_EQ(relighter.radiance(0, progress).half(), expected.half());
 }
 
 TEST(Relighter, LampShinesWhenOnAndReflectsWhenOff)
@@ -298,15 +299,15 @@ TEST(Relighter, LightAddsUpAndScales)
     const Image shownA = under(a);
     const Image shownB = under(b);
     const Image shown = under(both);
-    for (size_t i = 0; i < shown.half.size(); ++i) {
-        const float sum = floatFromHalf(shownA.half[i]) + floatFromHalf(shownB.half[i]);
-        EXPECT_NEAR(floatFromHalf(shown.half[i]), sum,
+    for (size_t i = 0; i < shown.half().size(); ++i) {
+        const float sum = floatFromHalf(shownA.half()[i]) + floatFromHalf(shownB.half()[i]);
+        EXPECT_NEAR(floatFromHalf(shown.half()[i]), sum,
                     0.03f * sum + 1e-3f); // noise is judged for each
     }
     // What was kept of a light gives just what was found anew.
     Relighter fresh(room, {}, progress);
     fresh.light(a, progress);
-    EXPECT_EQ(under(a).half, fresh.radiance(0, progress).half);
+    EXPECT_EQ(under(a).half(), fresh.radiance(0, progress).half());
 }
 
 TEST(Relighter, PathsSayTheSame)
@@ -319,9 +320,9 @@ TEST(Relighter, PathsSayTheSame)
         lit(room, lighting, {.solver = Solver::pathtrace, .pathtrace = {.samples = 256}});
     double sumOurs = 0.0;
     double sumPaths = 0.0;
-    for (size_t i = 0; i < ours.half.size(); ++i) {
-        sumOurs += static_cast<double>(floatFromHalf(ours.half[i]));
-        sumPaths += static_cast<double>(floatFromHalf(paths.half[i]));
+    for (size_t i = 0; i < ours.half().size(); ++i) {
+        sumOurs += static_cast<double>(floatFromHalf(ours.half()[i]));
+        sumPaths += static_cast<double>(floatFromHalf(paths.half()[i]));
     }
     EXPECT_NEAR(sumOurs / sumPaths, 1.0, 0.02);
 }
@@ -350,7 +351,7 @@ TEST(Relighter, IsTheSameOnAnyNumberOfThreads)
     const Relighting lighting = bulb({1, 1.5f, 1}, {2, 1, 0.5f});
     const Image many = lit(room, lighting);
     const ThreadLimit one(1);
-    EXPECT_EQ(lit(room, lighting).half, many.half);
+    EXPECT_EQ(lit(room, lighting).half(), many.half());
 }
 
 TEST(Relighter, KeepsItsTransportAndMakesAStaleOneAnew)
@@ -361,12 +362,12 @@ TEST(Relighter, KeepsItsTransportAndMakesAStaleOneAnew)
     const RelightOptions options{.transport = folder / "transport.bin"};
     const Image first = lit(room, lighting, options);
     ASSERT_TRUE(std::filesystem::exists(options.transport));
-    EXPECT_EQ(lit(room, lighting, options).half, first.half);
+    EXPECT_EQ(lit(room, lighting, options).half(), first.half());
 
     const DelitRoom other = painted(scenes::room({3, 2, 4}, 24, scenes::plain(glm::vec3(0.5f))));
-    EXPECT_EQ(lit(other, lighting, options).half, lit(other, lighting).half);
+    EXPECT_EQ(lit(other, lighting, options).half(), lit(other, lighting).half());
     folder.write("transport.bin", std::string("no transport"));
-    EXPECT_EQ(lit(room, lighting, options).half, first.half);
+    EXPECT_EQ(lit(room, lighting, options).half(), first.half());
 
     Progress progress;
     const Relighter nowhere(room, {.transport = folder / "not/there.bin"}, progress);

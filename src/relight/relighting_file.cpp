@@ -5,11 +5,11 @@
 #include "lights/fixture_place.h"
 #include "lights/json_document.h"
 #include "lights/sun_item.h"
+#include "relamp/names.h"
 #include "relamp/relight.h"
 #include "relight/light_emission.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -59,21 +59,11 @@ private:
 
 LightType typeOf(const JsonItem& item)
 {
-    constexpr std::array<std::pair<const char*, LightType>, 6> kTypes{
-        {{"point", LightType::point},
-         {"spot", LightType::spot},
-         {"rectangle", LightType::rectangle},
-         {"disc", LightType::disc},
-         {"sphere", LightType::sphere},
-         {"sun", LightType::sun}}};
-    const std::string name = item.text("type", "point");
-    for (const auto& [known, type] : kTypes)
-        if (name == known) return type;
-    item.refuse(
-        fmt::format("\"type\" is {}; it must be one of point, spot, rectangle, disc, sphere, "
-                    "sun",
-                    printable(json(name))),
-        "type");
+    const std::string name = item.text("type", nameOf(LightType::point));
+    if (const auto type = named<LightType>(name)) return *type;
+    item.refuse(fmt::format("\"type\" is {}; it must be one of {}", printable(json(name)),
+                            namesInWords<LightType>()),
+                "type");
 }
 
 /// For people and for the viewer, which shows it.

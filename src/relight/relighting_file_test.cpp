@@ -219,7 +219,7 @@ TEST(RelightingReader, ReadsWhatTextsNameOnce)
     Image sky;
     sky.width = 2;
     sky.height = 1;
-    sky.encoded = {0, 0, 0, 255, 255, 255};
+    sky.rgb = std::vector<uint8_t>{0, 0, 0, 255, 255, 255};
     Progress progress;
     writeImage(sky, folder / "sky.png", progress);
     std::vector<std::string> warnings;

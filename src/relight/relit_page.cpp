@@ -22,14 +22,14 @@ std::vector<glm::vec3> reflecting(const Relighter::State& state)
 Image relitPage(const Relighter::State& state, size_t p, Progress& progress)
 {
     const PageTexels& page = state.texels.pages[p];
-    const Image& original = state.room.scan.pages[p].image;
+    const Image& original = state.room.scan->pages[p].image;
     Image relit;
     relit.width = original.width;
     relit.height = original.height;
     relit.transfer = Transfer::linear;
     relit.clipsAtWhite = false;
     relit.alpha = original.alpha;
-    relit.half.resize(3 * original.pixels());
+    std::vector<uint16_t> rgb(3 * original.pixels());
     std::vector<uint8_t> covered(original.pixels());
     Progress::Stage stage(progress, "bake", page.count());
     const TexelLoader loader(state.texels, p);
@@ -50,14 +50,15 @@ Image relitPage(const Relighter::State& state, size_t p, Progress& progress)
             const glm::vec3 radiance = shines ? state.active.emission[surfel]
                                               : state.albedo.ofTexel(p, pixel, surfel) * total;
             for (int c = 0; c < 3; ++c)
-                relit.half[3 * size_t{pixel} + static_cast<size_t>(c)] =
+                rgb[3 * size_t{pixel} + static_cast<size_t>(c)] =
                     halfFromFloat(std::max(radiance[c], 0.0f));
             covered[pixel] = 1;
         }
         stage.advance(count);
     });
-    if (!state.room.scan.pages[p].ofVertices)
-        fillGutters(std::span(relit.half), covered, relit.width, relit.height);
+    if (!state.room.scan->pages[p].ofVertices)
+        fillGutters(std::span(rgb), covered, relit.width, relit.height);
+    relit.rgb = std::move(rgb);
     return relit;
 }
 

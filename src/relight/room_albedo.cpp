@@ -30,8 +30,9 @@ struct RoomAlbedo::Sum
 RoomAlbedo::RoomAlbedo(const Texels& texels, std::span<const Image> albedo,
                        std::span<const Image> confidence,
                        std::span<const std::vector<uint8_t>> isBurntOut)
-    : confidence_(confidence), isBurntOut_(isBurntOut)
+    : isBurntOut_(isBurntOut)
 {
+    for (const Image& page : confidence) confidence_.emplace_back(page);
     for (const Image& page : albedo) albedo_.emplace_back(page);
     std::vector<Sum> known(texels.surfels.count());
     std::vector<Sum> burntOut(texels.surfels.count());
@@ -77,7 +78,7 @@ void RoomAlbedo::join(const Surfels& surfels, std::span<const Sum> known,
 
 bool RoomAlbedo::isKnown(size_t page, uint32_t pixel) const
 {
-    return confidence_.empty() || confidence_[page].encoded[3 * size_t{pixel}] > 0;
+    return confidence_.empty() || confidence_[page][pixel].r > 0.0f;
 }
 
 glm::vec3 RoomAlbedo::ownOf(size_t page, uint32_t pixel) const

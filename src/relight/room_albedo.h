@@ -36,10 +36,10 @@ private:
     [[nodiscard]] bool isKnown(size_t page, uint32_t pixel) const;
     [[nodiscard]] glm::vec3 ownOf(size_t page, uint32_t pixel) const;
 
-    std::span<const Image> confidence_;
     std::span<const std::vector<uint8_t>> isBurntOut_;
     std::vector<Radiance> albedo_;
-    std::vector<glm::vec3> around_; // of surfels, without what is burnt out
+    std::vector<Radiance> confidence_; // 0: a guess
+    std::vector<glm::vec3> around_;    // of surfels, without what is burnt out
     std::vector<glm::vec3> ofSurfels_;
 };
 

@@ -1,5 +1,6 @@
 #include "relight/room_albedo.h"
 
+#include "base/half.h"
 #include "scenes/axes.h"
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"
@@ -37,9 +38,9 @@ struct HalfKnown
         albedo.push_back(scenes::square(2.0f, 64, paint).pages[0].image);
         Image& known = confidence.emplace_back();
         known.width = known.height = 64;
-        known.encoded.assign(size_t{3} * 64 * 64, 0);
+        known.rgb = std::vector<uint8_t>(size_t{3} * 64 * 64);
         for (size_t pixel = 0; pixel < known.pixels(); ++pixel)
-            if (pixel % 64 < 32) known.encoded[3 * pixel] = 255;
+            if (pixel % 64 < 32) known.encoded()[3 * pixel] = 255;
     }
 
     [[nodiscard]] RoomAlbedo room() const
@@ -63,6 +64,20 @@ void expectNear(glm::vec3 value, glm::vec3 expected)
 }
 
 } // namespace
+
+// A file of confidence may have 16 bits, which an Image has as half floats.
+TEST(RoomAlbedo, ConfidenceIsReadOfAnyKindOfPicture)
+{
+    const HalfKnown bytes(scenes::plain(kWall), glm::vec3(0.1f));
+    HalfKnown halves(scenes::plain(kWall), glm::vec3(0.1f));
+    for (Image& image : halves.confidence) {
+        std::vector<uint16_t> rgb;
+        for (const uint8_t byte : image.encoded())
+            rgb.push_back(halfFromFloat(static_cast<float>(byte) / 255.0f));
+        image.rgb = std::move(rgb);
+    }
+    EXPECT_EQ(halves.room().ofSurfels(), bytes.room().ofSurfels());
+}
 
 TEST(RoomAlbedo, WhatIsAGuessGetsThatOfTheSurfaceAround)
 {

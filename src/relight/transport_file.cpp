@@ -121,8 +121,7 @@ uint64_t keyOfTransport(const Texels& texels, size_t rays)
         hash.add(mesh.triangles);
     }
     for (const Page& page : texels.scan->pages) {
-        hash.add(page.image.encoded);
-        hash.add(page.image.half);
+        std::visit([&](const auto& rgb) { hash.add(rgb); }, page.image.rgb);
     }
     hash.add(texels.surfels.key);
     hash.add(rays);

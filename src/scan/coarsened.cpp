@@ -48,12 +48,12 @@ void putLight(Image& image, size_t pixel, glm::vec3 light)
 {
     for (int c = 0; c < 3; ++c) {
         const size_t at = 3 * pixel + static_cast<size_t>(c);
-        if (!image.half.empty())
-            image.half[at] = halfFromFloat(light[c]);
+        if (!image.isEncoded())
+            image.half()[at] = halfFromFloat(light[c]);
         else if (image.transfer == Transfer::srgb)
-            image.encoded[at] = srgbByteFromLinear(light[c]);
+            image.encoded()[at] = srgbByteFromLinear(light[c]);
         else
-            image.encoded[at] = static_cast<uint8_t>(std::lround(255.0f * light[c]));
+            image.encoded()[at] = static_cast<uint8_t>(std::lround(255.0f * light[c]));
     }
 }
 
@@ -66,10 +66,10 @@ Image shrunk(const Image& image, int factor)
                 .transfer = image.transfer,
                 .clipsAtWhite = image.clipsAtWhite,
                 .wasJpeg = image.wasJpeg};
-    if (image.half.empty())
-        small.encoded.resize(3 * small.pixels());
+    if (image.isEncoded())
+        small.rgb = std::vector<uint8_t>(3 * small.pixels());
     else
-        small.half.resize(3 * small.pixels());
+        small.rgb = std::vector<uint16_t>(3 * small.pixels());
     if (!image.alpha.empty()) small.alpha.resize(small.pixels());
     forEachChunk(small.pixels(), 4096, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {

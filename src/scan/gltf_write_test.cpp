@@ -108,7 +108,7 @@ TEST(GltfWrite, ReadAgainItIsTheSameSurfaceInItsAlbedo)
         EXPECT_EQ(after.meshes[0].positions, before.meshes[0].positions);
         EXPECT_EQ(after.meshes[0].uvs, before.meshes[0].uvs);
         EXPECT_EQ(after.meshes[0].triangles, before.meshes[0].triangles);
-        EXPECT_THAT(after.pages.at(0).image.encoded, Each(kGreyByte));
+        EXPECT_THAT(after.pages.at(0).image.encoded(), Each(kGreyByte));
     }
 }
 
@@ -204,9 +204,9 @@ TEST(GltfWrite, WhatWasLeftOutKeepsWhatItSharedWithTheScan)
     const auto pageOf = [&](size_t mesh) {
         return written.scan.pages.at(static_cast<size_t>(written.scan.meshes[mesh].page));
     };
-    EXPECT_THAT(pageOf(0).image.encoded, Each(kGreyByte));
+    EXPECT_THAT(pageOf(0).image.encoded(), Each(kGreyByte));
     EXPECT_EQ(written.scan.meshes[0].factor, glm::vec3(1.0f));
-    EXPECT_EQ(pageOf(1).image.encoded, before.pages[0].image.encoded);
+    EXPECT_EQ(pageOf(1).image.encoded(), before.pages[0].image.encoded());
     EXPECT_EQ(written.scan.meshes[1].factor, glm::vec3(0.25f, 0.5f, 0.75f));
 }
 
@@ -355,7 +355,7 @@ TEST(GltfWrite, WhatShinesHasAnEmissiveTextureUnderTheSameTransform)
     const size_t image =
         written.document["textures"][material["emissiveTexture"]["index"].get<size_t>()]["source"];
     EXPECT_EQ(image, 1u);
-    EXPECT_EQ(written.scan.pages[0].image.encoded[0],
+    EXPECT_EQ(written.scan.pages[0].image.encoded()[0],
               kGreyByte); // and the albedo is another picture
 }
 
@@ -455,8 +455,8 @@ TEST(GltfWrite, ImagesThatShareTheirBytesAreReplacedEachByItself)
     std::vector<RelitPage> pages = greyPages(scan);
     pages[1].albedo.bytes = scenes::pictureFile("png", scenes::Pixels<uint8_t>{1, 1, 3, {7, 7, 7}});
     const Written written = writeAgain(scan, pages);
-    EXPECT_THAT(written.scan.pages.at(0).image.encoded, Each(kGreyByte));
-    EXPECT_THAT(written.scan.pages.at(1).image.encoded, ElementsAre(7, 7, 7));
+    EXPECT_THAT(written.scan.pages.at(0).image.encoded(), Each(kGreyByte));
+    EXPECT_THAT(written.scan.pages.at(1).image.encoded(), ElementsAre(7, 7, 7));
 }
 
 TEST(GltfWrite, NoNumberIsNanOrInfinite)

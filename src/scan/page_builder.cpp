@@ -46,11 +46,11 @@ void addVertexPage(Scan& scan, Transfer transfer, const std::string& file)
     page.image.width = static_cast<int>(width);
     page.image.height = static_cast<int>((count + width - 1) / width);
     page.image.transfer = Transfer::linear;
-    page.image.half.resize(3 * page.image.pixels());
+    page.image.rgb = std::vector<uint16_t>(3 * page.image.pixels());
     for (Mesh& mesh : scan.meshes) {
         if (mesh.page >= 0) continue;
         mesh.page = static_cast<int>(scan.pages.size());
-        uint16_t* rgb = page.image.half.data() + 3 * mesh.firstPixel;
+        uint16_t* rgb = page.image.half().data() + 3 * mesh.firstPixel;
         for (size_t i = 0; i < mesh.positions.size(); ++i)
             for (int c = 0; c < 3; ++c) {
                 const float color = mesh.colors.empty() ? 1.0f : mesh.colors[i][c];

@@ -47,7 +47,7 @@ Scan vertexColored()
     scan.pages[0].ofVertices = true;
     scan.pages[0].image.width = 4;
     scan.pages[0].image.height = 1;
-    scan.pages[0].image.half.resize(12);
+    scan.pages[0].image.half().resize(12);
     return scan;
 }
 

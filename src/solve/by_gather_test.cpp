@@ -38,7 +38,7 @@ struct Solved
     static Decomposition solve(const Scan& scan, const std::optional<Lights>& lights)
     {
         Progress progress;
-        return delight(scan, {.lights = lights}, progress);
+        return delight(scenes::copyOf(scan), {.lights = lights}, progress);
     }
     static PageLayers layersOf(const Decomposition& result)
     {

@@ -37,7 +37,7 @@ struct PaperRoom
         const TracedRoom room = roomWith(radiance);
         const PathTracer tracer(texels, scene, room);
         const PageTexels& page = texels.pages[0];
-        std::vector<uint16_t>& half = scan.pages[0].image.half;
+        std::vector<uint16_t>& half = scan.pages[0].image.half();
         forEachChunk(page.count(), 64, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
                 if (room.isClipped[0][page.pixel[i]] != 0) continue;
@@ -106,10 +106,11 @@ Means meansOf(const PaperRoom& lit, const PageLayers& layers)
 TEST(ByPathtrace, AgreesWithTheGatherSolverAndWithThePaper)
 {
     PaperRoom lit(kPanel);
-    const Decomposition gather = delight(lit.scan, {}, lit.progress);
+    const Decomposition gather = delight(scenes::copyOf(lit.scan), {}, lit.progress);
     ASSERT_EQ(gather.lights().fixtures.size(), 1u);
-    const Decomposition traced = delight(
-        lit.scan, {.solver = Solver::pathtrace, .pathtrace = {.samples = 64}}, lit.progress);
+    const Decomposition traced =
+        delight(scenes::copyOf(lit.scan),
+                {.solver = Solver::pathtrace, .pathtrace = {.samples = 64}}, lit.progress);
     const Means a = meansOf(lit, gather.layers(0, lit.progress));
     const Means b = meansOf(lit, traced.layers(0, lit.progress));
     // The lamp comes out 4 % too weak; the correction of the light makes up for that, and paths do
@@ -128,7 +129,9 @@ TEST(ByPathtrace, FollowsItsSeedAndNotItsThreads)
         const ThreadLimit limit(threads);
         const DelightOptions options{.solver = Solver::pathtrace,
                                      .pathtrace = {.samples = 4, .seed = seed}};
-        return delight(lit.scan, options, lit.progress).layers(0, lit.progress).albedo;
+        return delight(scenes::copyOf(lit.scan), options, lit.progress)
+            .layers(0, lit.progress)
+            .albedo;
     };
     const auto one = run(1, 5);
     EXPECT_EQ(one, run(8, 5));

@@ -76,7 +76,7 @@ Scan roomOfVertices()
     Mesh& mesh = scan.meshes[0];
     mesh = {.name = "walls", .page = 0};
     Image& colors = scan.pages[0].image;
-    colors.half.clear();
+    colors.half().clear();
     scan.pages[0].ofVertices = true;
     for (const scenes::Panel& wall : scenes::wallsOf({4.0f, 2.5f, 5.0f})) {
         const auto first = static_cast<uint32_t>(mesh.positions.size());
@@ -84,7 +84,7 @@ Scan roomOfVertices()
             mesh.positions.push_back(wall.at(static_cast<float>(i % (kCells + 1)) / kCells,
                                              static_cast<float>(i / (kCells + 1)) / kCells));
             const glm::vec3 color = stripes(mesh.positions.back(), wall.normal());
-            for (int c = 0; c < 3; ++c) colors.half.push_back(halfFromFloat(color[c]));
+            for (int c = 0; c < 3; ++c) colors.half().push_back(halfFromFloat(color[c]));
         }
         for (uint32_t y = 0; y < kCells; ++y)
             for (uint32_t x = 0; x < kCells; ++x) {

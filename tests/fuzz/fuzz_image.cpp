@@ -40,7 +40,9 @@ void readPicture(Input input)
     for (const char* name : {"fuzz", "fuzz.tga"})
         expectResultOrSentence(input, [&] {
             const Image image = readImage(bytesOf(input), name);
-            if (image.encoded.size() + image.half.size() != 3 * image.pixels()) std::abort();
+            if (std::visit([](const auto& rgb) { return rgb.size(); }, image.rgb) !=
+                3 * image.pixels())
+                std::abort();
         });
 }
 

@@ -49,13 +49,13 @@ void delightObjFile(Input input)
     const std::filesystem::path result = folder() / "out";
     expectResultOrSentence(input, [&] {
         Progress progress;
-        const Scan scan = readScan(obj, {.longestSide = 64}, progress);
+        Scan scan = readScan(obj, {.longestSide = 64}, progress);
         const Decomposition found =
-            delight(scan,
+            delight(std::move(scan),
                     {.gather = {.quality = Quality::draft, .rays = 4, .shadowRays = 1},
                      .engine = {.engine = Engine::cpu}},
                     progress);
-        writeResult(scan, found, obj, result, progress);
+        writeResult(found, obj, result, progress);
         const DelitRoom room = readDelitRoom(result, {}, progress);
         for (const Image& page : room.albedo) expectNumbers(page);
         expectNumbers(room.captured);

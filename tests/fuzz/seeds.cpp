@@ -135,7 +135,7 @@ std::string litRoom()
     });
     const SrgbFromHalf byteFrom;
     std::vector<uint8_t> bytes;
-    for (const uint16_t half : room.pages[0].image.half) bytes.push_back(byteFrom(half));
+    for (const uint16_t half : room.pages[0].image.half()) bytes.push_back(byteFrom(half));
     const Size size{room.pages[0].image.width, room.pages[0].image.height};
     return writeUnlitGlb(room, {{.albedo = {encodePng(bytes, size, 3), "image/png"}}});
 }
@@ -146,11 +146,11 @@ void addResult(Seeds& seeds)
     const TemporaryFolder folder;
     const std::filesystem::path file = folder.write("fuzz.glb", litRoom());
     Progress progress;
-    const Scan scan = readScan(file, {}, progress);
     DelightOptions options{.gather = {.quality = Quality::draft, .rays = 4, .shadowRays = 1}};
     options.gather.lights = {{1, 2, 1}};
     options.engine.engine = Engine::cpu;
-    writeResult(scan, delight(scan, options, progress), file, folder / "out", progress);
+    writeResult(delight(readScan(file, {}, progress), options, progress), file, folder / "out",
+                progress);
     const DelitRoom room = readDelitRoom(folder / "out", {}, progress);
     const RelightOptions again{
         .rays = 4, .transport = room.transport, .engine = {.engine = Engine::cpu}};

@@ -149,7 +149,7 @@ TEST_F(DelightProgram, GlbIsTheScanWithAlbedoAndLights)
     EXPECT_EQ(after.meshes[0].positions, before.meshes[0].positions);
     EXPECT_EQ(after.meshes[0].name, before.meshes[0].name);
     EXPECT_EQ(after.pages[0].image.width, before.pages[0].image.width);
-    EXPECT_NE(after.pages[0].image.encoded, before.pages[0].image.encoded);
+    EXPECT_NE(after.pages[0].image.encoded(), before.pages[0].image.encoded());
     EXPECT_THAT(contentOf(out() / "scan.glb"), HasSubstr("KHR_lights_punctual"));
 }
 

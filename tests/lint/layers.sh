@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# A file in src includes its own layer and those before it. Apps see the public headers alone, and a public
-# header names no type of the libraries that relamp works with.
+# A file in src includes its own layer and those before it. Apps see the public headers and those of src/inside alone, and a
+# public header names no type of the libraries that relamp works with.
 set -euo pipefail
 
-readonly layers='base gpu image scan lights flatten shading fit albedo solve decomposition_state.h relight output
+readonly layers='inside base gpu image scan lights flatten shading fit albedo solve decomposition_state.h relight output
                  delight.cpp delighter.cpp verify.cpp bench.cpp'
 
 includes() { grep -rnE '^ *# *include' --include='*.'{h,cpp,comp} "$@" || true; }
@@ -23,8 +23,12 @@ found=$(
             else if (!(to in height)) print $0 ": no layer " to
             else if (height[to] > height[from]) print $0 ": upward, from " from " to " to
         }'
-    includes apps | grep -E '"[^"]*/' | grep -vE '"relamp/' | sed 's/$/: not a public header/' || true
+    includes apps | grep -E '"[^"]*/' | grep -vE '"(relamp|inside)/' | sed 's/$/: neither public nor in src\/inside/' || true
     includes include/relamp | grep -vE '"relamp/|<glm/|<[a-z_]+>' | sed 's/$/: not for a public header/' || true
+    for header in include/relamp/*.h; do
+        name=relamp/${header##*/}
+        [[ $name == relamp/relamp.h ]] || grep -q "\"$name\"" include/relamp/relamp.h || echo "$header: relamp.h lacks it"
+    done
     grep -rnE '\b(RTC|Vk|vk::|Eigen::|tinygltf::|OIIO::|tbb::|ai(Scene|Mesh))' include/relamp |
         sed 's/$/: not for a public header/' || true
 )

@@ -94,7 +94,8 @@ protected:
             ASSERT_LT(static_cast<size_t>(mesh.page), scan.pages.size());
         }
         for (const Page& page : scan.pages)
-            EXPECT_EQ(page.image.encoded.size() + page.image.half.size(), 3 * page.image.pixels());
+            EXPECT_EQ(std::visit([](const auto& rgb) { return rgb.size(); }, page.image.rgb),
+                      3 * page.image.pixels());
     }
 
     SmallScan scan_;

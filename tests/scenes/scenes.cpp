@@ -29,7 +29,7 @@ Page emptyPage(int width, int height)
     page.image.height = height;
     page.image.transfer = Transfer::linear;
     page.image.clipsAtWhite = true; // finer than a photo, but white is its end too
-    page.image.half.resize(3 * page.image.pixels());
+    page.image.rgb = std::vector<uint16_t>(3 * page.image.pixels());
     return page;
 }
 
@@ -55,7 +55,7 @@ void addWall(Mesh& mesh, Page& page, const Wall& wall, const Paint& paint)
             const auto pixel =
                 static_cast<size_t>((wall.row + y) * page.image.width + wall.column + x);
             for (int c = 0; c < 3; ++c)
-                page.image.half[3 * pixel + static_cast<size_t>(c)] = halfFromFloat(radiance[c]);
+                page.image.half()[3 * pixel + static_cast<size_t>(c)] = halfFromFloat(radiance[c]);
         }
 }
 
@@ -135,6 +135,11 @@ Scan panels(std::span<const Panel> panels, int pixels, const Paint& paint)
 Scan room(glm::vec3 size, int pixels, const Paint& paint)
 {
     return panels(wallsOf(size), pixels, paint);
+}
+
+std::shared_ptr<const Scan> copyOf(const Scan& scan)
+{
+    return std::make_shared<const Scan>(scan);
 }
 
 Paint plain(glm::vec3 radiance)

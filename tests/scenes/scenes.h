@@ -3,6 +3,7 @@
 #include "relamp/scan.h"
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,9 @@ std::vector<Panel> wallsOf(glm::vec3 size);
 
 /// Any panels, each a chart of its own as those of `room` are.
 Scan panels(std::span<const Panel> panels, int pixels, const Paint& paint);
+
+/// For what takes a scan over, where a test goes on with it.
+std::shared_ptr<const Scan> copyOf(const Scan& scan);
 
 /// The same radiance everywhere.
 Paint plain(glm::vec3 radiance);

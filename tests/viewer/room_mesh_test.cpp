@@ -15,7 +15,7 @@ relamp::Scan corner()
     relamp::Scan scan;
     scan.pages.emplace_back();
     scan.pages[0].image.width = scan.pages[0].image.height = 4;
-    scan.pages[0].image.encoded.assign(48, 128);
+    scan.pages[0].image.encoded().assign(48, 128);
     relamp::Mesh mesh;
     mesh.page = 0;
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 0, 2}, {0, 0, 2}, {0, 1, 0}, {1, 1, 0}};

@@ -51,7 +51,7 @@ relamp::Image checkered(int size)
     relamp::Image image;
     image.width = image.height = size;
     for (int i = 0; i < size * size; ++i)
-        image.encoded.insert(image.encoded.end(), 3, (i / size + i) % 2 != 0 ? 255 : 0);
+        image.encoded().insert(image.encoded().end(), 3, (i / size + i) % 2 != 0 ? 255 : 0);
     return image;
 }
 

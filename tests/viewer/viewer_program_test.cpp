@@ -120,12 +120,12 @@ Image photograph(const Sky& sky = {})
 {
     Progress progress;
     DelitRoom room;
-    room.scan = readScan(kBedroom / "scan.glb", {}, progress);
+    room.scan = std::make_shared<const Scan>(readScan(kBedroom / "scan.glb", {}, progress));
     std::vector<Image> pages;
-    for (const Page& page : room.scan.pages) pages.push_back(page.image);
+    for (const Page& page : room.scan->pages) pages.push_back(page.image);
     room.albedo = pages;
     std::vector<std::string> warnings;
-    Camera camera = cameraFor((kBedroom / "camera.json").string(), room.scan, warnings);
+    Camera camera = cameraFor((kBedroom / "camera.json").string(), *room.scan, warnings);
     if (sky.environment)
         camera = {{9.0f, 4.0f, 6.0f},
                   glm::normalize(glm::vec3(11.0f, 4.0f, 6.0f)),
@@ -144,7 +144,7 @@ Image colouredSky()
     for (int y = 0; y < sky.height; ++y)
         for (int x = 0; x < sky.width; ++x)
             for (const int value : {4 * x, 8 * y, 255 - 4 * x})
-                sky.encoded.push_back(static_cast<uint8_t>(value));
+                sky.encoded().push_back(static_cast<uint8_t>(value));
     return sky;
 }
 

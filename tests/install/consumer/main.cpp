@@ -1,9 +1,8 @@
-#include <relamp/scan.h>
+#include <relamp/relamp.h>
 
 #include <iostream>
 
 int main(int, char** argv)
 {
-    relamp::Progress progress;
-    std::cout << relamp::readScan(argv[1], {}, progress).triangleCount() << '\n';
+    std::cout << relamp::readScan(argv[1]).triangleCount() << '\n';
 }

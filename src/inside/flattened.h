@@ -15,6 +15,6 @@ namespace relamp
 /// the colour of bounce light, by `flattenReach` and `flattenRange`. Pixels that no surface covers
 /// are black. Throws Error(unsupported | cancelled) as delight does.
 RELAMP_API std::vector<Image> flattened(const Scan& scan, const ThesisOptions& dials,
-                                        Progress& progress);
+                                        Progress& progress = unwatched());
 
 } // namespace relamp

@@ -65,6 +65,6 @@ struct BenchReport
 /// Throws Error(device) where a GPU is asked for that is not there, Error(unsupported) where
 /// delight() would.
 RELAMP_API BenchReport measureStages(const Scan& scan, const BenchOptions& options,
-                                     Progress& progress);
+                                     Progress& progress = unwatched());
 
 } // namespace relamp
