@@ -28,7 +28,7 @@ class Seeds:
         self.pictures = {ending: self.picture(read["image"], begin) for ending, begin in
                          (("png", b"\x89PNG"), ("jpg", b"\xff\xd8"), ("webp", b"RIFF"), ("tif", b"II"), ("bmp", b"BM"),
                           ("exr", b"v/1\1"), ("hdr", b"#?"), ("tga", b"\0"))}
-        self.room = self.part(read["result"][0], 5)
+        self.room = self.part(read["result"][0], 7)  # the last of kFilesOfResult
         self.result = self.delit(scratch)
 
     @staticmethod
