@@ -36,7 +36,9 @@ constexpr float kHardlyShare = 0.001f;  // of the light at places
 constexpr float kLeastShare = 0.0015f;  // below, a lamp does not matter
 constexpr float kLeastReach = 0.02f;    // of places that see it; else it is in a pocket of the scan
 constexpr float kExplainedWhite = 0.8f; // of white
-constexpr float kPieceMissed = 0.008f;  // rise of the fit's loss; it lights 1 % of the pairs
+constexpr float kHardlyBrighter = 0.7f; // log radiance over that of a wall in its place
+constexpr float kErrorsBrighter = 0.13f;  // standard errors more
+constexpr float kPieceMissed = 0.008f;    // rise of the fit's loss; it lights 1 % of the pairs
 constexpr float kWallPieceMissed = 0.03f; // of what would be burnt out anyway
 constexpr float kWallMissed = 0.04f;      // of that, once pieces are joined to lamps
 constexpr float kSmallWallMissed = 2.5f;  // times that, of pieces of less than kLarge
@@ -219,7 +221,8 @@ bool LampSearch::isExplained(const BrightWalls& walls, size_t f) const
 {
     const float wall = brightnessOfWall(walls, f);
     const float above = std::log(luminance(suspects_[f].radiance) / std::max(wall, 1.0f));
-    return wall > kExplainedWhite && above < 0.7f + 0.13f * suspects_[f].logError.g;
+    return wall > kExplainedWhite &&
+           above < kHardlyBrighter + kErrorsBrighter * suspects_[f].logError.g;
 }
 
 /// The weakest that is explained goes first: what it was thought to do falls to the others.
