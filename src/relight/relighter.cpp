@@ -1,3 +1,4 @@
+#include "base/fail.h"
 #include "lights/fixture_map.h"
 #include "relight/by_lpv.h"
 #include "relight/by_paths.h"
@@ -54,8 +55,10 @@ void checkMaps(const DelitRoom& room)
                map.id.size() == page.image.pixels();
     };
     if (!room.fixtures.empty() && !std::ranges::equal(room.fixtures, room.scan->pages, fits))
-        throw Error(ErrorCode::sizeMismatch, "the map of fixtures has another size than the room's "
-                                             "texture; it belongs to another scan");
+        fail(ErrorCode::sizeMismatch,
+             room.folder.empty() ? "the room" : (room.folder / "fixtures*.png").string(),
+             "the map of fixtures has another size than the room's texture, so it belongs to "
+             "another scan; let relamp delight write the folder anew, with --force");
 }
 
 Texels checkedTexels(const DelitRoom& room, const RayScene& scene, Progress& progress)

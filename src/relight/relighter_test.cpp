@@ -7,6 +7,7 @@
 #include "relight/relighter_state.h"
 #include "scenes/form_factors.h"
 #include "scenes/lit_room.h"
+#include "scenes/refusal.h"
 #include "scenes/scenes.h"
 #include "scenes/temporary_folder.h"
 
@@ -89,6 +90,16 @@ double rmsBetween(const Image& a, const Image& b)
 }
 
 } // namespace
+
+// A file of another room that somebody copied into a result's folder.
+TEST(Relighter, MapOfFixturesOfAnotherSizeIsRefusedByTheNameOfItsFile)
+{
+    DelitRoom room = litRoom();
+    room.folder = "kitchen";
+    room.fixtures.assign(room.scan->pages.size(), FixtureMap{1, 1, {FixtureMap::kNone}});
+    EXPECT_THAT(scenes::refusalOf([&] { const Relighter relighter(room); }),
+                testing::HasSubstr("kitchen/fixtures*.png: the map of fixtures has another size"));
+}
 
 // Every bounce, against radiosity of the box by Lambert's formula.
 TEST(Relighter, CapturedLightPutBackShowsTheRoomAsItWas)
