@@ -8,17 +8,26 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 
 namespace relamp
 {
 namespace
 {
 
-constexpr size_t kMoreRays = 4;
-constexpr float kNoisy = 0.25f;        // of the mean; what neighbours average away again
+constexpr uint32_t kMostTimes = 8;  // the mean
+constexpr float kWhitePaper = 0.8f; // albedo of what is seen bright in little gathered light
+constexpr float kBlackPaper = 0.05f;
 constexpr float kBlack = 0.01f;        // radiance
 constexpr size_t kFewerOfBacks = 2;    // few rays meet a back, and their mean is all that matters
 constexpr int kGenerationsOfBacks = 2; // backs seen by backs seen by fronts; beyond is dark anyway
+
+/// Luminance that the rays of a side met.
+struct Met
+{
+    float mean = 0.0f;
+    float variance = 0.0f; // of a ray
+};
 
 class Caster
 {
@@ -27,8 +36,10 @@ public:
 
     /// Rays from `first` on of a side's sequence.
     void cast(Side side, size_t first, std::span<HitTarget> out) const;
-    /// Standard error of the mean of what was met, as a share of it.
-    [[nodiscard]] float noiseOf(std::span<const HitTarget> targets) const;
+    [[nodiscard]] Met metBy(std::span<const HitTarget> targets) const;
+    /// Rays that each front gets, `mean` in the mean, by what the first `rays` of them met.
+    [[nodiscard]] std::vector<uint32_t> raysOf(std::span<const Met> fronts, size_t rays,
+                                               size_t mean) const;
 
 private:
     [[nodiscard]] HitTarget targetNear(const Hit& hit) const;
@@ -109,21 +120,50 @@ void Caster::cast(Side side, size_t first, std::span<HitTarget> out) const
     }
 }
 
-float Caster::noiseOf(std::span<const HitTarget> targets) const
+Met Caster::metBy(std::span<const HitTarget> targets) const
 {
-    float sum = 0.0f;
+    Met met;
     float squares = 0.0f;
     for (const HitTarget target : targets) {
         if (target.isNothing() || target.side().isBack()) continue;
         const float value =
             target.isClipped() ? 1.0f : luminance(radiance_.plain[target.side().surfel()]);
-        sum += value;
+        met.mean += value;
         squares += value * value;
     }
     const auto count = static_cast<float>(targets.size());
-    const float mean = sum / count;
-    const float variance = std::max(squares / count - mean * mean, 0.0f);
-    return std::sqrt(variance / count) / std::max(mean, kBlack);
+    met.mean /= count;
+    met.variance = std::max(squares / count - met.mean * met.mean, 0.0f);
+    return met;
+}
+
+/// The noise of albedo rho = pi L / E is rho sigma / (E sqrt(rays)). Its sum of squares is least
+/// for a number of rays where these go by rho sigma / E. Light from lamps is not known yet: what is
+/// brighter than white paper would be in the light gathered gets as much light as that takes.
+std::vector<uint32_t> Caster::raysOf(std::span<const Met> fronts, size_t rays, size_t mean) const
+{
+    const Surfels& surfels = texels_.surfels;
+    std::vector<float> weight(fronts.size());
+    forEach(fronts.size(), [&](size_t s) {
+        Met around; // few rays miss what is small and bright
+        for (const uint32_t n : surfels.neighborsOf(s)) {
+            around.mean += fronts[n].mean;
+            around.variance += fronts[n].variance;
+        }
+        const auto count = static_cast<float>(surfels.neighborsOf(s).size());
+        const float seen = luminance(radiance_.plain[s]);
+        const float light = std::max({around.mean / count, seen / kWhitePaper, kBlack});
+        const float albedo = std::max(seen / light, kBlackPaper);
+        weight[s] = albedo * std::sqrt(around.variance / count) / light;
+    });
+    const double sum = std::accumulate(weight.begin(), weight.end(), 0.0);
+    const double each = static_cast<double>((mean - rays) * fronts.size()) / std::max(sum, 1e-9);
+    std::vector<uint32_t> counts;
+    for (const float w : weight)
+        counts.push_back(static_cast<uint32_t>(rays) +
+                         static_cast<uint32_t>(std::min(each * static_cast<double>(w),
+                                                        static_cast<double>(kMostTimes * mean))));
+    return counts;
 }
 
 /// Backs that lists from `firstList` on have met and that have no list yet, ascending.
@@ -142,26 +182,31 @@ std::vector<Side> newBacks(const HitLists& lists, size_t firstList)
     return backs;
 }
 
-/// Casts the lists of `sides`: a few rays each, then more where these do not agree.
-void castSides(const Caster& caster, std::span<const Side> sides, size_t rays, HitLists& lists,
-               Progress::Stage& stage)
+/// Casts the lists of `sides`: of fronts a first half of the rays, then the others where these do
+/// not agree.
+void castSides(const Caster& caster, std::span<const Side> sides, size_t raysOfSide,
+               HitLists& lists, Progress::Stage& stage)
 {
     const size_t first = lists.sideOfList.size();
+    const bool areFronts = first == 0;
     for (size_t i = 0; i < sides.size(); ++i)
         lists.listOfSide[sides[i].index] = static_cast<int32_t>(first + i);
     lists.sideOfList.insert(lists.sideOfList.end(), sides.begin(), sides.end());
 
+    const size_t rays = areFronts ? (raysOfSide + 1) / 2 : raysOfSide;
     std::vector<HitTarget> few(sides.size() * rays, HitTarget::nothing());
-    std::vector<uint32_t> counts(sides.size());
+    std::vector<Met> met(sides.size());
     const auto ofList = [&](size_t i) { return std::span(few).subspan(i * rays, rays); };
     forEachChunk(sides.size(), 64, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             caster.cast(sides[i], 0, ofList(i));
-            const bool isNoisy = caster.noiseOf(ofList(i)) > kNoisy && !sides[i].isBack();
-            counts[i] = static_cast<uint32_t>(isNoisy ? kMoreRays * rays : rays);
+            met[i] = caster.metBy(ofList(i));
         }
         stage.advance(end - begin);
     });
+    const std::vector<uint32_t> counts =
+        areFronts ? caster.raysOf(met, rays, raysOfSide)
+                  : std::vector<uint32_t>(sides.size(), static_cast<uint32_t>(rays));
     for (const uint32_t count : counts)
         lists.firstTarget.push_back(lists.firstTarget.back() + count);
     lists.targets.resize(lists.firstTarget.back(), HitTarget::nothing());

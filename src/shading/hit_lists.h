@@ -81,8 +81,9 @@ private:
 /// Casts rays from the fronts of all surfels, then from the backs that were met, then from those
 /// that these met. Rays start all over a surfel's texels, so that a list averages over its area.
 ///
-/// A front's list has `rays` rays; four times as many where these do not agree, as in a dark corner
-/// that one of them in ten leaves. A back's has half as many.
+/// Fronts' lists have `rays` rays in the mean: more where these do not agree and much of the light
+/// hangs on them, as in a dark corner that one of them in ten leaves, and no fewer than half. A
+/// back's has half as many.
 HitLists castHitLists(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance,
                       size_t rays, Progress& progress);
 

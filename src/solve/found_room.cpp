@@ -39,11 +39,11 @@ Effort effortFor(Quality quality)
     case Quality::draft:
         return {250'000, 8, 32, 2};
     case Quality::high:
-        return {10'000'000, 64, 256, 32};
+        return {20'000'000, 64, 512, 64};
     case Quality::standard:
         break;
     }
-    return {2'500'000, 16, 64, 8}; // more would not be seen beside the noise of a photo
+    return {5'000'000, 16, 128, 16}; // more would not be seen beside the noise of a photo
 }
 
 GatherOptions withRays(GatherOptions options, size_t surfels)
