@@ -3,15 +3,15 @@
 // floor.
 
 #include "albedo/divide.h"
-#include "flatten/flatten.h"
-#include "lights/emitters.h"
-#include "lights/fixtures.h"
 #include "machine.h"
 #include "sample_room.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
-#include "shading/rsm.h"
-#include "shading/thesis.h"
+#include "thesis/emitters.h"
+#include "thesis/fixtures.h"
+#include "thesis/flatten.h"
+#include "thesis/rsm.h"
+#include "thesis/thesis_shading.h"
 
 #include <vector>
 

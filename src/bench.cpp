@@ -2,19 +2,19 @@
 
 #include "albedo/divide.h"
 #include "albedo/page_layers.h"
-#include "flatten/flatten.h"
 #include "gpu/peak.h"
-#include "lights/emitters.h"
-#include "lights/fixtures.h"
 #include "relamp/error.h"
 #include "scan/overlap.h"
 #include "scan/rays.h"
 #include "shading/buried.h"
 #include "shading/gathered_light.shared.h"
-#include "shading/thesis.h"
 #include "solve/resolve_gpu.h"
 #include "solve/room_solution.h"
-#include "solve/thesis_gpu.h"
+#include "thesis/emitters.h"
+#include "thesis/fixtures.h"
+#include "thesis/flatten.h"
+#include "thesis/thesis_gpu.h"
+#include "thesis/thesis_shading.h"
 
 #include <algorithm>
 #include <chrono>

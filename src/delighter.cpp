@@ -6,8 +6,8 @@
 #include "shading/buried.h"
 #include "solve/by_gather.h"
 #include "solve/by_pathtrace.h"
-#include "solve/by_thesis.h"
 #include "solve/found_room.h"
+#include "thesis/by_thesis.h"
 
 #include <cassert>
 #include <memory>

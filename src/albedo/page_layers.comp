@@ -6,7 +6,7 @@
 #include "albedo/page_layers.gpu.h"
 #include "albedo/page_layers.shared.h"
 #include "base/radiometry.shared.h"
-#include "lights/emitters.shared.h"
+#include "lights/shining.shared.h"
 #include "shading/buried.shared.h"
 
 ARGUMENTS(PageLayersArguments)

@@ -7,7 +7,7 @@
 #include "albedo/page_layers.shared.h"
 #include "base/half.h"
 #include "image/gutter.h"
-#include "lights/emitters.shared.h"
+#include "lights/shining.shared.h"
 
 #include <algorithm>
 #include <span>

@@ -1,8 +1,8 @@
 #include "relight/by_lpv.h"
 
 #include "base/radiometry.shared.h"
-#include "shading/rsm.h"
-#include "shading/thesis.h"
+#include "thesis/rsm.h"
+#include "thesis/thesis_shading.h"
 
 #include <algorithm>
 #include <memory>

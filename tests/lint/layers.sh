@@ -3,14 +3,14 @@
 # public header names no type of the libraries that relamp works with.
 set -euo pipefail
 
-readonly layers='inside base gpu image scan lights flatten shading fit albedo solve decomposition_state.h relight output
+readonly layers='inside base gpu image scan lights shading fit albedo solve thesis decomposition_state.h relight output
                  delight.cpp delighter.cpp verify.cpp bench.cpp'
 
 includes() { grep -rnE '^ *# *include' --include='*.'{h,cpp,comp} "$@" || true; }
 
 found=$(
     includes src | awk -F: -v layers="$layers" '
-        # "shading/direct.h" lies in layer shading, "delight_test.cpp" in delight.cpp
+        # "shading/gather.h" lies in layer shading, "delight_test.cpp" in delight.cpp
         function layerOf(path) { sub("/.*", "", path); sub("_test", "", path); return path }
 
         BEGIN { for (n = split(layers, order, /[ \n]+/); n > 0; --n) height[order[n]] = n }
