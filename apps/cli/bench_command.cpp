@@ -3,7 +3,7 @@
 #include "scan_arguments.h"
 #include "terminal.h"
 
-#include "inside/bench.h"
+#include "bench/stage_times.h"
 #include "relamp/threads.h"
 
 #include <memory>

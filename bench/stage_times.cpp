@@ -1,4 +1,4 @@
-#include "inside/bench.h"
+#include "stage_times.h"
 
 #include "albedo/divide.h"
 #include "albedo/page_layers.h"
