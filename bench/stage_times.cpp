@@ -30,8 +30,8 @@ namespace
 {
 
 /// The rows, in their order; the GPU's classes mark their stages with the same names.
-constexpr const char* kFrameRows[] = {"flatten", "direct", "RSM", "LPV", "divide", "dilate"};
-constexpr const char* kResolveRows[] = {"gather", "shading", "divide", "dilate"};
+constexpr const char* kFrameRows[] = {"flatten", "direct", "RSM", "LPV", "divide", "padding"};
+constexpr const char* kResolveRows[] = {"gather", "shading", "divide", "padding"};
 constexpr const char* kKept[] = {"lamps"};
 
 /// All that stands before the first frame.

@@ -83,7 +83,7 @@ ResolveGpu::ResolveGpu(const gpu::Device& device, const Texels& texels, const So
       surfels_(device, texels.surfels),
       sides_(device, room.found.hits, room.found.radiance, {room.found.shines, room.lit}),
       lamps_(device, texels.surfels, *room.light, scalesOf(room)),
-      layers_(device, texels.surfels.count()), gutter_(device),
+      layers_(device, texels.surfels.count()), padding_(device),
       termsOfLists_(lamps_.keep(onListsOf(room), sides_.lists())),
       directOfLists_(device, sides_.lists()),
       pages_(
@@ -187,8 +187,8 @@ std::vector<gpu::Timing> ResolveGpu::divide(size_t index, const AlbedoOptions& o
     layers_.divide(commands, {page.texels, page.direct, page.indirect, scanned.image.clipsAtWhite},
                    options, *pictures_);
     if (!scanned.ofVertices) { // its pixels have no neighbours
-        commands.mark("dilate");
-        gutter_.fill(commands, {pictures_->albedo, pictures_->direct, pictures_->indirect});
+        commands.mark("padding");
+        padding_.fill(commands, {pictures_->albedo, pictures_->direct, pictures_->indirect});
     }
     commands.run();
     const std::vector<gpu::Timing> ofLayers = commands.timings();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "albedo/page_layers_gpu.h"
-#include "image/gutter_gpu.h"
+#include "image/padding_gpu.h"
 #include "scan/texels_gpu.h"
 #include "shading/lamp_terms_gpu.h"
 #include "shading/lit_sides_gpu.h"
@@ -62,7 +62,7 @@ private:
     LitSidesGpu sides_;
     LampTermsGpu lamps_;
     PageLayersGpu layers_;
-    GutterGpu gutter_;
+    PaddingGpu padding_;
     gpu::Array<uint32_t> termsOfLists_;
     gpu::Array<glm::uvec2> directOfLists_;
     ResidentPages<Page> pages_;

@@ -180,7 +180,7 @@ TEST_P(GpuResolve, ShadesTexelsAsTheCpuDoes)
     }
 }
 
-// The whole chain, from powers to finished pages: rims, what is burnt out, doubts and gutters too.
+// The whole chain, from powers to finished pages: rims, what is burnt out, doubts and padding too.
 TEST_P(GpuResolve, EndsInTheLayersOfTheCpu)
 {
     ResolveTwins& room = twins();
@@ -206,10 +206,10 @@ TEST_P(GpuResolve, ComputesAgainOnlyWhatChanged)
     EXPECT_THAT(scenes::ran(room.gather(room.powers)), ElementsAre());
     EXPECT_THAT(scenes::ran(room.gpu.divide(0, {})), ElementsAre());
     EXPECT_THAT(scenes::ran(room.gpu.divide(0, {.darkest = 0.1f})),
-                ElementsAre("divide", "dilate"));
+                ElementsAre("divide", "padding"));
 
     EXPECT_THAT(scenes::ran(room.gather(room.found)), ElementsAre("gather"));
-    EXPECT_THAT(scenes::ran(room.gpu.divide(0, {})), ElementsAre("shading", "divide", "dilate"));
+    EXPECT_THAT(scenes::ran(room.gpu.divide(0, {})), ElementsAre("shading", "divide", "padding"));
     EXPECT_NE(room.gpu.layers().albedo, before.albedo);
 
     // And back again, to the same bits.
@@ -230,7 +230,7 @@ TEST_F(GpuResolvePages, TakeTurnsWhereMemoryIsShort)
     for (const size_t p : {0u, 1u, 0u}) {
         room.gpu.divide(p, {});
         EXPECT_THAT(scenes::ran(oneAtATime.divide(p, {})),
-                    ElementsAre("lamps", "shading", "divide", "dilate"));
+                    ElementsAre("lamps", "shading", "divide", "padding"));
         EXPECT_EQ(oneAtATime.irradiance().direct, room.gpu.irradiance().direct);
         EXPECT_EQ(oneAtATime.irradiance().indirect, room.gpu.irradiance().indirect);
         EXPECT_EQ(oneAtATime.layers().albedo, room.gpu.layers().albedo);

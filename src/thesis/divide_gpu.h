@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gpu/commands.h"
-#include "image/gutter_gpu.h"
+#include "image/padding_gpu.h"
 #include "scan/texels_gpu.h"
 
 namespace relamp

@@ -1,6 +1,6 @@
 #include "base/half.h"
 #include "base/parallel.h"
-#include "image/gutter.h"
+#include "image/padding.h"
 #include "inside/flattened.h"
 #include "scan/overlap.h"
 #include "thesis/flatten.h"

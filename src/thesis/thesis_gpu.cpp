@@ -75,7 +75,7 @@ struct ThesisGpu::Page
 ThesisGpu::ThesisGpu(const gpu::Device& device, const Texels& texels, uint64_t budget)
     : device_(device), texels_(texels), flatten_(device, texels.surfels.count()), direct_(device),
       maps_(device), volume_(device), grid_(boundsOf(*texels.scan), ThesisOptions{}.lpvSize),
-      divide_(device), gutter_(device), surfels_(device, texels.surfels),
+      divide_(device), padding_(device), surfels_(device, texels.surfels),
       surface_(device, *texels.scan),
       pages_(
           device, texels.pages.size(), budget,
@@ -181,8 +181,8 @@ std::vector<gpu::Timing> ThesisGpu::page(const ThesisFrame& frame, size_t index)
         commands.mark("divide");
         divide_.divide(commands, page.texels, page.direct, page.indirect, dials, page.albedo);
         if (!texels_.scan->pages[index].ofVertices) { // its pixels have no neighbours
-            commands.mark("dilate");
-            gutter_.fill(commands, {page.albedo});
+            commands.mark("padding");
+            padding_.fill(commands, {page.albedo});
         }
     }
     std::vector<gpu::Timing> timings;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "image/gutter_gpu.h"
+#include "image/padding_gpu.h"
 #include "relamp/lights.h"
 #include "relamp/thesis.h"
 #include "scan/texels_gpu.h"
@@ -71,7 +71,7 @@ private:
     LpvGpu volume_;
     LpvGrid grid_;
     DivideGpu divide_;
-    GutterGpu gutter_;
+    PaddingGpu padding_;
 
     GpuSurfels surfels_;
     GpuSurface surface_;

@@ -3,7 +3,7 @@
 #include "albedo/divide.h"
 #include "albedo/divide.shared.h"
 #include "base/half.h"
-#include "image/gutter.h"
+#include "image/padding.h"
 #include "scan/rays.h"
 #include "scenes/apart.h"
 #include "scenes/gpu_scene.h"
@@ -340,7 +340,7 @@ TEST_P(GpuThesis, EndsInTheAlbedoOfTheCpu)
     }
 }
 
-TEST_P(GpuThesis, FillsGuttersAsTheCpuDoes)
+TEST_P(GpuThesis, FillsPaddingAsTheCpuDoes)
 {
     ThesisTwins& room = twins();
     room.gpu.page(room.frame, 0);
@@ -354,7 +354,7 @@ TEST_P(GpuThesis, FillsGuttersAsTheCpuDoes)
         for (int c = 0; covered[i] != 0 && c < 3; ++c)
             expected[3 * i + static_cast<size_t>(c)] = halfFromFloat(rgbOf(found[i])[c]);
     }
-    fillGutters(std::span(expected), covered, image.width, image.height);
+    fillPadding(std::span(expected), covered, image.width, image.height);
     Apart apart(0.01f);
     for (size_t i = 0; i < found.size(); ++i)
         apart.add(rgbOf(found[i]),

@@ -1,8 +1,8 @@
-#include "image/gutter_gpu.h"
+#include "image/padding_gpu.h"
 
-#include "image/gutter.gpu.h"
-#include "image/gutter_pull.comp.h"
-#include "image/gutter_push.comp.h"
+#include "image/padding.gpu.h"
+#include "image/padding_pull.comp.h"
+#include "image/padding_push.comp.h"
 
 namespace relamp
 {
@@ -20,12 +20,13 @@ GpuPicture::GpuPicture(const gpu::Device& device, uint32_t width, uint32_t heigh
     commands.run();
 }
 
-GutterGpu::GutterGpu(const gpu::Device& device)
-    : push_(device, kGutterPushSpirv), pull_(device, kGutterPullSpirv)
+PaddingGpu::PaddingGpu(const gpu::Device& device)
+    : push_(device, kPaddingPushSpirv), pull_(device, kPaddingPullSpirv)
 {}
 
-void GutterGpu::fill(gpu::Commands& commands,
-                     std::initializer_list<std::reference_wrapper<const GpuPicture>> pictures) const
+void PaddingGpu::fill(
+    gpu::Commands& commands,
+    std::initializer_list<std::reference_wrapper<const GpuPicture>> pictures) const
 {
     const auto record = [&](const gpu::Program& program, size_t fineLevel, size_t written) {
         for (const GpuPicture& picture : pictures) {
@@ -33,9 +34,9 @@ void GutterGpu::fill(gpu::Commands& commands,
             const auto& coarse = picture.levels_[fineLevel + 1];
             const size_t count = picture.levels_[written].pixels.count();
             commands.dispatch(program, count,
-                              GutterArguments{fine.pixels.ref(), coarse.pixels.ref(), fine.width,
-                                              fine.height, coarse.width,
-                                              static_cast<uint32_t>(count)});
+                              PaddingArguments{fine.pixels.ref(), coarse.pixels.ref(), fine.width,
+                                               fine.height, coarse.width,
+                                               static_cast<uint32_t>(count)});
         }
         commands.barrier();
     };

@@ -1,9 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-#include "image/gutter.gpu.h"
+#include "image/padding.gpu.h"
 
-ARGUMENTS(GutterArguments)
+ARGUMENTS(PaddingArguments)
 
 void main()
 {

@@ -13,7 +13,7 @@ namespace relamp
 /// of the smallest mip level that has any, so every mip level is just what it would be from covered
 /// pixels alone. `rgb` is 3 * width * height, `covered` is width * height, not 0 where the picture
 /// counts. Nothing happens to a picture that is all covered, or not at all.
-void fillGutters(std::span<uint16_t> rgb, std::span<const uint8_t> covered, int width, int height);
-void fillGutters(std::span<uint8_t> rgb, std::span<const uint8_t> covered, int width, int height);
+void fillPadding(std::span<uint16_t> rgb, std::span<const uint8_t> covered, int width, int height);
+void fillPadding(std::span<uint8_t> rgb, std::span<const uint8_t> covered, int width, int height);
 
 } // namespace relamp

@@ -12,7 +12,7 @@ namespace relamp
 {
 
 /// A page's picture on a GPU, four halves a pixel of which the last is 1 where the picture counts;
-/// its mip levels are kept for fillGutters().
+/// its mip levels are kept for fillPadding().
 class GpuPicture
 {
 public:
@@ -27,7 +27,7 @@ public:
     static size_t bytesOf(size_t pixels) { return pixels * sizeof(glm::uvec2) * 4 / 3; }
 
 private:
-    friend class GutterGpu;
+    friend class PaddingGpu;
     struct Level
     {
         uint32_t width;
@@ -37,11 +37,11 @@ private:
     std::vector<Level> levels_;
 };
 
-/// fillGutters() on a GPU.
-class GutterGpu
+/// fillPadding() on a GPU.
+class PaddingGpu
 {
 public:
-    explicit GutterGpu(const gpu::Device& device);
+    explicit PaddingGpu(const gpu::Device& device);
 
     /// Of pictures of one size.
     void fill(gpu::Commands& commands,

@@ -1,5 +1,5 @@
-#ifndef RELAMP_GUTTER_GPU_H
-#define RELAMP_GUTTER_GPU_H
+#ifndef RELAMP_PADDING_GPU_H
+#define RELAMP_PADDING_GPU_H
 
 #include "gpu/compute.h"
 
@@ -7,7 +7,7 @@ SHARED_BEGIN
 
 // One level of push and pull: a thread a pixel of the level that is written. Pixels are halves; the
 // last is 1 where the picture counts.
-struct GutterArguments
+struct PaddingArguments
 {
     Uvec2s fine;
     Uvec2s coarse;

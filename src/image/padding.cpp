@@ -1,4 +1,4 @@
-#include "image/gutter.h"
+#include "image/padding.h"
 
 #include "base/half.h"
 #include "base/parallel.h"
@@ -110,12 +110,12 @@ void pushPull(const Level<Sample>& finest)
 
 } // namespace
 
-void fillGutters(std::span<uint16_t> rgb, std::span<const uint8_t> covered, int width, int height)
+void fillPadding(std::span<uint16_t> rgb, std::span<const uint8_t> covered, int width, int height)
 {
     pushPull<uint16_t>({rgb, covered, static_cast<size_t>(width), static_cast<size_t>(height)});
 }
 
-void fillGutters(std::span<uint8_t> rgb, std::span<const uint8_t> covered, int width, int height)
+void fillPadding(std::span<uint8_t> rgb, std::span<const uint8_t> covered, int width, int height)
 {
     pushPull<uint8_t>({rgb, covered, static_cast<size_t>(width), static_cast<size_t>(height)});
 }

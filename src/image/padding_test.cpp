@@ -1,4 +1,4 @@
-#include "image/gutter.h"
+#include "image/padding.h"
 
 #include "base/half.h"
 
@@ -36,21 +36,21 @@ struct TwoCharts
 
 } // namespace
 
-TEST(Gutter, CoveredPixelsStayAsTheyAre)
+TEST(Padding, CoveredPixelsStayAsTheyAre)
 {
     TwoCharts charts(8);
     const auto before = charts.rgb;
-    fillGutters(std::span(charts.rgb), charts.covered, kPageSize, kPageSize);
+    fillPadding(std::span(charts.rgb), charts.covered, kPageSize, kPageSize);
     for (size_t i = 0; i < charts.covered.size(); ++i)
         if (charts.covered[i]) {
             EXPECT_EQ(charts.rgb[3 * i], before[3 * i]);
         }
 }
 
-TEST(Gutter, PixelsNextToAChartContinueIt)
+TEST(Padding, PixelsNextToAChartContinueIt)
 {
     TwoCharts charts(16);
-    fillGutters(std::span(charts.rgb), charts.covered, kPageSize, kPageSize);
+    fillPadding(std::span(charts.rgb), charts.covered, kPageSize, kPageSize);
     const size_t row = 30 * kPageSize;
     EXPECT_EQ(floatFromHalf(charts.rgb[3 * (row + 24)]), 1.0f); // first uncovered pixel: all red
     EXPECT_EQ(floatFromHalf(charts.rgb[3 * (row + 24) + 1]), 0.0f);
@@ -58,10 +58,10 @@ TEST(Gutter, PixelsNextToAChartContinueIt)
 }
 
 // Every mip level of the filled picture is as bright as its covered pixels: no black creeps in.
-TEST(Gutter, NoMipLevelIsDarkerThanTheCharts)
+TEST(Padding, NoMipLevelIsDarkerThanTheCharts)
 {
     TwoCharts charts(30);
-    fillGutters(std::span(charts.rgb), charts.covered, kPageSize, kPageSize);
+    fillPadding(std::span(charts.rgb), charts.covered, kPageSize, kPageSize);
     std::vector<float> level(kPageSize * kPageSize);
     for (size_t i = 0; i < level.size(); ++i)
         level[i] = floatFromHalf(charts.rgb[3 * i]) + floatFromHalf(charts.rgb[3 * i + 1]);
@@ -78,11 +78,11 @@ TEST(Gutter, NoMipLevelIsDarkerThanTheCharts)
     }
 }
 
-TEST(Gutter, AnEmptyPictureStaysEmpty)
+TEST(Padding, AnEmptyPictureStaysEmpty)
 {
     std::vector<uint16_t> rgb(3 * 7 * 5, 0);
     const std::vector<uint8_t> covered(7 * 5, 0);
-    fillGutters(std::span(rgb), covered, 7, 5);
+    fillPadding(std::span(rgb), covered, 7, 5);
     EXPECT_TRUE(std::all_of(rgb.begin(), rgb.end(), [](uint16_t v) { return v == 0; }));
 }
 
