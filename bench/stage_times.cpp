@@ -8,7 +8,7 @@
 #include "scan/rays.h"
 #include "shading/buried.h"
 #include "shading/gathered_light.shared.h"
-#include "solve/resolve_gpu.h"
+#include "solve/reevaluate_gpu.h"
 #include "solve/room_solution.h"
 #include "thesis/emitters.h"
 #include "thesis/fixtures.h"
@@ -31,7 +31,7 @@ namespace
 
 /// The rows, in their order; the GPU's classes mark their stages with the same names.
 constexpr const char* kFrameRows[] = {"flatten", "direct", "RSM", "LPV", "divide", "padding"};
-constexpr const char* kResolveRows[] = {"gather", "shading", "divide", "padding"};
+constexpr const char* kReevaluateRows[] = {"gather", "shading", "divide", "padding"};
 constexpr const char* kKept[] = {"lamps"};
 
 /// All that stands before the first frame.
@@ -265,10 +265,10 @@ struct LampRoom
     bool isBrighter = false;
 };
 
-std::vector<double> resolveOfCpu(LampRoom& room)
+std::vector<double> reevaluateOfCpu(LampRoom& room)
 {
     room.changePower();
-    const double gathering = secondsOf([&] { resolve(room.texels, room.solved, room.powers); });
+    const double gathering = secondsOf([&] { reevaluate(room.texels, room.solved, room.powers); });
     const TexelShading shade = shadingOf(room.texels, room.solved);
     double shading = 0.0;
     double division = 0.0;
@@ -291,7 +291,7 @@ std::vector<double> resolveOfCpu(LampRoom& room)
     return {gathering, shading, division, 0.0};
 }
 
-std::vector<gpu::Timing> resolveOfGpu(ResolveGpu& gpu, const LampRoom& room)
+std::vector<gpu::Timing> reevaluateOfGpu(ReevaluateGpu& gpu, const LampRoom& room)
 {
     std::vector<gpu::Timing> timings = gpu.gather(room.powers, room.solved.found.shines);
     for (size_t p = 0; p < room.texels.pages.size(); ++p)
@@ -299,8 +299,8 @@ std::vector<gpu::Timing> resolveOfGpu(ResolveGpu& gpu, const LampRoom& room)
     return timings;
 }
 
-/// As floorsOf(), of a re-solve.
-std::vector<double> resolveFloorsOf(const LampRoom& room, const gpu::Peak& peak)
+/// As floorsOf(), of a re-evaluation.
+std::vector<double> reevaluateFloorsOf(const LampRoom& room, const gpu::Peak& peak)
 {
     const HitLists& hits = room.solved.found.hits;
     const double n = static_cast<double>(room.texels.count());
@@ -325,10 +325,10 @@ std::vector<double> resolveFloorsOf(const LampRoom& room, const gpu::Peak& peak)
             peak.floorSeconds(3 * 3 * 8 * pixelsOf(*room.texels.scan), 0.0)};
 }
 
-ResolveTimes measureResolve(const Bench& bench, Progress& progress)
+ReevaluateTimes measureReevaluate(const Bench& bench, Progress& progress)
 {
     LampRoom room(bench.scan, progress);
-    ResolveTimes times;
+    ReevaluateTimes times;
     times.texels = room.texels.count();
     times.lamps = room.powers.lamps.size();
     times.surfels = room.texels.surfels.count();
@@ -337,21 +337,21 @@ ResolveTimes measureResolve(const Bench& bench, Progress& progress)
     std::vector<double> floors;
     if (bench.device != nullptr) {
         const Progress::Stage stage(progress, "gpu");
-        floors = resolveFloorsOf(room, bench.peak);
-        ResolveGpu gpu(*bench.device, room.texels, room.solved);
+        floors = reevaluateFloorsOf(room, bench.peak);
+        ReevaluateGpu gpu(*bench.device, room.texels, room.solved);
         gpu.setSurfels(room.said);
-        times.once = inRows(resolveOfGpu(gpu, room), kKept)[0];
+        times.once = inRows(reevaluateOfGpu(gpu, room), kKept)[0];
         ofGpu = best(bench.rounds, [&] {
             room.changePower();
-            const std::vector<gpu::Timing> timings = resolveOfGpu(gpu, room);
-            std::vector<double> seconds = inRows(timings, kResolveRows);
+            const std::vector<gpu::Timing> timings = reevaluateOfGpu(gpu, room);
+            std::vector<double> seconds = inRows(timings, kReevaluateRows);
             seconds[1] += inRows(timings, kKept)[0]; // of pages that take turns
             return seconds;
         });
     }
     const Progress::Stage stage(progress, "cpu");
-    const std::vector<double> ofCpu = best(bench.rounds, [&] { return resolveOfCpu(room); });
-    times.stages = tableOf(kResolveRows, ofGpu, floors, ofCpu);
+    const std::vector<double> ofCpu = best(bench.rounds, [&] { return reevaluateOfCpu(room); });
+    times.stages = tableOf(kReevaluateRows, ofGpu, floors, ofCpu);
     return times;
 }
 
@@ -381,7 +381,7 @@ BenchReport measureStages(const Scan& scan, const BenchOptions& options, Progres
     }
     const Bench bench{scan, device.get(), peak, options.rounds};
     report.frame = measureFrame(bench, progress);
-    report.resolve = measureResolve(bench, progress);
+    report.reevaluate = measureReevaluate(bench, progress);
     return report;
 }
 

@@ -44,7 +44,7 @@ struct FrameTimes : StageTimes
 
 /// The gather solver after the power of a lamp changed, from powers to finished layers. Finding the
 /// lamps, rays and shadows come before it, and what is said of surfels.
-struct ResolveTimes : StageTimes
+struct ReevaluateTimes : StageTimes
 {
     size_t lamps = 0; // the sun is one
     size_t surfels = 0;
@@ -59,7 +59,7 @@ struct BenchReport
     double flopsPerSecond = 0.0; // of its multiply-adds, measured
     std::string cpu;
     FrameTimes frame;
-    ResolveTimes resolve;
+    ReevaluateTimes reevaluate;
 };
 
 /// Throws Error(device) where a GPU is asked for that is not there, Error(unsupported) where

@@ -104,7 +104,7 @@ void Studio::fail(const std::string& sentence)
 {
     hasFailed_ = true;
     ++failures_;
-    resolving_.reset();
+    reevaluating_.reset();
     say(sentence);
 }
 
@@ -115,8 +115,8 @@ void Studio::goOn(size_t failed)
     const Opening opening = *std::exchange(opening_, std::nullopt);
     if (scan_ && (stage_ != Stage::solved || edit.dials != solvedBy_))
         solveAgain();
-    else if (opening.resolved && canResolve())
-        resolve();
+    else if (opening.reevaluated && canReevaluate())
+        reevaluate();
 }
 
 std::filesystem::path Studio::besideScan() const
@@ -135,11 +135,11 @@ relamp::DelightOptions Studio::optionsOf(const Dials& dials) const
 void Studio::open(const std::filesystem::path& path, const relamp::ScanOptions& options)
 {
     const size_t number = ++openings_;
-    opening_ = Opening{number, edit.dials, resolving_.has_value()};
+    opening_ = Opening{number, edit.dials, reevaluating_.has_value()};
     opening_->dials.gather.lights.clear(); // places in another room
     opening_->dials.gather.notLights.clear();
     hasFailed_ = false;
-    resolving_.reset();
+    reevaluating_.reset();
     isCameraUntouched = true;
     const Wish wish{path, options, optionsOf(opening_->dials), number};
     solver_.start([this, wish](relamp::Progress& progress) {
@@ -225,7 +225,7 @@ bool Studio::adopt(const Opened& opened)
     bounds_ = mesh_->bounds;
     decomposition_ = nullptr;
     captured_ = found_ = {};
-    resolveMilliseconds_.reset();
+    reevaluateMilliseconds_.reset();
     closure_.reset();
     timeline_.reset();
     isPlaying_ = isGlanced_ = isRelit_ = false;
@@ -271,24 +271,24 @@ void Studio::adopt(const Solved& solved)
     decomposition_ = solved.decomposition;
     notes_.clear();
     tell(solved.notes);
-    if (canResolve() && edit.scanned != solved.scanned) resolve(); // it was said meanwhile
+    if (canReevaluate() && edit.scanned != solved.scanned) reevaluate(); // it was said meanwhile
 }
 
 /// The same room with another albedo.
-void Studio::adoptResolved(const Solved& solved)
+void Studio::adoptReevaluated(const Solved& solved)
 {
     adoptTextures(solved);
     if (solved.isDraft) return;
     const std::chrono::duration<double, std::milli> took =
-        std::chrono::steady_clock::now() - *resolving_;
-    resolveMilliseconds_ = took.count();
-    resolving_.reset();
+        std::chrono::steady_clock::now() - *reevaluating_;
+    reevaluateMilliseconds_ = took.count();
+    reevaluating_.reset();
     captured_ = solved.captured;
     relighting_.repaint(solved.paint);
     sendLight();
     decomposition_ = solved.decomposition;
     tell(solved.notes);
-    if (edit.scanned != solved.scanned || edit.dials.albedo != solved.albedo) resolve();
+    if (edit.scanned != solved.scanned || edit.dials.albedo != solved.albedo) reevaluate();
 }
 
 /// Fixtures that were there before keep what was said of them, and stay selected.
@@ -358,9 +358,9 @@ void Studio::follow(const Edit& before)
     Dials dials = before.dials;
     const bool isScannedNew = edit.scanned != before.scanned;
     const bool isDivisionNew = edit.dials.albedo != std::exchange(dials.albedo, edit.dials.albedo);
-    if (edit.dials != dials || (isDivisionNew && !canResolve())) return solveAgain();
+    if (edit.dials != dials || (isDivisionNew && !canReevaluate())) return solveAgain();
     if (!isScannedNew && !isDivisionNew) return;
-    if (canResolve()) return resolve();
+    if (canReevaluate()) return reevaluate();
     if (stage_ == Stage::solved && edit.dials.solver == relamp::Solver::gather)
         return solveAgain(); // a folder, of which no more is kept than its pictures
     if (stage_ == Stage::solved)
@@ -387,7 +387,7 @@ void Studio::solveAgain()
 {
     if (!scan_ || opening_) return;
     hasFailed_ = false;
-    resolving_.reset();
+    reevaluating_.reset();
     stage_ = Stage::scanned;
     solvedBy_ = edit.dials;
     if (!roomSolver_) roomSolver_ = std::make_shared<RoomSolver>(scan_, limits_);
@@ -411,7 +411,7 @@ ScannedLight Studio::scannedLight() const
 }
 
 /// Whether more of the room is kept than its pictures.
-bool Studio::canResolve() const
+bool Studio::canReevaluate() const
 {
     return !opening_ && stage_ == Stage::solved && roomSolver_ && decomposition_ &&
            decomposition_->optionsInForce().solver == relamp::Solver::gather;
@@ -419,20 +419,20 @@ bool Studio::canResolve() const
 
 /// What runs and is soon over is shown first, or nothing would be while a slider is drawn; the
 /// newest wish follows when it is adopted.
-void Studio::resolve()
+void Studio::reevaluate()
 {
     const auto now = std::chrono::steady_clock::now();
-    if (resolving_ && now - *resolving_ < kPatience) return;
+    if (reevaluating_ && now - *reevaluating_ < kPatience) return;
     hasFailed_ = false;
-    resolving_ = now;
+    reevaluating_ = now;
     solver_.start([this, solver = roomSolver_, albedo = edit.dials.albedo,
                    scanned = scannedLight()](relamp::Progress& progress) {
-        solver->resolve(
+        solver->reevaluate(
             albedo, scanned,
             [this, solver](Solved solved) {
                 mailbox_.post(
                     [this, solver, solved = std::make_shared<const Solved>(std::move(solved))] {
-                        if (solver == roomSolver_ && resolving_) adoptResolved(*solved);
+                        if (solver == roomSolver_ && reevaluating_) adoptReevaluated(*solved);
                     });
             },
             progress);
@@ -441,7 +441,7 @@ void Studio::resolve()
 
 void Studio::stopSolving()
 {
-    resolving_.reset();
+    reevaluating_.reset();
     opening_.reset();
     solver_.cancel();
 }

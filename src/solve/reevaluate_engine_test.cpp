@@ -1,4 +1,4 @@
-#include "solve/resolve_engine.h"
+#include "solve/reevaluate_engine.h"
 
 #include "scenes/apart_layers.h"
 #include "scenes/gpu_scene.h"
@@ -34,18 +34,18 @@ void expectLightAlike(const PageLayers& ofGpu, const PageLayers& ofCpu)
     }
 }
 
-/// A room that one engine resolves.
+/// A room that one engine re-evaluates.
 struct Room
 {
     explicit Room(const EngineOptions& options)
         : room(scenes::LitRoom().scan), found(powersOf(room.solved)),
-          engine(std::make_shared<ResolveEngine>(room.texels, options))
+          engine(std::make_shared<ReevaluateEngine>(room.texels, options))
     {}
 
     /// The room under these powers, as the engine makes it.
-    Solution resolve(const LampPowers& powers)
+    Solution reevaluate(const LampPowers& powers)
     {
-        DeviceLayers onDevice = engine->resolve(room.solved, powers);
+        DeviceLayers onDevice = engine->reevaluate(room.solved, powers);
         Solution solution =
             solutionOf(room.texels, room.solved, {}, rate(room.texels, room.solved));
         solution.onDevice = std::move(onDevice);
@@ -60,7 +60,7 @@ struct Room
 
     scenes::Solved room;
     LampPowers found;
-    std::shared_ptr<ResolveEngine> engine;
+    std::shared_ptr<ReevaluateEngine> engine;
 };
 
 void expectAlike(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b)
@@ -74,17 +74,17 @@ void expectAlike(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& 
 
 } // namespace
 
-using GpuResolveEngine = scenes::GpuTest;
+using GpuReevaluateEngine = scenes::GpuTest;
 
 // Texels, and what doubts and the closed loop are made of: surfels and all their sides.
-TEST_F(GpuResolveEngine, DoesTheSameOnEither)
+TEST_F(GpuReevaluateEngine, DoesTheSameOnEither)
 {
     Room cpu({.engine = Engine::cpu});
     Room gpu({.engine = Engine::gpu});
     EXPECT_EQ(cpu.engine->inForce().engine.gpu, "cpu");
     EXPECT_EQ(gpu.engine->inForce().engine.gpu, device().description().name);
     const LampPowers powers = times(cpu.found, 1.6f);
-    expectLightAlike(gpu.layers(gpu.resolve(powers)), cpu.layers(cpu.resolve(powers)));
+    expectLightAlike(gpu.layers(gpu.reevaluate(powers)), cpu.layers(cpu.reevaluate(powers)));
 
     const SolvedRoom& found = gpu.room.solved;
     const SolvedRoom& expected = cpu.room.solved;
@@ -96,13 +96,13 @@ TEST_F(GpuResolveEngine, DoesTheSameOnEither)
     EXPECT_EQ(found.found.found.ambient, expected.found.found.ambient);
 }
 
-// Results are asked for layers long after others were resolved, on the same device.
-TEST_F(GpuResolveEngine, EarlierLayersStayWhatTheyAre)
+// Results are asked for layers long after others were re-evaluated, on the same device.
+TEST_F(GpuReevaluateEngine, EarlierLayersStayWhatTheyAre)
 {
     Room room({.engine = Engine::gpu});
-    const Solution first = room.resolve(times(room.found, 0.5f));
+    const Solution first = room.reevaluate(times(room.found, 0.5f));
     const PageLayers before = room.layers(first);
-    const Solution second = room.resolve(times(room.found, 3.0f));
+    const Solution second = room.reevaluate(times(room.found, 3.0f));
     const PageLayers after = room.layers(second);
     EXPECT_NE(before.albedo, after.albedo);
     EXPECT_NE(before.confidence, after.confidence);
@@ -115,28 +115,28 @@ TEST_F(GpuResolveEngine, EarlierLayersStayWhatTheyAre)
 }
 
 // A lamp that is off is a burnt-out wall, which sends on what it gets.
-TEST_F(GpuResolveEngine, ALampThatIsOffSendsOnWhatItGets)
+TEST_F(GpuReevaluateEngine, ALampThatIsOffSendsOnWhatItGets)
 {
     Room cpu({.engine = Engine::cpu});
     Room gpu({.engine = Engine::gpu});
     const LampPowers on = times(cpu.found, 1.1f);
     LampPowers off = times(cpu.found, 0.0f);
     off.ambient = glm::vec3(0.5f);
-    expectLightAlike(gpu.layers(gpu.resolve(on)), cpu.layers(cpu.resolve(on)));
+    expectLightAlike(gpu.layers(gpu.reevaluate(on)), cpu.layers(cpu.reevaluate(on)));
     for (Room* room : {&cpu, &gpu}) {
         std::vector<uint8_t>& shines = room->room.solved.found.shines;
         EXPECT_NE(std::count(shines.begin(), shines.end(), 1), 0);
         std::fill(shines.begin(), shines.end(), uint8_t{0});
     }
-    expectLightAlike(gpu.layers(gpu.resolve(off)), cpu.layers(cpu.resolve(off)));
+    expectLightAlike(gpu.layers(gpu.reevaluate(off)), cpu.layers(cpu.reevaluate(off)));
 }
 
-TEST_F(GpuResolveEngine, LeavesADeviceInSoftwareAloneUnlessItIsAskedFor)
+TEST_F(GpuReevaluateEngine, LeavesADeviceInSoftwareAloneUnlessItIsAskedFor)
 {
     const scenes::Solved room(scenes::LitRoom().scan);
     const bool isReal = device().description().isReal();
-    EXPECT_EQ(ResolveEngine(room.texels, {}).inForce().engine.gpu != "cpu", isReal);
-    EXPECT_EQ(ResolveEngine(room.texels, {.gpu = "0"}).inForce().engine.gpu,
+    EXPECT_EQ(ReevaluateEngine(room.texels, {}).inForce().engine.gpu != "cpu", isReal);
+    EXPECT_EQ(ReevaluateEngine(room.texels, {.gpu = "0"}).inForce().engine.gpu,
               gpuDevices().at(0).name);
 }
 

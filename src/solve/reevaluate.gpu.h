@@ -1,12 +1,12 @@
-#ifndef RELAMP_RESOLVE_GPU_H
-#define RELAMP_RESOLVE_GPU_H
+#ifndef RELAMP_REEVALUATE_GPU_H
+#define RELAMP_REEVALUATE_GPU_H
 
 #include "gpu/compute.h"
 #include "shading/lamp_terms.gpu.h"
 
 SHARED_BEGIN
 
-struct ResolveArguments
+struct ReevaluateArguments
 {
     Uvec4s site; // of texels
     Uints surfel;

@@ -4,9 +4,9 @@
 #include "base/radiometry.shared.h"
 #include "scan/texels.gpu.h"
 #include "shading/gathered_light.shared.h"
-#include "solve/resolve.gpu.h"
+#include "solve/reevaluate.gpu.h"
 
-ARGUMENTS(ResolveArguments)
+ARGUMENTS(ReevaluateArguments)
 
 // Between the surfels of one surface; w: share of the light that is there.
 vec4 interpolated(uint surfel, vec3 place, vec3 normal)

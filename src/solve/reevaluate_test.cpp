@@ -1,4 +1,4 @@
-#include "solve/resolve.h"
+#include "solve/reevaluate.h"
 
 #include "scenes/lit_room.h"
 #include "scenes/solved.h"
@@ -9,26 +9,26 @@ namespace relamp
 {
 
 // Nothing is found anew, so nothing may come out otherwise.
-TEST(Resolve, SamePowersGiveTheSameLight)
+TEST(Reevaluate, SamePowersGiveTheSameLight)
 {
     scenes::Solved room(scenes::LitRoom().scan);
     const std::vector<glm::vec3> before = room.solved.light->indirect;
     const LampPowers powers = powersOf(room.solved);
     ASSERT_FALSE(powers.lamps.empty());
-    resolve(room.texels, room.solved, powers);
+    reevaluate(room.texels, room.solved, powers);
     EXPECT_EQ(room.solved.light->indirect, before);
 
     LampPowers others = powers;
     others.lamps[0] *= 1.5f;
-    resolve(room.texels, room.solved, others);
+    reevaluate(room.texels, room.solved, others);
     EXPECT_NE(room.solved.light->indirect, before);
-    resolve(room.texels, room.solved, powers);
+    reevaluate(room.texels, room.solved, powers);
     EXPECT_EQ(room.solved.light->indirect, before);
 }
 
 // Light that is read off the texture does not know of powers; that of burnt-out walls does, and
 // direct light is in proportion.
-TEST(Resolve, TwiceThePowerIsTwiceTheDirectLight)
+TEST(Reevaluate, TwiceThePowerIsTwiceTheDirectLight)
 {
     scenes::Solved room(scenes::LitRoom().scan);
     LampPowers powers = powersOf(room.solved);
@@ -37,7 +37,7 @@ TEST(Resolve, TwiceThePowerIsTwiceTheDirectLight)
     const std::vector<glm::vec3> indirect = room.solved.light->indirect;
     const std::vector<glm::vec3> gathered = room.solved.found.sides.gathered.irradiance;
     for (glm::vec3& radiance : powers.lamps) radiance *= 2.0f;
-    resolve(room.texels, room.solved, powers);
+    reevaluate(room.texels, room.solved, powers);
     const std::vector<glm::vec3> twice =
         lightOnSurfels(room.texels.surfels, *room.solved.light).irradiance;
     for (size_t s = 0; s < once.size(); ++s) {

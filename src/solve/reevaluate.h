@@ -45,7 +45,7 @@ std::span<const AreaSample> onSidesOf(const SolvedRoom& room, size_t lamp);
 
 /// Changes the powers and all light that follows from them; casts no ray and fits nothing again.
 /// The same powers give the same light, to the bit. What shades by the light before goes on to.
-void resolve(const Texels& texels, SolvedRoom& room, const LampPowers& powers);
+void reevaluate(const Texels& texels, SolvedRoom& room, const LampPowers& powers);
 
 /// Light between the surfels of a room.
 struct SettledLight
@@ -55,10 +55,11 @@ struct SettledLight
 };
 
 /// The same where somebody else has settled the light under these powers.
-void resolve(const Texels& texels, SolvedRoom& room, const LampPowers& powers, SettledLight light);
+void reevaluate(const Texels& texels, SolvedRoom& room, const LampPowers& powers,
+                SettledLight light);
 
 /// Shading of the room's texels, but for the light that the texture shows at the rims of what is
-/// buried; it follows resolve().
+/// buried; it follows reevaluate().
 TexelShading shadingOf(const Texels& texels, const SolvedRoom& room);
 
 } // namespace relamp

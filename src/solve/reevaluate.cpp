@@ -1,4 +1,4 @@
-#include "solve/resolve.h"
+#include "solve/reevaluate.h"
 
 #include "base/call_all.h"
 #include "base/parallel.h"
@@ -114,7 +114,7 @@ LampPowers powersOf(const SolvedRoom& room)
     return powers;
 }
 
-void resolve(const Texels& texels, SolvedRoom& room, const LampPowers& powers)
+void reevaluate(const Texels& texels, SolvedRoom& room, const LampPowers& powers)
 {
     FoundRoom& found = room.found;
     found.sides = lightSides(texels, found.hits, found.radiance, directUnder(room, powers),
@@ -123,7 +123,8 @@ void resolve(const Texels& texels, SolvedRoom& room, const LampPowers& powers)
     shine(texels, room, powers, indirectOf(texels, room));
 }
 
-void resolve(const Texels& texels, SolvedRoom& room, const LampPowers& powers, SettledLight light)
+void reevaluate(const Texels& texels, SolvedRoom& room, const LampPowers& powers,
+                SettledLight light)
 {
     FoundRoom& found = room.found;
     Gathered gathered{.irradiance = std::move(light.gathered),

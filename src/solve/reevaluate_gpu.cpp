@@ -1,8 +1,8 @@
-#include "solve/resolve_gpu.h"
+#include "solve/reevaluate_gpu.h"
 
 #include "shading/gathered_light.shared.h"
-#include "solve/resolve.comp.h"
-#include "solve/resolve.gpu.h"
+#include "solve/reevaluate.comp.h"
+#include "solve/reevaluate.gpu.h"
 
 #include <algorithm>
 #include <optional>
@@ -55,7 +55,7 @@ uint64_t budgetOf(const gpu::Device& device, uint64_t budget, const Texels& texe
 } // namespace
 
 /// A page on the device, what was computed of it, and from what.
-struct ResolveGpu::Page
+struct ReevaluateGpu::Page
 {
     Page(const gpu::Device& device, const Texels& all, size_t page, size_t lamps)
         : texels(device, all, page), terms(device, LampTermsGpu::termsOf(lamps, texels.count)),
@@ -77,9 +77,9 @@ struct ResolveGpu::Page
     StageInputs termsOf, shadingOf;
 };
 
-ResolveGpu::ResolveGpu(const gpu::Device& device, const Texels& texels, const SolvedRoom& room,
-                       uint64_t budget)
-    : device_(device), texels_(texels), shade_(device, kResolveSpirv),
+ReevaluateGpu::ReevaluateGpu(const gpu::Device& device, const Texels& texels,
+                             const SolvedRoom& room, uint64_t budget)
+    : device_(device), texels_(texels), shade_(device, kReevaluateSpirv),
       surfels_(device, texels.surfels),
       sides_(device, room.found.hits, room.found.radiance, {room.found.shines, room.lit}),
       lamps_(device, texels.surfels, *room.light, scalesOf(room)),
@@ -96,10 +96,10 @@ ResolveGpu::ResolveGpu(const gpu::Device& device, const Texels& texels, const So
           })
 {}
 
-ResolveGpu::~ResolveGpu() = default;
+ReevaluateGpu::~ReevaluateGpu() = default;
 
-std::vector<gpu::Timing> ResolveGpu::gather(const LampPowers& powers,
-                                            std::span<const uint8_t> shines)
+std::vector<gpu::Timing> ReevaluateGpu::gather(const LampPowers& powers,
+                                               std::span<const uint8_t> shines)
 {
     const bool areNew = powers_.change(numbersOf(powers.lamps));
     if (!std::equal(shines.begin(), shines.end(), shines_.begin(), shines_.end())) {
@@ -121,7 +121,7 @@ std::vector<gpu::Timing> ResolveGpu::gather(const LampPowers& powers,
     return commands.timings();
 }
 
-std::vector<gpu::Timing> ResolveGpu::shade(size_t index)
+std::vector<gpu::Timing> ReevaluateGpu::shade(size_t index)
 {
     Page& page = pages_[index];
     last_ = index;
@@ -134,31 +134,31 @@ std::vector<gpu::Timing> ResolveGpu::shade(size_t index)
         commands.mark("shading");
         const float reach = kInterpolationReach * surfels_.size;
         commands.dispatch(shade_, page.texels.count,
-                          ResolveArguments{.site = page.texels.site.ref(),
-                                           .surfel = page.texels.surfel.ref(),
-                                           .position = surfels_.position.ref(),
-                                           .normal = surfels_.normal.ref(),
-                                           .firstNeighbor = surfels_.firstNeighbor.ref(),
-                                           .neighbor = surfels_.neighbor.ref(),
-                                           .indirect = sides_.indirect().ref(),
-                                           .lamps = lamps_.lit(page.terms, page.texels.count),
-                                           .directOut = page.direct.ref(),
-                                           .indirectOut = page.indirect.ref(),
-                                           .perReachSquared = 1.0f / (reach * reach)});
+                          ReevaluateArguments{.site = page.texels.site.ref(),
+                                              .surfel = page.texels.surfel.ref(),
+                                              .position = surfels_.position.ref(),
+                                              .normal = surfels_.normal.ref(),
+                                              .firstNeighbor = surfels_.firstNeighbor.ref(),
+                                              .neighbor = surfels_.neighbor.ref(),
+                                              .indirect = sides_.indirect().ref(),
+                                              .lamps = lamps_.lit(page.terms, page.texels.count),
+                                              .directOut = page.direct.ref(),
+                                              .indirectOut = page.indirect.ref(),
+                                              .perReachSquared = 1.0f / (reach * reach)});
         commands.barrier();
     }
     commands.run();
     return commands.timings();
 }
 
-void ResolveGpu::setSurfels(const SolvedTexels& solved)
+void ReevaluateGpu::setSurfels(const SolvedTexels& solved)
 {
     ++said_;
     layers_.setSurfels(solved);
 }
 
 /// Makes the pictures this page's.
-void ResolveGpu::takeLayers(gpu::Commands& commands, size_t page)
+void ReevaluateGpu::takeLayers(gpu::Commands& commands, size_t page)
 {
     const Image& image = texels_.scan->pages[page].image;
     const Image& before = texels_.scan->pages[picturesOf_].image;
@@ -172,7 +172,7 @@ void ResolveGpu::takeLayers(gpu::Commands& commands, size_t page)
     picturesOf_ = page;
 }
 
-std::vector<gpu::Timing> ResolveGpu::divide(size_t index, const AlbedoOptions& options)
+std::vector<gpu::Timing> ReevaluateGpu::divide(size_t index, const AlbedoOptions& options)
 {
     std::vector<gpu::Timing> timings = shade(index);
     Page& page = pages_[index];
@@ -196,17 +196,17 @@ std::vector<gpu::Timing> ResolveGpu::divide(size_t index, const AlbedoOptions& o
     return timings;
 }
 
-std::vector<glm::vec4> ResolveGpu::indirectOnSurfels() const
+std::vector<glm::vec4> ReevaluateGpu::indirectOnSurfels() const
 {
     return sides_.indirect().download();
 }
 
-PageIrradiance ResolveGpu::irradiance() const
+PageIrradiance ReevaluateGpu::irradiance() const
 {
     return {pages_[last_].direct.download(), pages_[last_].indirect.download()};
 }
 
-PageLayers ResolveGpu::layers() const
+PageLayers ReevaluateGpu::layers() const
 {
     return layersFrom(*pictures_, texels_, picturesOf_);
 }

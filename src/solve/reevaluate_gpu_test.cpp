@@ -1,4 +1,4 @@
-#include "solve/resolve_gpu.h"
+#include "solve/reevaluate_gpu.h"
 
 #include "base/radiometry.shared.h"
 #include "scenes/apart_layers.h"
@@ -55,14 +55,14 @@ LampPowers others(LampPowers powers)
 }
 
 /// A room that both engines have solved again under other powers.
-struct ResolveTwins
+struct ReevaluateTwins
 {
-    ResolveTwins(const gpu::Device& device, Scan scan)
+    ReevaluateTwins(const gpu::Device& device, Scan scan)
         : room(std::move(scan)), found(powersOf(room.solved)), powers(others(found)),
           gpu(device, room.texels, room.solved)
     {
         gather(found); // that it has to change
-        resolve(room.texels, room.solved, powers);
+        reevaluate(room.texels, room.solved, powers);
         said = solutionOf(room.texels, room.solved, {}, rate(room.texels, room.solved)).texels;
         gather(powers);
         gpu.setSurfels(said);
@@ -96,12 +96,12 @@ struct ResolveTwins
     scenes::Solved room;
     LampPowers found;
     LampPowers powers;
-    ResolveGpu gpu;
+    ReevaluateGpu gpu;
     SolvedTexels said; // under `powers`, by the CPU
 };
 
 /// Every test runs on each of these; they are made once.
-class GpuResolve : public scenes::GpuTest, public testing::WithParamInterface<const char*>
+class GpuReevaluate : public scenes::GpuTest, public testing::WithParamInterface<const char*>
 {
 protected:
     static void TearDownTestSuite()
@@ -110,39 +110,41 @@ protected:
         scenes::GpuTest::TearDownTestSuite();
     }
 
-    static ResolveTwins& twins()
+    static ReevaluateTwins& twins()
     {
         const std::string name = GetParam();
-        std::unique_ptr<ResolveTwins>& room = rooms_[name];
+        std::unique_ptr<ReevaluateTwins>& room = rooms_[name];
         if (room) return *room;
         Progress progress;
         if (name == "TwoPages")
-            room = std::make_unique<ResolveTwins>(device(), roomOfTwoPages());
+            room = std::make_unique<ReevaluateTwins>(device(), roomOfTwoPages());
         else if (name == "Sun")
-            room = std::make_unique<ResolveTwins>(device(), scenes::SunRoom(glm::vec3(3.0f)).scan);
+            room =
+                std::make_unique<ReevaluateTwins>(device(), scenes::SunRoom(glm::vec3(3.0f)).scan);
         else if (name == "NoLamp")
-            room = std::make_unique<ResolveTwins>(device(), roomWithoutLamps());
+            room = std::make_unique<ReevaluateTwins>(device(), roomWithoutLamps());
         else
-            room = std::make_unique<ResolveTwins>(
+            room = std::make_unique<ReevaluateTwins>(
                 device(), readScan(RELAMP_SAMPLES "/bedroom/scan.glb", {}, progress));
         return *room;
     }
 
 private:
-    static std::map<std::string, std::unique_ptr<ResolveTwins>> rooms_;
+    static std::map<std::string, std::unique_ptr<ReevaluateTwins>> rooms_;
 };
 
-std::map<std::string, std::unique_ptr<ResolveTwins>> GpuResolve::rooms_;
+std::map<std::string, std::unique_ptr<ReevaluateTwins>> GpuReevaluate::rooms_;
 
-INSTANTIATE_TEST_SUITE_P(Rooms, GpuResolve, testing::Values("TwoPages", "Sun", "NoLamp", "Sample"),
+INSTANTIATE_TEST_SUITE_P(Rooms, GpuReevaluate,
+                         testing::Values("TwoPages", "Sun", "NoLamp", "Sample"),
                          [](const auto& room) { return std::string(room.param); });
 
 } // namespace
 
 // The whole of the light on surfels, from powers: sums of lamps, four rounds, smoothing.
-TEST_P(GpuResolve, LightsSurfelsAsTheCpuDoes)
+TEST_P(GpuReevaluate, LightsSurfelsAsTheCpuDoes)
 {
-    const ResolveTwins& room = twins();
+    const ReevaluateTwins& room = twins();
     ASSERT_EQ(room.powers.lamps.empty(), GetParam() == std::string("NoLamp"));
     ASSERT_EQ(room.room.solved.found.sun.has_value(), GetParam() == std::string("Sun"));
     const std::vector<glm::vec4> found = room.gpu.indirectOnSurfels();
@@ -157,9 +159,9 @@ TEST_P(GpuResolve, LightsSurfelsAsTheCpuDoes)
     EXPECT_LT(lit.most(), 1e-6f);
 }
 
-TEST_P(GpuResolve, ShadesTexelsAsTheCpuDoes)
+TEST_P(GpuReevaluate, ShadesTexelsAsTheCpuDoes)
 {
-    ResolveTwins& room = twins();
+    ReevaluateTwins& room = twins();
     for (size_t p = 0; p < room.pages(); ++p) {
         room.gpu.shade(p);
         const PageIrradiance irradiance = room.gpu.irradiance();
@@ -181,9 +183,9 @@ TEST_P(GpuResolve, ShadesTexelsAsTheCpuDoes)
 }
 
 // The whole chain, from powers to finished pages: rims, what is burnt out, doubts and padding too.
-TEST_P(GpuResolve, EndsInTheLayersOfTheCpu)
+TEST_P(GpuReevaluate, EndsInTheLayersOfTheCpu)
 {
-    ResolveTwins& room = twins();
+    ReevaluateTwins& room = twins();
     for (size_t p = 0; p < room.pages(); ++p)
         for (const bool fill : {false, true}) {
             Progress progress;
@@ -197,9 +199,9 @@ TEST_P(GpuResolve, EndsInTheLayersOfTheCpu)
         }
 }
 
-TEST_P(GpuResolve, ComputesAgainOnlyWhatChanged)
+TEST_P(GpuReevaluate, ComputesAgainOnlyWhatChanged)
 {
-    ResolveTwins& room = twins();
+    ReevaluateTwins& room = twins();
     room.gather(room.powers);
     room.gpu.divide(0, {});
     const PageLayers before = room.gpu.layers();
@@ -219,12 +221,12 @@ TEST_P(GpuResolve, ComputesAgainOnlyWhatChanged)
     EXPECT_EQ(room.gpu.layers().confidence, before.confidence);
 }
 
-using GpuResolvePages = scenes::GpuTest;
+using GpuReevaluatePages = scenes::GpuTest;
 
-TEST_F(GpuResolvePages, TakeTurnsWhereMemoryIsShort)
+TEST_F(GpuReevaluatePages, TakeTurnsWhereMemoryIsShort)
 {
-    ResolveTwins room(device(), roomOfTwoPages());
-    ResolveGpu oneAtATime(device(), room.room.texels, room.room.solved, 1);
+    ReevaluateTwins room(device(), roomOfTwoPages());
+    ReevaluateGpu oneAtATime(device(), room.room.texels, room.room.solved, 1);
     oneAtATime.gather(room.powers, room.room.solved.found.shines);
     oneAtATime.setSurfels(room.said);
     for (const size_t p : {0u, 1u, 0u}) {

@@ -1,4 +1,4 @@
-#include "solve/resolve_engine.h"
+#include "solve/reevaluate_engine.h"
 
 #include "relamp/error.h"
 
@@ -9,7 +9,7 @@ namespace relamp
 namespace
 {
 
-SettledLight settledBy(const ResolveGpu& gpu)
+SettledLight settledBy(const ReevaluateGpu& gpu)
 {
     SettledLight light;
     for (const glm::vec4 irradiance : gpu.gathered()) light.gathered.emplace_back(irradiance);
@@ -33,25 +33,25 @@ private:
 
 } // namespace
 
-ResolveEngine::ResolveEngine(const Texels& texels, const EngineOptions& options)
+ReevaluateEngine::ReevaluateEngine(const Texels& texels, const EngineOptions& options)
     : texels_(texels), gpu_(gpu::Choice::of(options), [this](const gpu::Device& device) {
           if (room_ == nullptr)
               throw Error(ErrorCode::device,
                           "the GPU failed at this room; take the light out of it "
                           "again, or leave that to the CPU (--engine cpu)");
-          return std::make_unique<ResolveGpu>(device, texels_, *room_);
+          return std::make_unique<ReevaluateGpu>(device, texels_, *room_);
       })
 {}
 
-DeviceLayers ResolveEngine::resolve(SolvedRoom& room, const LampPowers& powers)
+DeviceLayers ReevaluateEngine::reevaluate(SolvedRoom& room, const LampPowers& powers)
 {
     const auto asked = std::make_shared<const Asked>(Asked{powers, room.found.shines});
     SettledLight light;
     if (!settle(room, *asked, light)) {
-        relamp::resolve(texels_, room, powers);
+        relamp::reevaluate(texels_, room, powers);
         return nullptr;
     }
-    relamp::resolve(texels_, room, powers, std::move(light));
+    relamp::reevaluate(texels_, room, powers, std::move(light));
     return [self = shared_from_this(), asked](size_t page, const SolvedTexels& solved,
                                               const AlbedoOptions& options, Progress& progress) {
         const Progress::Stage stage(progress, "divide");
@@ -61,24 +61,24 @@ DeviceLayers ResolveEngine::resolve(SolvedRoom& room, const LampPowers& powers)
 }
 
 /// False where the CPU has to do it.
-bool ResolveEngine::settle(const SolvedRoom& room, const Asked& asked, SettledLight& light)
+bool ReevaluateEngine::settle(const SolvedRoom& room, const Asked& asked, SettledLight& light)
 {
     const std::unique_lock lock(mutex_);
     const Lent lent(room_, room);
     lit_ = nullptr;
-    return gpu_.compute([&](ResolveGpu& gpu) {
+    return gpu_.compute([&](ReevaluateGpu& gpu) {
         gpu.gather(asked.powers, asked.shines);
         light = settledBy(gpu);
     });
 }
 
-std::optional<PageLayers> ResolveEngine::layersOf(const std::shared_ptr<const Asked>& asked,
-                                                  size_t page, const SolvedTexels& solved,
-                                                  const AlbedoOptions& options)
+std::optional<PageLayers> ReevaluateEngine::layersOf(const std::shared_ptr<const Asked>& asked,
+                                                     size_t page, const SolvedTexels& solved,
+                                                     const AlbedoOptions& options)
 {
     const std::unique_lock lock(mutex_);
     std::optional<PageLayers> layers;
-    gpu_.compute([&](ResolveGpu& gpu) {
+    gpu_.compute([&](ReevaluateGpu& gpu) {
         if (lit_ != asked) {
             lit_ = nullptr;                           // until all of it is there
             gpu.gather(asked->powers, asked->shines); // nothing where these are still its own
@@ -91,7 +91,7 @@ std::optional<PageLayers> ResolveEngine::layersOf(const std::shared_ptr<const As
     return layers;
 }
 
-gpu::InForce ResolveEngine::inForce() const
+gpu::InForce ReevaluateEngine::inForce() const
 {
     const std::unique_lock lock(mutex_);
     return gpu_.inForce();

@@ -6,8 +6,8 @@
 #include "shading/lamp_terms_gpu.h"
 #include "shading/lit_sides_gpu.h"
 #include "solve/page_irradiance.h"
+#include "solve/reevaluate.h"
 #include "solve/resident_pages.h"
-#include "solve/resolve.h"
 #include "solve/stage_inputs.h"
 
 #include <cstdint>
@@ -18,18 +18,18 @@
 namespace relamp
 {
 
-/// resolve() on a GPU, from powers to layers. Of texels nothing leaves the device before these, and
-/// a stage runs again only where something that it depends on is not as it was. What lamps do to
-/// texels at radiance 1 is computed once and kept.
+/// reevaluate() on a GPU, from powers to layers. Of texels nothing leaves the device before these,
+/// and a stage runs again only where something that it depends on is not as it was. What lamps do
+/// to texels at radiance 1 is computed once and kept.
 ///
 /// Pages stay on the device where `budget` lets them; else they take turns.
-class ResolveGpu
+class ReevaluateGpu
 {
 public:
     /// `texels` and the device must outlive this. `budget` as ResidentPages.
-    ResolveGpu(const gpu::Device& device, const Texels& texels, const SolvedRoom& room,
-               uint64_t budget = 0);
-    ~ResolveGpu();
+    ReevaluateGpu(const gpu::Device& device, const Texels& texels, const SolvedRoom& room,
+                  uint64_t budget = 0);
+    ~ReevaluateGpu();
 
     /// The light of the room's surfels. `shines` as FoundRoom under these powers.
     std::vector<gpu::Timing> gather(const LampPowers& powers, std::span<const uint8_t> shines);
