@@ -2,10 +2,10 @@
 #include "lights/fixture_map.h"
 #include "relight/by_lpv.h"
 #include "relight/by_paths.h"
-#include "relight/panes.h"
 #include "relight/relighter_state.h"
 #include "relight/relit_page.h"
 #include "relight/room_transport.h"
+#include "relight/window_openings.h"
 #include "scan/overlap.h"
 #include "shading/buried.h"
 #include "solve/found_room.h"
@@ -85,14 +85,14 @@ Relighter::State::State(const DelitRoom& of, const RelightOptions& with, Progres
       transport(transportOfRoom({texels, scene, radiance}, with, warningsOfRoom, progress)),
       open(std::make_shared<const TexelMarks>(openShares(texels, scene))), painted(of.albedo),
       albedo(texels, of.albedo, of.confidence, radiance.isClipped),
-      isPane(likelyPanes(scene, surfaces)),
+      isOpening(likelyWindowOpenings(scene, surfaces)),
       radiosity(texels, scene, transport, radiance.isClipped, with)
 {}
 
 ActiveLights Relighter::State::activeUnder(const Relighting& lighting) const
 {
     return activate(texels, {room.captured, surfaces},
-                    withOpenPanes(lighting, room.captured, isPane));
+                    withWindowOpenings(lighting, room.captured, isOpening));
 }
 
 Relighter::Relighter(const DelitRoom& room, const RelightOptions& options, Progress& progress)

@@ -1,4 +1,4 @@
-#include "relight/panes.h"
+#include "relight/window_openings.h"
 
 #include "lights/shining.h"
 
@@ -12,12 +12,12 @@ namespace relamp
 namespace
 {
 
-constexpr float kUpright = 0.7f;   // upward part of a pane's normal, less
-constexpr float kLeastPane = 0.1f; // m^2
-constexpr float kBehind = 0.1f;    // m that a window's wall and its scan are thick
+constexpr float kUpright = 0.7f;      // upward part of its normal, less
+constexpr float kLeastOpening = 0.1f; // m^2
+constexpr float kBehind = 0.1f;       // m that a window's wall and its scan are thick
 constexpr size_t kRays = 16;
 
-bool isPane(const RayScene& scene, std::span<const ClippedPatch> patches)
+bool isWindowOpening(const RayScene& scene, std::span<const ClippedPatch> patches)
 {
     float area = 0.0f;
     glm::vec3 normal(0.0f);
@@ -25,7 +25,7 @@ bool isPane(const RayScene& scene, std::span<const ClippedPatch> patches)
         area += patch.area;
         normal += patch.area * patch.normal;
     }
-    if (area < kLeastPane || glm::length(normal) < 0.7f * area) return false; // small, or round
+    if (area < kLeastOpening || glm::length(normal) < 0.7f * area) return false; // small, or round
     normal = glm::normalize(normal);
     if (std::abs(normal.y) >= kUpright) return false;
     size_t open = 0;
@@ -48,24 +48,24 @@ bool hasOutsideLight(const Relighting& lighting)
 
 } // namespace
 
-std::vector<uint8_t> likelyPanes(const RayScene& scene,
-                                 std::span<const std::vector<ClippedPatch>> surfaces)
+std::vector<uint8_t> likelyWindowOpenings(const RayScene& scene,
+                                          std::span<const std::vector<ClippedPatch>> surfaces)
 {
-    std::vector<uint8_t> panes;
+    std::vector<uint8_t> isOpening;
     for (const auto& patches : surfaces)
-        panes.push_back(!patches.empty() && isPane(scene, patches) ? 1 : 0);
-    return panes;
+        isOpening.push_back(!patches.empty() && isWindowOpening(scene, patches) ? 1 : 0);
+    return isOpening;
 }
 
-Relighting withOpenPanes(Relighting lighting, const Lights& captured,
-                         std::span<const uint8_t> isPane)
+Relighting withWindowOpenings(Relighting lighting, const Lights& captured,
+                              std::span<const uint8_t> isOpening)
 {
     const bool isSaid = std::ranges::any_of(lighting.fixtures, &LitFixture::isWindow);
     if (isSaid || !hasOutsideLight(lighting)) return lighting;
     for (LitFixture& lit : lighting.fixtures) {
         const size_t place = captured.placeOf(lit.fixture.id);
-        if (place < isPane.size() && isDark(lit.fixture.radiance))
-            lit.isWindow = isPane[place] != 0;
+        if (place < isOpening.size() && isDark(lit.fixture.radiance))
+            lit.isWindow = isOpening[place] != 0;
     }
     return lighting;
 }

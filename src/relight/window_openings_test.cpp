@@ -1,4 +1,4 @@
-#include "relight/panes.h"
+#include "relight/window_openings.h"
 
 #include "scenes/scenes.h"
 
@@ -19,7 +19,7 @@ Patches fixtureAt(glm::vec3 position, glm::vec3 normal, float area = 0.5f)
 
 } // namespace
 
-TEST(Panes, AreUprightAndHaveNothingBehind)
+TEST(WindowOpenings, AreUprightAndHaveNothingBehind)
 {
     const Scan room = scenes::room({3, 2.5f, 4}, 16, scenes::plain(glm::vec3(0.5f)));
     const RayScene scene(room);
@@ -29,19 +29,19 @@ TEST(Panes, AreUprightAndHaveNothingBehind)
         fixtureAt({1.5f, 1.2f, 2}, {1, 0, 0}),     // a screen in the room
         fixtureAt({0, 1.2f, 2}, {1, 0, 0}, 0.02f), // a lamp on a wall
         {}};
-    EXPECT_EQ(likelyPanes(scene, fixtures), (std::vector<uint8_t>{1, 0, 0, 0, 0}));
+    EXPECT_EQ(likelyWindowOpenings(scene, fixtures), (std::vector<uint8_t>{1, 0, 0, 0, 0}));
 }
 
-TEST(Panes, OpenToSunAndSkyUnlessSomebodySaysWhich)
+TEST(WindowOpenings, OpenToSunAndSkyUnlessSomebodySaysWhich)
 {
-    const std::vector<uint8_t> isPane{1, 0, 1};
+    const std::vector<uint8_t> isOpening{1, 0, 1};
     Relighting lighting;
     const Lights captured{.fixtures = {{.id = 4}, {.id = 0}, {.id = 9}}};
     lighting.fixtures = darkened(captured).fixtures;
     lighting.fixtures[2].fixture.radiance = glm::vec3(1.0f); // is on
     const auto areOpen = [&] {
         std::vector<bool> open;
-        for (const LitFixture& lit : withOpenPanes(lighting, captured, isPane).fixtures)
+        for (const LitFixture& lit : withWindowOpenings(lighting, captured, isOpening).fixtures)
             open.push_back(lit.isWindow);
         return open;
     };
