@@ -43,7 +43,7 @@ struct Room
         SurfelLight light = collectLight(texels, {}, progress);
         joinFixtures(light, texels, {});
         frame.lights.points = pointLightsFrom(light.emitters, ThesisOptions{}.lightLevels);
-        frame.dials = deriveDials({}, frame.lights, boundsOf(scan));
+        frame.parameters = deriveParameters({}, frame.lights, boundsOf(scan));
     }
 
     RayScene scene;
@@ -76,27 +76,29 @@ void overBlocks(const Texels& texels, const Work& work)
 std::vector<double> frameOfCpu(const Room& room)
 {
     Progress progress;
-    const ThesisOptions& dials = room.frame.dials;
+    const ThesisOptions& parameters = room.frame.parameters;
     std::vector<BounceLight> lit;
     std::shared_ptr<const Lpv> volume;
     const LightArrays lights(room.frame.lights.points);
     Flattened surface;
     const double flattening = secondsOf([&] {
-        surface = flatten(room.texels, {dials.flattenReach, dials.flattenRange}, progress);
+        surface =
+            flatten(room.texels, {parameters.flattenReach, parameters.flattenRange}, progress);
     });
     const double direct = secondsOf([&] {
         overBlocks(room.texels, [&](const TexelBlock& block) {
             RgbBlock out;
-            directIrradiance(block, lights, *dials.attenuation, out);
+            directIrradiance(block, lights, *parameters.attenuation, out);
         });
     });
     const double rsm = secondsOf([&] {
         lit = reflectiveShadowMaps(room.texels, room.scene,
-                                   lightsOfShadowMaps(room.frame.lights, dials), dials.rsmSize);
+                                   lightsOfShadowMaps(room.frame.lights, parameters),
+                                   parameters.rsmSize);
         for (BounceLight& light : lit) light.flux *= surface.at(light.page, light.pixel);
     });
     const double lpv = secondsOf([&] {
-        volume = spread(room.texels, lit, dials);
+        volume = spread(room.texels, lit, parameters);
         overBlocks(room.texels, [&](const TexelBlock& block) {
             RgbBlock out;
             volume->irradiance(block, out);
@@ -170,13 +172,13 @@ double pixelsOf(const Scan& scan)
 /// What the stages have to move and to compute on a GPU, counted by hand from the shaders.
 std::vector<double> floorsOf(const Room& room, const gpu::Peak& peak)
 {
-    const ThesisOptions& dials = room.frame.dials;
+    const ThesisOptions& parameters = room.frame.parameters;
     const auto n = static_cast<double>(room.texels.count());
     const auto lights = static_cast<double>(room.frame.lights.points.size());
     const auto cells =
-        static_cast<double>(LpvGrid(boundsOf(*room.texels.scan), dials.lpvSize).count());
+        static_cast<double>(LpvGrid(boundsOf(*room.texels.scan), parameters.lpvSize).count());
     const double taps = 2.0 * tapsOf(room.texels, ~size_t{0}); // about two colours a neighbour
-    const double steps = dials.lpvSteps;
+    const double steps = parameters.lpvSteps;
     return {peak.floorSeconds(n * (8 + 16 + 8 + 4 + 4 + 4), 26.0 * taps),
             peak.floorSeconds(n * (16 + 8), n * lights * 24.0),
             0.0,
@@ -222,7 +224,7 @@ FrameTimes measureFrame(const Bench& bench, Progress& progress)
     FrameTimes times;
     times.texels = room.texels.count();
     times.lights = room.frame.lights.points.size();
-    times.shadowMaps = lightsOfShadowMaps(room.frame.lights, room.frame.dials).size();
+    times.shadowMaps = lightsOfShadowMaps(room.frame.lights, room.frame.parameters).size();
     std::vector<double> ofGpu;
     std::vector<double> floors;
     if (bench.device != nullptr) {

@@ -117,7 +117,7 @@ TEST(Delighter, SolvesAsDelightDoesWhateverItSolvedBefore)
     expectSame(room.delighter.solve(draft(), room.progress), *room.found);
 }
 
-TEST(Delighter, DialsOfTheThesisAreThoseOfDelight)
+TEST(Delighter, ParametersOfTheThesisAreThoseOfDelight)
 {
     const Scan scan = scenes::LitRoom().scan;
     Progress progress;
@@ -125,13 +125,13 @@ TEST(Delighter, DialsOfTheThesisAreThoseOfDelight)
     DelightOptions options = thesisSolver();
     const Decomposition first = delighter.solve(options, progress);
     const PageLayers before = layersOf(first);
-    const std::function<void()> dials[] = {[&] { options.thesis.power = 2.0f; },
-                                           [&] { options.thesis.lpvSteps = 3; },
-                                           [&] { options.thesis.flattenRange = 1.0f; },
-                                           [&] { options.thesis.lightLevels = 3; },
-                                           [&] { options.thesis.emitterThreshold = 0.5f; },
-                                           [&] { options.thesis.useLpv = false; }};
-    for (const auto& turn : dials) {
+    const std::function<void()> parameters[] = {[&] { options.thesis.power = 2.0f; },
+                                                [&] { options.thesis.lpvSteps = 3; },
+                                                [&] { options.thesis.flattenRange = 1.0f; },
+                                                [&] { options.thesis.lightLevels = 3; },
+                                                [&] { options.thesis.emitterThreshold = 0.5f; },
+                                                [&] { options.thesis.useLpv = false; }};
+    for (const auto& turn : parameters) {
         turn();
         expectSame(delighter.solve(options, progress),
                    delight(scenes::copyOf(scan), options, progress));

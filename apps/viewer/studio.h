@@ -20,8 +20,8 @@
 #include <string>
 #include <vector>
 
-/// The solver and its dials, as far as the viewer has them.
-struct Dials
+/// The solver and its parameters, as far as the viewer has them.
+struct SolverParameters
 {
     relamp::Solver solver = relamp::Solver::gather;
     relamp::GatherOptions gather;
@@ -29,7 +29,7 @@ struct Dials
     relamp::ThesisOptions thesis;
     relamp::AlbedoOptions albedo;
 
-    bool operator==(const Dials& other) const = default;
+    bool operator==(const SolverParameters& other) const = default;
     [[nodiscard]] relamp::DelightOptions options() const;
 };
 
@@ -39,7 +39,7 @@ struct Edit
     LightDocument light;  // how it shall shine now
     ScannedItems scanned; // how it was on the day of the scan
     relamp::ViewOptions view;
-    Dials dials;
+    SolverParameters parameters;
 
     bool operator==(const Edit& other) const;
 };
@@ -136,16 +136,16 @@ private:
     /// A room that is being read.
     struct Opening
     {
-        size_t number = 0;        // of all that were to be opened
-        Dials dials;              // that it will be solved with
-        bool reevaluated = false; // the one before it was being re-evaluated
+        size_t number = 0;           // of all that were to be opened
+        SolverParameters parameters; // that it will be solved with
+        bool reevaluated = false;    // the one before it was being re-evaluated
     };
     /// What its thread needs to know.
     struct Wish
     {
         std::filesystem::path path;
         relamp::ScanOptions scan;
-        relamp::DelightOptions dials;
+        relamp::DelightOptions parameters;
         size_t number;
     };
     /// It was read.
@@ -177,7 +177,7 @@ private:
     void readFolder(const Wish& wish, relamp::Progress& progress);
     void find(const std::shared_ptr<const relamp::DelitRoom>& room, relamp::Progress& progress);
     [[nodiscard]] std::filesystem::path besideScan() const;
-    [[nodiscard]] relamp::DelightOptions optionsOf(const Dials& dials) const;
+    [[nodiscard]] relamp::DelightOptions optionsOf(const SolverParameters& parameters) const;
 
     RoomDrawing& drawing_;
     TextureLimits limits_;
@@ -198,7 +198,7 @@ private:
     std::optional<Opening> opening_;
     size_t openings_ = 0;
     Stage stage_ = Stage::nothing; // of what is open
-    Dials solvedBy_;               // it is, or is on the way to be
+    SolverParameters solvedBy_;    // it is, or is on the way to be
     bool hasFailed_ = false;
     size_t failures_ = 0;
     bool isGlanced_ = false;

@@ -11,8 +11,8 @@
 namespace relamp
 {
 
-/// Takes the light out of one scan again and again, as a person turns dials: what they do not
-/// change is not computed again.
+/// Takes the light out of one scan again and again, as a person changes parameters: what they do
+/// not change is not computed again.
 ///
 /// Keeps beside what its results refer to (texels, the tree of rays, shadows), of the solver
 /// gather: 4 bytes a ray, 8 bytes a lamp and side of a surfel, and some 200 bytes a surfel. Of

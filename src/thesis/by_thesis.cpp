@@ -6,9 +6,9 @@
 #include "lights/fixture_labels.h"
 #include "relamp/error.h"
 #include "thesis/closure.h"
-#include "thesis/dials.h"
 #include "thesis/emitters.h"
 #include "thesis/fixtures.h"
+#include "thesis/thesis_parameters.h"
 
 #include <memory>
 #include <set>
@@ -53,23 +53,24 @@ glm::vec3 meanColor(const Lights& lights)
 }
 
 /// Sets power and ambient as the options say, or from the scan where they leave them open.
-void setDials(ThesisShading& shading, const Texels& texels, const SurfelLight& light,
-              const Lights& lights, Progress& progress)
+void setParameters(ThesisShading& shading, const Texels& texels, const SurfelLight& light,
+                   const Lights& lights, Progress& progress)
 {
-    const Progress::Stage stage(progress, "dials");
-    ThesisOptions& dials = shading.dials;
-    if (!dials.useAmbient) dials.ambient = 0.0f;
-    const std::optional<float> power = std::exchange(dials.power, 1.0f); // the samples want it at 1
+    const Progress::Stage stage(progress, "parameters");
+    ThesisOptions& parameters = shading.parameters;
+    if (!parameters.useAmbient) parameters.ambient = 0.0f;
+    const std::optional<float> power =
+        std::exchange(parameters.power, 1.0f); // the samples want it at 1
     const std::vector<glm::vec3> shades = shadingOfSurfels(texels.surfels, shading);
-    std::vector<DialSample> samples(shades.size());
+    std::vector<ParameterSample> samples(shades.size());
     for (size_t s = 0; s < samples.size(); ++s)
         samples[s] = {light.radiance[s], shades[s], light.area[s]};
-    const Dials fitted = fitDials(samples, power, dials.ambient);
-    dials.power = fitted.power;
-    dials.ambient = fitted.ambient;
+    const FittedParameters fitted = fitParameters(samples, power, parameters.ambient);
+    parameters.power = fitted.power;
+    parameters.ambient = fitted.ambient;
     const bool asGiven =
-        luminance(lights.ambient) > 0.0f && *dials.ambient == luminance(lights.ambient);
-    shading.ambient = asGiven ? lights.ambient : *dials.ambient * meanColor(lights);
+        luminance(lights.ambient) > 0.0f && *parameters.ambient == luminance(lights.ambient);
+    shading.ambient = asGiven ? lights.ambient : *parameters.ambient * meanColor(lights);
 }
 
 void checkAttenuation(const ThesisOptions& thesis)
@@ -80,13 +81,13 @@ void checkAttenuation(const ThesisOptions& thesis)
                     "k1, k2 a value");
 }
 
-/// Lights of a file are as bright as they say; the dials follow them.
-ThesisOptions dialsFor(const Lights& given, const ThesisOptions& thesis)
+/// Lights of a file are as bright as they say; the parameters follow them.
+ThesisOptions parametersFor(const Lights& given, const ThesisOptions& thesis)
 {
-    ThesisOptions dials = thesis;
-    if (!dials.power) dials.power = 1.0f;
-    if (!dials.ambient) dials.ambient = luminance(given.ambient);
-    return dials;
+    ThesisOptions parameters = thesis;
+    if (!parameters.power) parameters.power = 1.0f;
+    if (!parameters.ambient) parameters.ambient = luminance(given.ambient);
+    return parameters;
 }
 
 void scalePower(Lights& lights, float power, glm::vec3 ambient)
@@ -138,12 +139,13 @@ Solution ThesisSolver::solve(const DelightOptions& options, Progress& progress)
             "no light was found: nothing in the texture is burnt out. The result "
             "has ambient light alone; give it lights with --lights");
 
-    const ThesisOptions dials = options.lights ? dialsFor(lights, options.thesis) : options.thesis;
+    const ThesisOptions parameters =
+        options.lights ? parametersFor(lights, options.thesis) : options.thesis;
     const std::shared_ptr<ThesisEngine> engine = engine_.of(
         options.engine, [&] { return std::make_shared<ThesisEngine>(texels_, options.engine); });
     const auto shading =
-        std::make_shared<ThesisShading>(engine->solve(stages_, lights, dials, progress));
-    setDials(*shading, texels_, light, lights, progress);
+        std::make_shared<ThesisShading>(engine->solve(stages_, lights, parameters, progress));
+    setParameters(*shading, texels_, light, lights, progress);
     {
         const Progress::Stage stage(progress, "closure");
         solution.closure =
@@ -152,10 +154,10 @@ Solution ThesisSolver::solve(const DelightOptions& options, Progress& progress)
 
     if (options.albedo.fill)
         solution.texels.fill = fillOf(texels_.surfels, light, *shading, options.albedo.darkest);
-    solution.options.thesis = shading->dials;
+    solution.options.thesis = shading->parameters;
     solution.lights = lights;
-    scalePower(solution.lights, *shading->dials.power, shading->ambient);
-    solution.merged = lightsOfShadowMaps(solution.lights, shading->dials);
+    scalePower(solution.lights, *shading->parameters.power, shading->ambient);
+    solution.merged = lightsOfShadowMaps(solution.lights, shading->parameters);
     solution.texels.shining = {std::vector<uint8_t>(texels_.surfels.count(), 0),
                                options.thesis.emitterThreshold};
     solution.fixtureOf.assign(texels_.surfels.count(), FixtureMap::kWall);

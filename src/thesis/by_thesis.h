@@ -15,7 +15,7 @@ namespace relamp
 {
 
 /// Choi's system: median cut of what is burnt out, point lights without shadows, bounce light by
-/// RSM and LPV, ambient light; dials that are left open follow from the scan.
+/// RSM and LPV, ambient light; parameters that are left open follow from the scan.
 ///
 /// Stages run again only where something that they depend on is not as it was the last time.
 class ThesisSolver

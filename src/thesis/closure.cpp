@@ -39,7 +39,7 @@ ThesisShading withOwnBounces(const Texels& texels, const RayScene& scene, const 
 {
     if (!shading.bounce) return shading;
     std::vector<BounceLight> lit = reflectiveShadowMaps(
-        texels, scene, lightsOfShadowMaps(lights, shading.dials), shading.dials.rsmSize);
+        texels, scene, lightsOfShadowMaps(lights, shading.parameters), shading.parameters.rsmSize);
     const std::vector<glm::vec3> shades = shadingAt(
         lit.size(), shading, [&](size_t i) { return std::pair(lit[i].position, lit[i].normal); });
     std::vector<Radiance> radianceOf;
@@ -49,7 +49,7 @@ ThesisShading withOwnBounces(const Texels& texels, const RayScene& scene, const 
         lit[i].flux *= glm::min(dividedByShading(radiance, shades[i], darkest), glm::vec3(1.0f));
     }
     ThesisShading own = shading;
-    own.bounce = spread(texels, lit, shading.dials);
+    own.bounce = spread(texels, lit, shading.parameters);
     return own;
 }
 

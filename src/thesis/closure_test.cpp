@@ -40,11 +40,11 @@ protected:
     }
     [[nodiscard]] ThesisShading shadingOf(const Lights& lights, bool bounces)
     {
-        ThesisOptions dials;
-        dials.attenuation = kAttenuation;
-        dials.useLpv = bounces;
-        ThesisShading shading = solveThesis(texels, scene, lights, dials, progress);
-        shading.dials.power = 1.0f;
+        ThesisOptions parameters;
+        parameters.attenuation = kAttenuation;
+        parameters.useLpv = bounces;
+        ThesisShading shading = solveThesis(texels, scene, lights, parameters, progress);
+        shading.parameters.power = 1.0f;
         shading.ambient = glm::vec3(0.1f);
         return shading;
     }

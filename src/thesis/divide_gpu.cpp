@@ -10,12 +10,12 @@ DivideGpu::DivideGpu(const gpu::Device& device) : program_(device, kDivideSpirv)
 
 void DivideGpu::divide(gpu::Commands& commands, const GpuTexels& page,
                        const gpu::Array<glm::uvec2>& direct, const gpu::Array<glm::uvec2>& indirect,
-                       const Dials& dials, const GpuPicture& albedo) const
+                       const Parameters& parameters, const GpuPicture& albedo) const
 {
     commands.dispatch(program_, page.count,
                       DivideArguments{page.radiance.ref(), direct.ref(), indirect.ref(),
-                                      page.pixel.ref(), albedo.pixels().ref(), dials.ambient,
-                                      dials.power, dials.darkest,
+                                      page.pixel.ref(), albedo.pixels().ref(), parameters.ambient,
+                                      parameters.power, parameters.darkest,
                                       static_cast<uint32_t>(page.count)});
     commands.barrier();
 }

@@ -7,11 +7,11 @@
 namespace relamp
 {
 
-/// divide() on a GPU, with the dials that turn irradiance into shading.
+/// divide() on a GPU, with the parameters that turn irradiance into shading.
 class DivideGpu
 {
 public:
-    struct Dials
+    struct Parameters
     {
         float power;
         glm::vec3 ambient;
@@ -23,7 +23,7 @@ public:
     /// `direct` and `indirect` are irradiance on the page's texels.
     void divide(gpu::Commands& commands, const GpuTexels& page,
                 const gpu::Array<glm::uvec2>& direct, const gpu::Array<glm::uvec2>& indirect,
-                const Dials& dials, const GpuPicture& albedo) const;
+                const Parameters& parameters, const GpuPicture& albedo) const;
 
 private:
     gpu::Program program_;

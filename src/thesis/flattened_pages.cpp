@@ -10,12 +10,12 @@
 namespace relamp
 {
 
-std::vector<Image> flattened(const Scan& scan, const ThesisOptions& dials, Progress& progress)
+std::vector<Image> flattened(const Scan& scan, const ThesisOptions& parameters, Progress& progress)
 {
     const Texels texels = rasterizeAtlas(scan, progress);
     checkOverlap(texels);
-    const Flattened colours =
-        flatten(texels, {.reach = dials.flattenReach, .range = dials.flattenRange}, progress);
+    const Flattened colours = flatten(
+        texels, {.reach = parameters.flattenReach, .range = parameters.flattenRange}, progress);
     std::vector<Image> pages;
     for (size_t p = 0; p < scan.pages.size(); ++p) {
         Image page;

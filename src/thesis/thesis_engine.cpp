@@ -7,7 +7,7 @@ namespace
 
 ThesisFrame frameOf(const ThesisShading& shading, const Lights& lights)
 {
-    return {.lights = lights, .dials = shading.dials, .ambient = shading.ambient};
+    return {.lights = lights, .parameters = shading.parameters, .ambient = shading.ambient};
 }
 
 } // namespace
@@ -19,18 +19,19 @@ ThesisEngine::ThesisEngine(const Texels& texels, const EngineOptions& options)
 {}
 
 ThesisShading ThesisEngine::solve(ThesisStages& stages, const Lights& lights,
-                                  const ThesisOptions& dials, Progress& progress)
+                                  const ThesisOptions& parameters, Progress& progress)
 {
     const std::unique_lock lock(mutex_);
     irradiance_ = nullptr;
-    ThesisShading shading{.dials = deriveDials(dials, lights, boundsOf(*texels_.scan)),
+    ThesisShading shading{.parameters =
+                              deriveParameters(parameters, lights, boundsOf(*texels_.scan)),
                           .lights = LightArrays(lights.points)};
     const bool isDone = gpu_.compute([&](ThesisGpu& gpu) {
         const Progress::Stage stage(progress, "bounce");
         gpu.bounce(frameOf(shading, lights));
-        if (dials.useLpv && !lights.points.empty()) shading.bounce = gpu.volume();
+        if (parameters.useLpv && !lights.points.empty()) shading.bounce = gpu.volume();
     });
-    return isDone ? shading : stages.solve(lights, dials, progress);
+    return isDone ? shading : stages.solve(lights, parameters, progress);
 }
 
 void ThesisEngine::shadeTexels(const ThesisShading& shading, const Lights& lights,
@@ -39,7 +40,7 @@ void ThesisEngine::shadeTexels(const ThesisShading& shading, const Lights& light
     const auto irradiance = irradianceOf(shading, lights, at.page);
     if (!irradiance) return shade(shading, block, out);
     irradiance->copy(at.begin, block.count, out);
-    const float power = shading.dials.power.value_or(1.0f);
+    const float power = shading.parameters.power.value_or(1.0f);
     toShading(out.direct, block.count, power, glm::vec3(0.0f));
     toShading(out.indirect, block.count, power, shading.ambient);
 }

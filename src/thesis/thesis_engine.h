@@ -25,7 +25,7 @@ public:
     ThesisEngine(const Texels& texels, const EngineOptions& options);
 
     /// As `stages` do it, which are the CPU's of the same texels.
-    ThesisShading solve(ThesisStages& stages, const Lights& lights, const ThesisOptions& dials,
+    ThesisShading solve(ThesisStages& stages, const Lights& lights, const ThesisOptions& parameters,
                         Progress& progress);
     /// As shade(), of the texels of a page. Thread safe; `shading` and `lights` are those of any
     /// solve().

@@ -39,7 +39,7 @@ void runAndTime(gpu::Commands& commands, std::vector<gpu::Timing>& timings)
 
 bool bounces(const ThesisFrame& frame)
 {
-    return frame.dials.useLpv && !frame.lights.points.empty();
+    return frame.parameters.useLpv && !frame.lights.points.empty();
 }
 
 } // namespace
@@ -85,7 +85,7 @@ ThesisGpu::ThesisGpu(const gpu::Device& device, const Texels& texels, uint64_t b
 
 ThesisGpu::~ThesisGpu() = default;
 
-void ThesisGpu::flattenPages(const ThesisOptions& dials, bool colorsAgain,
+void ThesisGpu::flattenPages(const ThesisOptions& parameters, bool colorsAgain,
                              std::vector<gpu::Timing>& timings)
 {
     const bool gathers = cells_.change({});
@@ -98,8 +98,8 @@ void ThesisGpu::flattenPages(const ThesisOptions& dials, bool colorsAgain,
         if (p + 1 == pages_.count()) flatten_.finish(commands);
         runAndTime(commands, timings);
     }
-    colorsAgain = colors_.change({cells_.version(), static_cast<double>(dials.flattenReach),
-                                  static_cast<double>(dials.flattenRange)}) ||
+    colorsAgain = colors_.change({cells_.version(), static_cast<double>(parameters.flattenReach),
+                                  static_cast<double>(parameters.flattenRange)}) ||
                   colorsAgain;
     for (size_t p = 0; colorsAgain && p < pages_.count(); ++p) {
         Page& page = pages_[p];
@@ -107,7 +107,7 @@ void ThesisGpu::flattenPages(const ThesisOptions& dials, bool colorsAgain,
         if (page.flattenedOf.change({colors_.version()})) {
             commands.mark("flatten");
             flatten_.filter(commands, page.texels, surfels_,
-                            {dials.flattenReach, dials.flattenRange}, page.flattened);
+                            {parameters.flattenReach, parameters.flattenRange}, page.flattened);
         }
         commands.mark("RSM");
         maps_.color(commands, static_cast<uint32_t>(p), page.flattened);
@@ -118,35 +118,35 @@ void ThesisGpu::flattenPages(const ThesisOptions& dials, bool colorsAgain,
 std::vector<gpu::Timing> ThesisGpu::bounce(const ThesisFrame& frame)
 {
     std::vector<gpu::Timing> timings;
-    const ThesisOptions& dials = frame.dials;
+    const ThesisOptions& parameters = frame.parameters;
     if (lights_.change(numbersOf(frame.lights.points))) direct_.setLights(frame.lights.points);
     if (!bounces(frame)) {
         spreading_.change({});
         return timings;
     }
     std::vector<double> views = numbersOf(frame.lights.points);
-    views.push_back(static_cast<double>(dials.mergeDistance.value_or(0.0f)));
-    views.push_back(dials.rsmSize);
+    views.push_back(static_cast<double>(parameters.mergeDistance.value_or(0.0f)));
+    views.push_back(parameters.rsmSize);
     const bool looksAgain = views_.change(std::move(views));
     if (looksAgain) {
-        maps_.setLights(lightsOfShadowMaps(frame.lights, dials), dials.rsmSize);
+        maps_.setLights(lightsOfShadowMaps(frame.lights, parameters), parameters.rsmSize);
         gpu::Commands commands(device_);
         commands.mark("RSM");
         maps_.trace(commands, surface_);
         runAndTime(commands, timings);
     }
-    flattenPages(dials, looksAgain, timings);
+    flattenPages(parameters, looksAgain, timings);
 
     gpu::Commands commands(device_);
     commands.mark("LPV");
-    if (blocking_.change({static_cast<double>(dials.lpvSize)})) {
-        grid_ = LpvGrid(boundsOf(*texels_.scan), dials.lpvSize);
+    if (blocking_.change({static_cast<double>(parameters.lpvSize)})) {
+        grid_ = LpvGrid(boundsOf(*texels_.scan), parameters.lpvSize);
         volume_.setGrid(grid_);
         volume_.block(commands, surfels_);
     }
     if (spreading_.change({blocking_.version(), views_.version(), colors_.version(),
-                           static_cast<double>(dials.lpvSteps)})) {
-        volume_.spread(commands, maps_, dials.lpvSteps);
+                           static_cast<double>(parameters.lpvSteps)})) {
+        volume_.spread(commands, maps_, parameters.lpvSteps);
         runAndTime(commands, timings);
     }
     return timings;
@@ -156,7 +156,7 @@ std::vector<gpu::Timing> ThesisGpu::page(const ThesisFrame& frame, size_t index)
 {
     Page& page = pages_[index];
     last_ = index;
-    const glm::vec3 k = frame.dials.attenuation.value_or(glm::vec3(0.0f, 0.0f, 1.0f));
+    const glm::vec3 k = frame.parameters.attenuation.value_or(glm::vec3(0.0f, 0.0f, 1.0f));
     gpu::Commands commands(device_);
     std::vector<double> direct = numbersOf({k.x, k.y, k.z});
     direct.push_back(lights_.version());
@@ -172,14 +172,16 @@ std::vector<gpu::Timing> ThesisGpu::page(const ThesisFrame& frame, size_t index)
             commands.clear(page.indirect.buffer());
         commands.barrier();
     }
-    const DivideGpu::Dials dials{frame.dials.power.value_or(1.0f), frame.ambient, frame.darkest};
+    const DivideGpu::Parameters parameters{frame.parameters.power.value_or(1.0f), frame.ambient,
+                                           frame.darkest};
     std::vector<double> albedo =
-        numbersOf({dials.power, dials.ambient.r, dials.ambient.g, dials.ambient.b, dials.darkest});
+        numbersOf({parameters.power, parameters.ambient.r, parameters.ambient.g,
+                   parameters.ambient.b, parameters.darkest});
     albedo.push_back(page.directOf.version());
     albedo.push_back(page.indirectOf.version());
     if (page.albedoOf.change(std::move(albedo))) {
         commands.mark("divide");
-        divide_.divide(commands, page.texels, page.direct, page.indirect, dials, page.albedo);
+        divide_.divide(commands, page.texels, page.direct, page.indirect, parameters, page.albedo);
         if (!texels_.scan->pages[index].ofVertices) { // its pixels have no neighbours
             commands.mark("padding");
             padding_.fill(commands, {page.albedo});

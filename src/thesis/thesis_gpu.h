@@ -22,7 +22,7 @@ namespace relamp
 struct ThesisFrame
 {
     Lights lights;
-    ThesisOptions dials; // as deriveDials() fills them in; power left open is 1
+    ThesisOptions parameters; // as deriveParameters() fills them in; power left open is 1
     glm::vec3 ambient{0.0f};
     float darkest = 0.02f; // as AlbedoOptions
 };
@@ -59,7 +59,7 @@ public:
 private:
     struct Page;
 
-    void flattenPages(const ThesisOptions& dials, bool colorsAgain,
+    void flattenPages(const ThesisOptions& parameters, bool colorsAgain,
                       std::vector<gpu::Timing>& timings);
 
     const gpu::Device& device_;

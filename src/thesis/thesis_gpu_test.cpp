@@ -107,10 +107,10 @@ struct ThesisTwins
           gpu(device, texels)
     {
         frame.lights = lights ? *lights : found();
-        frame.dials = deriveDials({}, frame.lights, boundsOf(scan));
-        frame.dials.power = 1.7f;
+        frame.parameters = deriveParameters({}, frame.lights, boundsOf(scan));
+        frame.parameters.power = 1.7f;
         frame.ambient = {0.02f, 0.03f, 0.04f};
-        cpu = solveThesis(texels, scene, frame.lights, frame.dials, progress);
+        cpu = solveThesis(texels, scene, frame.lights, frame.parameters, progress);
         cpu.ambient = frame.ambient;
         gpu.bounce(frame);
     }
@@ -189,8 +189,9 @@ TEST_P(GpuThesis, FlattensAsTheCpuDoes)
 {
     ThesisTwins& room = twins();
     Progress progress;
-    const Flattened expected = flatten(
-        room.texels, {room.frame.dials.flattenReach, room.frame.dials.flattenRange}, progress);
+    const Flattened expected =
+        flatten(room.texels,
+                {room.frame.parameters.flattenReach, room.frame.parameters.flattenRange}, progress);
     for (size_t p = 0; p < room.texels.pages.size(); ++p) {
         room.gpu.page(room.frame, p);
         const std::vector<uint32_t> found = room.gpu.flattened();
@@ -214,7 +215,7 @@ TEST_P(GpuThesis, LightsDirectlyAsTheCpuDoes)
         Apart apart(0.05f);
         room.forEachBlockOf(p, [&](const TexelBlock& block, size_t begin) {
             RgbBlock expected;
-            directIrradiance(block, room.cpu.lights, *room.frame.dials.attenuation, expected);
+            directIrradiance(block, room.cpu.lights, *room.frame.parameters.attenuation, expected);
             for (size_t i = 0; i < block.count; ++i)
                 apart.add(rgbOf(found[begin + i]), scenes::at(expected, i));
         });
@@ -227,8 +228,8 @@ TEST_P(GpuThesis, SeesFromItsLightsWhatTheCpuSees)
 {
     ThesisTwins& room = twins();
     const std::vector<BounceLight> expected = reflectiveShadowMaps(
-        room.texels, room.scene, lightsOfShadowMaps(room.frame.lights, room.frame.dials),
-        room.frame.dials.rsmSize);
+        room.texels, room.scene, lightsOfShadowMaps(room.frame.lights, room.frame.parameters),
+        room.frame.parameters.rsmSize);
     std::map<std::pair<uint32_t, uint32_t>, glm::vec3> fluxOf; // by page and pixel
     glm::vec3 all(0.0f);
     for (const BounceLight& light : expected) {
@@ -258,7 +259,7 @@ TEST_P(GpuThesis, SpreadsLightAsTheCpuDoes)
     for (size_t i = 0; i < pixels.size(); ++i)
         if (pixels[i].page != ~0u)
             lights.push_back({pixels[i].position, pixels[i].normal, glm::vec3(leaving[i])});
-    const std::shared_ptr<const Lpv> cpu = spread(room.texels, lights, room.frame.dials);
+    const std::shared_ptr<const Lpv> cpu = spread(room.texels, lights, room.frame.parameters);
     const Lpv::Field& expected = cpu->accumulated();
     const std::shared_ptr<const Lpv> found = room.gpu.volume();
     for (size_t c = 0; c < 3; ++c) {
@@ -295,7 +296,7 @@ TEST_P(GpuThesis, ReadsTheVolumeOutAsTheCpuDoes)
 TEST_P(GpuThesis, DividesAsTheCpuDoes)
 {
     ThesisTwins& room = twins();
-    const float power = *room.frame.dials.power;
+    const float power = *room.frame.parameters.power;
     for (size_t p = 0; p < room.texels.pages.size(); ++p) {
         room.gpu.page(room.frame, p);
         const std::vector<glm::uvec2> found = room.gpu.albedo();
@@ -363,7 +364,7 @@ TEST_P(GpuThesis, FillsPaddingAsTheCpuDoes)
     EXPECT_LT(apart.most(), 5e-3f);
 }
 
-TEST_P(GpuThesis, ComputesAgainOnlyWhatADialIsFor)
+TEST_P(GpuThesis, ComputesAgainOnlyWhatAParameterIsFor)
 {
     ThesisTwins& room = twins();
     room.gpu.bounce(room.frame);
@@ -373,16 +374,16 @@ TEST_P(GpuThesis, ComputesAgainOnlyWhatADialIsFor)
     EXPECT_THAT(scenes::ran(room.gpu.page(room.frame, 0)), ElementsAre());
 
     ThesisFrame frame = room.frame;
-    frame.dials.power = 2.0f;
+    frame.parameters.power = 2.0f;
     EXPECT_THAT(scenes::ran(room.gpu.bounce(frame)), ElementsAre());
     EXPECT_EQ(scenes::ran(room.gpu.page(frame, 0))[0], "divide");
-    frame.dials.lpvSteps = 3;
+    frame.parameters.lpvSteps = 3;
     EXPECT_THAT(scenes::ran(room.gpu.bounce(frame)), ElementsAre("LPV"));
     EXPECT_EQ(scenes::ran(room.gpu.page(frame, 0))[0], "LPV");
-    frame.dials.attenuation = glm::vec3(0.1f, 0.1f, 1.0f);
+    frame.parameters.attenuation = glm::vec3(0.1f, 0.1f, 1.0f);
     EXPECT_THAT(scenes::ran(room.gpu.bounce(frame)), ElementsAre());
     EXPECT_EQ(scenes::ran(room.gpu.page(frame, 0))[0], "direct");
-    frame.dials.flattenRange = 0.1f;
+    frame.parameters.flattenRange = 0.1f;
     EXPECT_THAT(scenes::ran(room.gpu.bounce(frame)), ElementsAre("flatten", "RSM", "LPV"));
 
     // And back again, to the same bits.

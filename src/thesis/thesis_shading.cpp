@@ -35,14 +35,14 @@ std::vector<Blocker> blockersOf(const Surfels& surfels)
     return blockers;
 }
 
-std::vector<float> inputsOfBounce(const Lights& lights, const ThesisOptions& dials)
+std::vector<float> inputsOfBounce(const Lights& lights, const ThesisOptions& parameters)
 {
-    std::vector<float> inputs{dials.flattenReach,
-                              dials.flattenRange,
-                              dials.mergeDistance.value_or(0.0f),
-                              static_cast<float>(dials.rsmSize),
-                              static_cast<float>(dials.lpvSize),
-                              static_cast<float>(dials.lpvSteps)};
+    std::vector<float> inputs{parameters.flattenReach,
+                              parameters.flattenRange,
+                              parameters.mergeDistance.value_or(0.0f),
+                              static_cast<float>(parameters.rsmSize),
+                              static_cast<float>(parameters.lpvSize),
+                              static_cast<float>(parameters.lpvSteps)};
     for (const PointLight& light : lights.points)
         for (const glm::vec3 v : {light.position, light.normal, light.intensity,
                                   glm::vec3(light.radius, light.fixture, 0.0f)})
@@ -64,8 +64,8 @@ void toShading(RgbBlock& block, size_t count, float power, glm::vec3 ambient)
 
 void shade(const ThesisShading& shading, const TexelBlock& block, ShadingBlock& out)
 {
-    const float power = shading.dials.power.value_or(1.0f);
-    directIrradiance(block, shading.lights, *shading.dials.attenuation, out.direct);
+    const float power = shading.parameters.power.value_or(1.0f);
+    directIrradiance(block, shading.lights, *shading.parameters.attenuation, out.direct);
     toShading(out.direct, block.count, power, glm::vec3(0.0f));
     if (shading.bounce) {
         shading.bounce->irradiance(block, out.indirect);
@@ -76,14 +76,15 @@ void shade(const ThesisShading& shading, const TexelBlock& block, ShadingBlock& 
     for (int c = 0; c < 3; ++c) std::fill_n(indirect[c], block.count, shading.ambient[c]);
 }
 
-std::vector<PointLight> lightsOfShadowMaps(const Lights& lights, const ThesisOptions& dials)
+std::vector<PointLight> lightsOfShadowMaps(const Lights& lights, const ThesisOptions& parameters)
 {
-    return mergeLights(lights.points, dials.mergeDistance.value_or(0.0f));
+    return mergeLights(lights.points, parameters.mergeDistance.value_or(0.0f));
 }
 
-ThesisOptions deriveDials(const ThesisOptions& dials, const Lights& lights, const Bounds& room)
+ThesisOptions deriveParameters(const ThesisOptions& parameters, const Lights& lights,
+                               const Bounds& room)
 {
-    ThesisOptions derived = dials;
+    ThesisOptions derived = parameters;
     // A patch seen from nearer than its own size is no point: k0 keeps it from growing without end.
     const float radius = std::max(meanRadius(lights), 0.01f);
     if (!derived.attenuation) derived.attenuation = glm::vec3(radius * radius, 0.0f, 1.0f);
@@ -93,45 +94,47 @@ ThesisOptions deriveDials(const ThesisOptions& dials, const Lights& lights, cons
 }
 
 std::shared_ptr<const Lpv> spread(const Texels& texels, std::span<const BounceLight> leaving,
-                                  const ThesisOptions& dials)
+                                  const ThesisOptions& parameters)
 {
-    auto lpv = std::make_shared<Lpv>(LpvGrid(boundsOf(*texels.scan), dials.lpvSize));
+    auto lpv = std::make_shared<Lpv>(LpvGrid(boundsOf(*texels.scan), parameters.lpvSize));
     lpv->block(blockersOf(texels.surfels));
     lpv->inject(leaving);
-    for (int step = 0; step < dials.lpvSteps; ++step) lpv->propagate(step == 0);
+    for (int step = 0; step < parameters.lpvSteps; ++step) lpv->propagate(step == 0);
     lpv->finish();
     return lpv;
 }
 
-std::shared_ptr<const Lpv> ThesisStages::bounce(const Lights& lights, const ThesisOptions& dials,
-                                                Progress& progress)
+std::shared_ptr<const Lpv> ThesisStages::bounce(const Lights& lights,
+                                                const ThesisOptions& parameters, Progress& progress)
 {
-    const Flattened& surface = flattened_.of({dials.flattenReach, dials.flattenRange}, [&] {
-        return flatten(texels_, {dials.flattenReach, dials.flattenRange}, progress);
-    });
+    const Flattened& surface =
+        flattened_.of({parameters.flattenReach, parameters.flattenRange}, [&] {
+            return flatten(texels_, {parameters.flattenReach, parameters.flattenRange}, progress);
+        });
     Progress::Stage stage(progress, "bounce", 2);
-    std::vector<BounceLight> lit =
-        reflectiveShadowMaps(texels_, scene_, lightsOfShadowMaps(lights, dials), dials.rsmSize);
+    std::vector<BounceLight> lit = reflectiveShadowMaps(
+        texels_, scene_, lightsOfShadowMaps(lights, parameters), parameters.rsmSize);
     for (BounceLight& light : lit) light.flux *= surface.at(light.page, light.pixel);
     stage.advance();
-    return spread(texels_, lit, dials);
+    return spread(texels_, lit, parameters);
 }
 
-ThesisShading ThesisStages::solve(const Lights& lights, const ThesisOptions& dials,
+ThesisShading ThesisStages::solve(const Lights& lights, const ThesisOptions& parameters,
                                   Progress& progress)
 {
-    ThesisShading shading{.dials = deriveDials(dials, lights, boundsOf(*texels_.scan)),
+    ThesisShading shading{.parameters =
+                              deriveParameters(parameters, lights, boundsOf(*texels_.scan)),
                           .lights = LightArrays(lights.points)};
-    if (!dials.useLpv || lights.points.empty()) return shading;
-    shading.bounce = bounce_.of(inputsOfBounce(lights, shading.dials),
-                                [&] { return bounce(lights, shading.dials, progress); });
+    if (!parameters.useLpv || lights.points.empty()) return shading;
+    shading.bounce = bounce_.of(inputsOfBounce(lights, shading.parameters),
+                                [&] { return bounce(lights, shading.parameters, progress); });
     return shading;
 }
 
 ThesisShading solveThesis(const Texels& texels, const RayScene& scene, const Lights& lights,
-                          const ThesisOptions& dials, Progress& progress)
+                          const ThesisOptions& parameters, Progress& progress)
 {
-    return ThesisStages(texels, scene).solve(lights, dials, progress);
+    return ThesisStages(texels, scene).solve(lights, parameters, progress);
 }
 
 } // namespace relamp

@@ -23,28 +23,29 @@ namespace relamp
 /// light.
 struct ThesisShading
 {
-    ThesisOptions dials; // with everything that was derived filled in
-    LightArrays lights;  // before `dials.power`
+    ThesisOptions parameters; // with everything that was derived filled in
+    LightArrays lights;       // before `parameters.power`
     glm::vec3 ambient{0.0f};
-    std::shared_ptr<const Lpv> bounce; // before `dials.power`; null without bounce light
+    std::shared_ptr<const Lpv> bounce; // before `parameters.power`; null without bounce light
 };
 
-/// Irradiance becomes shading, under the dials power and ambient.
+/// Irradiance becomes shading, under the parameters power and ambient.
 void toShading(RgbBlock& block, size_t count, float power, glm::vec3 ambient);
 
 /// Shading at the texels of a block. Entries behind its last texel are unspecified.
 void shade(const ThesisShading& shading, const TexelBlock& block, ShadingBlock& out);
 
 /// The lights that cast a reflective shadow map each.
-std::vector<PointLight> lightsOfShadowMaps(const Lights& lights, const ThesisOptions& dials);
+std::vector<PointLight> lightsOfShadowMaps(const Lights& lights, const ThesisOptions& parameters);
 
-/// Fills in the dials that follow from the lights and the size of the room: attenuation, merge
+/// Fills in the parameters that follow from the lights and the size of the room: attenuation, merge
 /// distance.
-ThesisOptions deriveDials(const ThesisOptions& dials, const Lights& lights, const Bounds& room);
+ThesisOptions deriveParameters(const ThesisOptions& parameters, const Lights& lights,
+                               const Bounds& room);
 
 /// Spreads the light that surfaces pass on: `leaving` is what arrived, multiplied by a colour.
 std::shared_ptr<const Lpv> spread(const Texels& texels, std::span<const BounceLight> leaving,
-                                  const ThesisOptions& dials);
+                                  const ThesisOptions& parameters);
 
 /// The CPU's stages, again and again: one runs where something that it depends on is not as it was.
 class ThesisStages
@@ -53,13 +54,13 @@ public:
     /// Both must outlive this.
     ThesisStages(const Texels& texels, const RayScene& scene) : texels_(texels), scene_(scene) {}
 
-    /// The whole shading but power and ambient, which stay as `dials` has them: flattened texture,
-    /// reflective shadow maps of the merged lights, light propagation volume.
-    ThesisShading solve(const Lights& lights, const ThesisOptions& dials, Progress& progress);
+    /// The whole shading but power and ambient, which stay as `parameters` has them: flattened
+    /// texture, reflective shadow maps of the merged lights, light propagation volume.
+    ThesisShading solve(const Lights& lights, const ThesisOptions& parameters, Progress& progress);
 
 private:
-    [[nodiscard]] std::shared_ptr<const Lpv> bounce(const Lights& lights,
-                                                    const ThesisOptions& dials, Progress& progress);
+    [[nodiscard]] std::shared_ptr<const Lpv>
+    bounce(const Lights& lights, const ThesisOptions& parameters, Progress& progress);
 
     const Texels& texels_;
     const RayScene& scene_;
@@ -69,6 +70,6 @@ private:
 
 /// Once.
 ThesisShading solveThesis(const Texels& texels, const RayScene& scene, const Lights& lights,
-                          const ThesisOptions& dials, Progress& progress);
+                          const ThesisOptions& parameters, Progress& progress);
 
 } // namespace relamp

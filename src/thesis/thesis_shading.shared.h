@@ -5,7 +5,7 @@
 
 SHARED_BEGIN
 
-// Irradiance of lights to shading, S = E / pi, under the dials power and ambient.
+// Irradiance of lights to shading, S = E / pi, under the parameters power and ambient.
 SHARED_FN vec3 shadingFrom(vec3 irradiance, float power, vec3 ambient)
 {
     return power / kPi * irradiance + ambient;

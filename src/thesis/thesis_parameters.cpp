@@ -1,4 +1,4 @@
-#include "thesis/dials.h"
+#include "thesis/thesis_parameters.h"
 
 #include "base/radiometry.shared.h"
 
@@ -36,14 +36,15 @@ float quantile(const std::vector<Weighted>& values, float share)
     return values.empty() ? 0.0f : values.back().value;
 }
 
-/// log albedo of all samples under given dials, ascending.
-std::vector<Weighted> logAlbedo(std::span<const DialSample> samples, const Dials& dials)
+/// log albedo of all samples under given parameters, ascending.
+std::vector<Weighted> logAlbedo(std::span<const ParameterSample> samples,
+                                const FittedParameters& parameters)
 {
     std::vector<Weighted> values;
     values.reserve(samples.size());
-    for (const DialSample& s : samples) {
+    for (const ParameterSample& s : samples) {
         const float radiance = luminance(s.radiance);
-        const float shading = dials.power * luminance(s.shading) + dials.ambient;
+        const float shading = parameters.power * luminance(s.shading) + parameters.ambient;
         if (radiance > 1e-4f && shading > 1e-6f && s.area > 0.0f)
             values.push_back({std::log(radiance / shading), s.area * radiance});
     }
@@ -53,23 +54,23 @@ std::vector<Weighted> logAlbedo(std::span<const DialSample> samples, const Dials
     return values;
 }
 
-float spreadOf(std::span<const DialSample> samples, const Dials& dials)
+float spreadOf(std::span<const ParameterSample> samples, const FittedParameters& parameters)
 {
-    const std::vector<Weighted> values = logAlbedo(samples, dials);
+    const std::vector<Weighted> values = logAlbedo(samples, parameters);
     return quantile(values, 0.75f) - quantile(values, 0.25f);
 }
 
-float brightestAlbedo(std::span<const DialSample> samples, const Dials& dials)
+float brightestAlbedo(std::span<const ParameterSample> samples, const FittedParameters& parameters)
 {
-    const std::vector<Weighted> values = logAlbedo(samples, dials);
+    const std::vector<Weighted> values = logAlbedo(samples, parameters);
     return values.empty() ? kBrightestAlbedo : std::exp(quantile(values, kBrightestShare));
 }
 
-float meanShading(std::span<const DialSample> samples)
+float meanShading(std::span<const ParameterSample> samples)
 {
     double sum = 0.0;
     double area = 0.0;
-    for (const DialSample& s : samples) {
+    for (const ParameterSample& s : samples) {
         sum += static_cast<double>(s.area * luminance(s.shading));
         area += static_cast<double>(s.area);
     }
@@ -77,11 +78,11 @@ float meanShading(std::span<const DialSample> samples)
 }
 
 /// The ambient that makes the albedo most uniform beside lights of a given power.
-float evenestAmbient(std::span<const DialSample> samples, float power)
+float evenestAmbient(std::span<const ParameterSample> samples, float power)
 {
     const float mean = power * meanShading(samples);
     if (mean <= 0.0f) return 1.0f; // no light at all: ambient is all there is
-    Dials best{power, 0.0f};
+    FittedParameters best{power, 0.0f};
     float least = spreadOf(samples, best);
     for (int i = 0; i < kAmbientSteps; ++i) {
         const float ambient =
@@ -97,7 +98,7 @@ float evenestAmbient(std::span<const DialSample> samples, float power)
 
 /// The power that brings the brightest albedo to the anchor beside a given ambient. More power,
 /// less albedo: halving finds it.
-float anchoredPower(std::span<const DialSample> samples, float ambient)
+float anchoredPower(std::span<const ParameterSample> samples, float ambient)
 {
     float low = std::log(kPowers[0]);
     float high = std::log(kPowers[1]);
@@ -112,13 +113,13 @@ float anchoredPower(std::span<const DialSample> samples, float ambient)
 
 } // namespace
 
-Dials fitDials(std::span<const DialSample> samples, std::optional<float> power,
-               std::optional<float> ambient)
+FittedParameters fitParameters(std::span<const ParameterSample> samples, std::optional<float> power,
+                               std::optional<float> ambient)
 {
     if (samples.empty()) return {power.value_or(1.0f), ambient.value_or(0.0f)};
     if (power) return {*power, ambient ? *ambient : evenestAmbient(samples, *power)};
     if (ambient) return {anchoredPower(samples, *ambient), *ambient};
-    const Dials shape{1.0f, evenestAmbient(samples, 1.0f)};
+    const FittedParameters shape{1.0f, evenestAmbient(samples, 1.0f)};
     const float size = brightestAlbedo(samples, shape) / kBrightestAlbedo;
     return {size, size * shape.ambient};
 }
