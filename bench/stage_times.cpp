@@ -6,7 +6,7 @@
 #include "relamp/error.h"
 #include "scan/overlap.h"
 #include "scan/rays.h"
-#include "shading/buried.h"
+#include "shading/enclosed_texels.h"
 #include "shading/gathered_light.shared.h"
 #include "solve/reevaluate_gpu.h"
 #include "solve/room_solution.h"
@@ -245,7 +245,7 @@ struct LampRoom
     LampRoom(const Scan& scan, Progress& progress)
         : scene(scan), texels(rasterizeAtlas(scan, progress, surfelsOf(Quality::standard)))
     {
-        separateBuried(texels, scene, progress);
+        separateEnclosed(texels, scene, progress);
         solved = solvedRoom(texels, scene, findRoom(texels, scene, {}, progress));
         powers = powersOf(solved);
         said = solutionOf(texels, solved, {}, rate(texels, solved)).texels;

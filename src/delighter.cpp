@@ -3,7 +3,7 @@
 #include "decomposition_state.h"
 #include "relamp/error.h"
 #include "scan/overlap.h"
-#include "shading/buried.h"
+#include "shading/enclosed_texels.h"
 #include "solve/by_gather.h"
 #include "solve/by_pathtrace.h"
 #include "solve/found_room.h"
@@ -68,7 +68,7 @@ void Delighter::State::prepare(const DelightOptions& options, Progress& progress
     texels.reset();
     auto found = std::make_shared<Texels>(rasterizeAtlas(*scan, progress, wanted));
     checkOverlap(*found);
-    if (options.solver != Solver::thesis) separateBuried(*found, *scene, progress);
+    if (options.solver != Solver::thesis) separateEnclosed(*found, *scene, progress);
     texels = std::move(found);
     surfels = wanted;
     gather.emplace(*texels, *scene);

@@ -7,7 +7,7 @@
 #include "relight/room_transport.h"
 #include "relight/window_openings.h"
 #include "scan/overlap.h"
-#include "shading/buried.h"
+#include "shading/enclosed_texels.h"
 #include "solve/found_room.h"
 
 #include "relamp/error.h"
@@ -67,7 +67,7 @@ Texels checkedTexels(const DelitRoom& room, const RayScene& scene, Progress& pro
     checkMaps(room);
     Texels texels = rasterizeAtlas(*room.scan, progress, surfelsOf(room.gather.quality));
     checkOverlap(texels);
-    separateBuried(texels, scene, progress);
+    separateEnclosed(texels, scene, progress);
     return texels;
 }
 

@@ -59,7 +59,7 @@ void reevaluate(const Texels& texels, SolvedRoom& room, const LampPowers& powers
                 SettledLight light);
 
 /// Shading of the room's texels, but for the light that the texture shows at the rims of what is
-/// buried; it follows reevaluate().
+/// enclosed; it follows reevaluate().
 TexelShading shadingOf(const Texels& texels, const SolvedRoom& room);
 
 } // namespace relamp

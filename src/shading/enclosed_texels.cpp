@@ -1,9 +1,9 @@
-#include "shading/buried.h"
+#include "shading/enclosed_texels.h"
 
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "scan/footprints.h"
-#include "shading/buried.shared.h"
+#include "shading/enclosed_texels.shared.h"
 #include "shading/hit_lists.h"
 #include "shading/sampling.shared.h"
 
@@ -17,7 +17,7 @@ namespace relamp
 namespace
 {
 
-constexpr float kRimReach = 2.0f;    // of a buried surfel to open ones, in surfel sizes
+constexpr float kRimReach = 2.0f;    // of an enclosed surfel to open ones, in surfel sizes
 constexpr float kRimStep = 0.3f;     // off its surface, in these
 constexpr float kRimFacing = 0.8f;   // cosine
 constexpr float kDark = 1e-4f;       // shading
@@ -25,7 +25,7 @@ constexpr size_t kRaysOfSurfel = 12; // that say whether its texels need to be l
 constexpr size_t kRaysOfTexel = 4;
 constexpr uint32_t kTexelsOfSurfel = 16; // that are looked at, or up to twice as many
 constexpr size_t kPlacesOfTexel = 16;    // that say how much of it is open
-constexpr double kInsideOut = 0.5;       // share of buried texels from which a scan is inside out
+constexpr double kInsideOut = 0.5;       // share of enclosed texels from which a scan is inside out
 
 bool meetsBack(const RayScene& scene, const Ray& ray)
 {
@@ -61,7 +61,7 @@ bool isCovered(const RayScene& scene, const Footprints& prints, uint32_t texel, 
                                  site.normal, evenPoint(static_cast<float>(ray), shift))});
 }
 
-bool isBuried(const RayScene& scene, const Footprints& prints, uint32_t texel)
+bool isEnclosed(const RayScene& scene, const Footprints& prints, uint32_t texel)
 {
     for (size_t i = 0; i < kRaysOfTexel; ++i)
         if (!isCovered(scene, prints, texel, glm::vec2(0.5f), i)) return false;
@@ -82,17 +82,17 @@ uint8_t openShare(const RayScene& scene, const Footprints& prints, uint32_t texe
 }
 
 Rim rimOf(const Surfels& surfels, const SurfelRadiance& radiance,
-          std::span<const glm::vec3> irradiance, size_t buried)
+          std::span<const glm::vec3> irradiance, size_t enclosed)
 {
     glm::vec3 light(0.0f);
     glm::vec3 seen(0.0f);
     float count = 0.0f;
     const float reach = kRimReach * surfels.size;
-    surfels.forEachInReach(surfels.position[buried], [&](size_t s) {
-        const glm::vec3 way = surfels.position[s] - surfels.position[buried];
-        if (surfels.isBuried(s) || glm::dot(way, way) > reach * reach ||
-            glm::dot(surfels.normal[s], surfels.normal[buried]) < kRimFacing ||
-            std::abs(glm::dot(way, surfels.normal[buried])) > kRimStep * surfels.size)
+    surfels.forEachInReach(surfels.position[enclosed], [&](size_t s) {
+        const glm::vec3 way = surfels.position[s] - surfels.position[enclosed];
+        if (surfels.isEnclosed(s) || glm::dot(way, way) > reach * reach ||
+            glm::dot(surfels.normal[s], surfels.normal[enclosed]) < kRimFacing ||
+            std::abs(glm::dot(way, surfels.normal[enclosed])) > kRimStep * surfels.size)
             return;
         light += irradiance[s] / kPi;
         seen += radiance.plain[s];
@@ -123,10 +123,10 @@ void letIn(const Rim& rim, float share, size_t i, ShadingBlock& shading)
     indirect.b[i] += share * (rim.shading.b - indirect.b[i]);
 }
 
-double shareOf(const Texels& texels, const TexelMarks& buried)
+double shareOf(const Texels& texels, const TexelMarks& enclosed)
 {
     size_t count = 0;
-    for (const auto& page : buried)
+    for (const auto& page : enclosed)
         count += static_cast<size_t>(std::count(page.begin(), page.end(), uint8_t{1}));
     return static_cast<double>(count) / static_cast<double>(texels.count());
 }
@@ -157,30 +157,30 @@ std::vector<uint8_t> marksOf(const Texels& texels, size_t p, uint8_t otherwise,
 }
 
 /// Marks the texels that something stands on or lies on; nothing where most are.
-TexelMarks findBuried(const Texels& texels, const RayScene& scene, Progress::Stage& stage)
+TexelMarks findEnclosed(const Texels& texels, const RayScene& scene, Progress::Stage& stage)
 {
     const std::vector<uint8_t> isSuspect = suspects(texels, scene);
     stage.advance();
-    TexelMarks buried;
+    TexelMarks enclosed;
     for (size_t p = 0; p < texels.pages.size(); ++p) {
-        buried.push_back(marksOf(
+        enclosed.push_back(marksOf(
             texels, p, 0, [&](uint32_t s) { return isSuspect[s] != 0; },
             [&](const Footprints& prints, uint32_t i) {
-                return isBuried(scene, prints, i) ? uint8_t{1} : uint8_t{0};
+                return isEnclosed(scene, prints, i) ? uint8_t{1} : uint8_t{0};
             }));
         stage.advance();
     }
-    if (shareOf(texels, buried) > kInsideOut) return {};
-    return buried;
+    if (shareOf(texels, enclosed) > kInsideOut) return {};
+    return enclosed;
 }
 
 } // namespace
 
-void separateBuried(Texels& texels, const RayScene& scene, Progress& progress)
+void separateEnclosed(Texels& texels, const RayScene& scene, Progress& progress)
 {
-    Progress::Stage stage(progress, "buried", texels.pages.size() + 2);
-    const TexelMarks buried = findBuried(texels, scene, stage);
-    if (!buried.empty()) splitSurfels(texels, buried, SurfelPart::buried);
+    Progress::Stage stage(progress, "enclosed texels", texels.pages.size() + 2);
+    const TexelMarks enclosed = findEnclosed(texels, scene, stage);
+    if (!enclosed.empty()) splitSurfels(texels, enclosed, SurfelPart::enclosed);
     findNeighbors(texels.surfels);
     stage.advance();
 }
@@ -190,7 +190,7 @@ TexelMarks openShares(const Texels& texels, const RayScene& scene)
     TexelMarks shares;
     for (size_t p = 0; p < texels.pages.size(); ++p)
         shares.push_back(marksOf(
-            texels, p, 255, [&](uint32_t s) { return texels.surfels.isBuried(s); },
+            texels, p, 255, [&](uint32_t s) { return texels.surfels.isEnclosed(s); },
             [&](const Footprints& prints, uint32_t i) { return openShare(scene, prints, i); }));
     return shares;
 }
@@ -201,7 +201,7 @@ std::vector<Rim> rimsOf(const Surfels& surfels, const SurfelRadiance& radiance,
     std::vector<Rim> rims(surfels.count());
     forEachChunk(rims.size(), 1024, [&](size_t begin, size_t end) {
         for (size_t s = begin; s < end; ++s)
-            if (surfels.isBuried(s)) rims[s] = rimOf(surfels, radiance, irradiance, s);
+            if (surfels.isEnclosed(s)) rims[s] = rimOf(surfels, radiance, irradiance, s);
     });
     return rims;
 }

@@ -1,4 +1,4 @@
-#include "shading/buried.h"
+#include "shading/enclosed_texels.h"
 
 #include "base/radiometry.shared.h"
 #include "scenes/scenes.h"
@@ -50,20 +50,20 @@ struct BoxRoom
 
 } // namespace
 
-TEST(Buried, IsTheFloorUnderABoxAndNothingElse)
+TEST(EnclosedTexels, AreTheFloorUnderABoxAndNothingElse)
 {
     BoxRoom room(scenes::plain(glm::vec3(0.5f)));
-    separateBuried(room.texels, room.scene, room.progress);
+    separateEnclosed(room.texels, room.scene, room.progress);
     size_t under = 0;
     const PageTexels& page = room.texels.pages[0];
     for (size_t i = 0; i < page.count(); ++i) {
         const TexelSite site = room.texels.siteOf(0, i);
-        const bool isBuried = room.texels.surfels.isBuried(page.runs[page.runOf(i)].surfel);
+        const bool isEnclosed = room.texels.surfels.isEnclosed(page.runs[page.runOf(i)].surfel);
         if (isUnderBox(site.position, site.normal, 0.02f)) {
-            EXPECT_TRUE(isBuried);
+            EXPECT_TRUE(isEnclosed);
             ++under;
         } else if (!isUnderBox(site.position, site.normal, -0.02f)) {
-            EXPECT_FALSE(isBuried) << site.position.x << ' ' << site.position.y;
+            EXPECT_FALSE(isEnclosed) << site.position.x << ' ' << site.position.y;
         }
     }
     EXPECT_GT(under, 100u);
@@ -71,13 +71,13 @@ TEST(Buried, IsTheFloorUnderABoxAndNothingElse)
 
 // The floor is grey and the light on it one; under the box it is a tenth. A texel under it that
 // shows half of what the floor shows has half of its light, for its paint goes on.
-TEST(Buried, AtItsRimThePaintAroundGoesOn)
+TEST(EnclosedTexels, AtTheirRimThePaintAroundGoesOn)
 {
     BoxRoom room([](glm::vec3 p, glm::vec3 n) {
         if (!isUnderBox(p, n, 0.0f)) return glm::vec3(0.4f);
         return glm::vec3(isUnderBox(p, n, 0.03f) ? 0.02f : 0.2f);
     });
-    separateBuried(room.texels, room.scene, room.progress);
+    separateEnclosed(room.texels, room.scene, room.progress);
     const Surfels& surfels = room.texels.surfels;
     const SurfelRadiance radiance = collectRadiance(room.texels, room.progress);
     const std::vector<Rim> rims =
@@ -96,7 +96,7 @@ TEST(Buried, AtItsRimThePaintAroundGoesOn)
         }
         letRimsIn(rims, block, shading);
         for (size_t i = 0; i < count; ++i) {
-            if (!surfels.isBuried(block.surfel[i])) continue;
+            if (!surfels.isEnclosed(block.surfel[i])) continue;
             if (block.r[i] < 0.1f) {
                 EXPECT_NEAR(shading.indirect.r[i], 0.1f, 1e-3f);
                 continue;
@@ -108,10 +108,10 @@ TEST(Buried, AtItsRimThePaintAroundGoesOn)
     EXPECT_GT(atRim, 20u);
 }
 
-TEST(Buried, TexelsAtTheRimAreOpenInPart)
+TEST(EnclosedTexels, AtTheRimAreOpenInPart)
 {
     BoxRoom room(scenes::plain(glm::vec3(0.5f)));
-    separateBuried(room.texels, room.scene, room.progress);
+    separateEnclosed(room.texels, room.scene, room.progress);
     const TexelMarks open = openShares(room.texels, room.scene);
     const PageTexels& page = room.texels.pages[0];
     const float half =
