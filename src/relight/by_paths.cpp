@@ -1,9 +1,9 @@
 #include "relight/by_paths.h"
 
 #include "base/radiometry.shared.h"
+#include "lights/lamp_surface.h"
 #include "relight/relit_page.h"
 #include "relight/sky_bins.h"
-#include "shading/lamp_surface.h"
 #include "shading/path_tracer.h"
 #include "solve/by_pathtrace.h"
 

@@ -1,8 +1,8 @@
 #include "relight/shadows.h"
 
 #include "base/parallel.h"
+#include "base/sampling.shared.h"
 #include "scan/footprints.h"
-#include "shading/sampling.shared.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
+#include "base/sampling.shared.h"
 #include "scan/footprints.h"
 #include "shading/enclosed_texels.shared.h"
 #include "shading/hit_lists.h"
-#include "shading/sampling.shared.h"
 
 #include <algorithm>
 #include <cmath>

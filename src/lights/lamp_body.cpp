@@ -1,6 +1,6 @@
-#include "shading/lamp_body.h"
+#include "lights/lamp_body.h"
 
-#include "shading/sampling.shared.h"
+#include "base/sampling.shared.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -17,10 +17,10 @@ constexpr size_t kFewest = 4;        // patches that tell a shape
 constexpr float kScanned = 0.02f;    // m; the error of a scan's worst 5 %
 constexpr float kFacingAlike = 0.7f; // cosine
 constexpr float kTowardsMean =
-    0.05f;                      // of the curvature's middle: along an axis nothing else holds it
-constexpr float kOff = 0.03f;   // m off the body before a ray looks for the room
-constexpr size_t kLooks = 8;    // rays of a patch
-constexpr size_t kSeesRoom = 5; // of these
+    0.05f;                        // of the curvature's middle: along an axis nothing else holds it
+constexpr float kOffBody = 0.03f; // m off the body before a ray looks for the room
+constexpr size_t kLooks = 8;      // rays of a patch
+constexpr size_t kSeesRoom = 5;   // of these
 
 /// The point that the lines along all normals pass nearest.
 glm::vec3 middleOf(const Candidate& candidate)
@@ -52,7 +52,7 @@ bool facesRoom(const RayScene& scene, const ClippedPatch& patch)
     size_t fronts = 0;
     for (size_t k = 0; k < kLooks; ++k) {
         const glm::vec2 u = evenPoint(static_cast<float>(k), glm::vec2(0.5f));
-        const Hit hit = scene.intersect({.origin = patch.position + kOff * patch.normal,
+        const Hit hit = scene.intersect({.origin = patch.position + kOffBody * patch.normal,
                                          .direction = cosineDirection(patch.normal, u)});
         fronts += !hit.missed() && hit.front ? 1u : 0u;
     }

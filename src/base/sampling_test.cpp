@@ -1,4 +1,4 @@
-#include "shading/sampling.shared.h"
+#include "base/sampling.shared.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "shading/lamp_surface.h"
+#include "lights/lamp_surface.h"
 
 #include "base/radiometry.shared.h"
 

@@ -1,4 +1,4 @@
-#include "shading/lamp_body.h"
+#include "lights/lamp_body.h"
 
 #include "base/radiometry.shared.h"
 #include "scenes/scenes.h"
