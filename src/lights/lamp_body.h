@@ -7,7 +7,7 @@
 namespace relamp
 {
 
-/// The far side of a lamp that only its near side was scanned of.
+/// The side of a lamp that no camera saw, guessed from the side that was scanned.
 ///
 /// Cameras see lampshades and sconces from the room; the half towards the wall is missing from many
 /// a scan, and yet it is what lights that wall. A body is taken to be as wide behind as before: its
