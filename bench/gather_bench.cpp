@@ -4,9 +4,9 @@
 #include "sample_room.h"
 
 #include "base/parallel.h"
+#include "base/sampling.shared.h"
 #include "fit/lamps.h"
 #include "shading/gathered_light.h"
-#include "shading/sampling.shared.h"
 
 #include <benchmark/benchmark.h>
 

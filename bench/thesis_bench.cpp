@@ -3,15 +3,15 @@
 // floor.
 
 #include "albedo/divide.h"
-#include "flatten/flatten.h"
-#include "lights/emitters.h"
-#include "lights/fixtures.h"
 #include "machine.h"
 #include "sample_room.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
-#include "shading/rsm.h"
-#include "shading/thesis.h"
+#include "thesis/emitters.h"
+#include "thesis/fixtures.h"
+#include "thesis/flatten.h"
+#include "thesis/rsm.h"
+#include "thesis/thesis_shading.h"
 
 #include <vector>
 
@@ -37,8 +37,8 @@ struct Room
         SurfelLight light = collectLight(texels, {}, progress);
         joinFixtures(light, texels, {});
         lights.points = pointLightsFrom(light.emitters, 6);
-        dials = deriveDials({}, lights, boundsOf(scan));
-        merged = lightsOfShadowMaps(lights, dials);
+        parameters = deriveParameters({}, lights, boundsOf(scan));
+        merged = lightsOfShadowMaps(lights, parameters);
         albedo.resize(3 * scan.pages[0].image.pixels());
     }
 
@@ -47,7 +47,7 @@ struct Room
     RayScene scene;
     Texels texels;
     Lights lights;
-    ThesisOptions dials;
+    ThesisOptions parameters;
     std::vector<PointLight> merged;
     std::vector<uint16_t> albedo;
 };
@@ -111,7 +111,7 @@ void directStage(benchmark::State& state)
     for (auto _ : state)
         overBlocks(r, [&](const TexelLoader&, size_t, size_t) {
             RgbBlock out;
-            directIrradiance(block, lights, *r.dials.attenuation, out);
+            directIrradiance(block, lights, *r.parameters.attenuation, out);
             benchmark::DoNotOptimize(out);
         });
     const auto n = static_cast<double>(r.texels.count());
@@ -123,7 +123,7 @@ void rsmStage(benchmark::State& state)
     const Room& r = room();
     size_t rays = 0;
     for (auto _ : state)
-        rays = reflectiveShadowMaps(r.texels, r.scene, r.merged, r.dials.rsmSize).size();
+        rays = reflectiveShadowMaps(r.texels, r.scene, r.merged, r.parameters.rsmSize).size();
     state.counters["lights"] = static_cast<double>(r.merged.size());
     state.counters["rays"] =
         benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(rays),
@@ -133,18 +133,18 @@ void rsmStage(benchmark::State& state)
 void lpvStage(benchmark::State& state)
 {
     const Room& r = room();
-    const auto lit = reflectiveShadowMaps(r.texels, r.scene, r.merged, r.dials.rsmSize);
-    for (auto _ : state) benchmark::DoNotOptimize(spread(r.texels, lit, r.dials));
-    const auto cells = static_cast<double>(LpvGrid(boundsOf(r.scan), r.dials.lpvSize).count());
-    const double faces = 30.0 * r.dials.lpvSteps * cells;
-    report(state, r.dials.lpvSteps * cells * 12 * 4 * 5, faces * (3.0 * 20.0 + 10.0));
+    const auto lit = reflectiveShadowMaps(r.texels, r.scene, r.merged, r.parameters.rsmSize);
+    for (auto _ : state) benchmark::DoNotOptimize(spread(r.texels, lit, r.parameters));
+    const auto cells = static_cast<double>(LpvGrid(boundsOf(r.scan), r.parameters.lpvSize).count());
+    const double faces = 30.0 * r.parameters.lpvSteps * cells;
+    report(state, r.parameters.lpvSteps * cells * 12 * 4 * 5, faces * (3.0 * 20.0 + 10.0));
 }
 
 void readOutStage(benchmark::State& state)
 {
     const Room& r = room();
     Progress progress;
-    const ThesisShading shading = solveThesis(r.texels, r.scene, r.lights, r.dials, progress);
+    const ThesisShading shading = solveThesis(r.texels, r.scene, r.lights, r.parameters, progress);
     for (auto _ : state)
         overBlocks(r, [&](const TexelLoader& loader, size_t begin, size_t count) {
             TexelBlock block;
@@ -179,7 +179,8 @@ void shadeAndDivide(Room& r, const ThesisShading& shading)
 void shadeAndDivideStage(benchmark::State& state)
 {
     Room& r = room();
-    const ThesisShading shading = solveThesis(r.texels, r.scene, r.lights, r.dials, r.progress);
+    const ThesisShading shading =
+        solveThesis(r.texels, r.scene, r.lights, r.parameters, r.progress);
     for (auto _ : state) shadeAndDivide(r, shading);
     const auto n = static_cast<double>(r.texels.count());
     report(state, n * (8 + 3 + 6),
@@ -190,7 +191,8 @@ void thesisFrame(benchmark::State& state)
 {
     Room& r = room();
     for (auto _ : state) {
-        const ThesisShading shading = solveThesis(r.texels, r.scene, r.lights, r.dials, r.progress);
+        const ThesisShading shading =
+            solveThesis(r.texels, r.scene, r.lights, r.parameters, r.progress);
         shadeAndDivide(r, shading);
     }
     state.counters["texels"] = static_cast<double>(r.texels.count());

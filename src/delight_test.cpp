@@ -8,7 +8,7 @@
 #include "relamp/threads.h"
 #include "scan/texels.h"
 #include "scenes/scenes.h"
-#include "shading/direct.shared.h"
+#include "thesis/direct.shared.h"
 
 #include <cmath>
 #include <memory>

@@ -3,11 +3,11 @@
 #include "decomposition_state.h"
 #include "relamp/error.h"
 #include "scan/overlap.h"
-#include "shading/buried.h"
+#include "shading/enclosed_texels.h"
 #include "solve/by_gather.h"
 #include "solve/by_pathtrace.h"
-#include "solve/by_thesis.h"
 #include "solve/found_room.h"
+#include "thesis/by_thesis.h"
 
 #include <cassert>
 #include <memory>
@@ -51,7 +51,7 @@ struct Delighter::State
     SurfelOptions surfels; // of `texels`
     std::optional<GatherSolver> gather;
     std::optional<ThesisSolver> thesis;
-    Solver last = Solver::pathtrace; // that solved; nothing was: none that resolves
+    Solver last = Solver::pathtrace; // that solved; nothing was: none that re-evaluates
 };
 
 /// Rays and texels, where they are not there yet. Solvers that know others go.
@@ -68,7 +68,7 @@ void Delighter::State::prepare(const DelightOptions& options, Progress& progress
     texels.reset();
     auto found = std::make_shared<Texels>(rasterizeAtlas(*scan, progress, wanted));
     checkOverlap(*found);
-    if (options.solver != Solver::thesis) separateBuried(*found, *scene, progress);
+    if (options.solver != Solver::thesis) separateEnclosed(*found, *scene, progress);
     texels = std::move(found);
     surfels = wanted;
     gather.emplace(*texels, *scene);
@@ -113,18 +113,18 @@ Decomposition Delighter::solve(const DelightOptions& options, Progress& progress
     return state_->decompositionOf(std::move(solution));
 }
 
-bool Delighter::canResolve() const
+bool Delighter::canReevaluate() const
 {
     return state_->last == Solver::gather && state_->gather && state_->gather->hasSolved();
 }
 
-Decomposition Delighter::resolve(const Lights& lights, const AlbedoOptions& albedo,
-                                 Progress& progress)
+Decomposition Delighter::reevaluate(const Lights& lights, const AlbedoOptions& albedo,
+                                    Progress& progress)
 {
-    if (!canResolve())
+    if (!canReevaluate())
         throw Error(ErrorCode::unsupported,
                     "lamps of a room can be changed when the solver gather has solved it");
-    return state_->decompositionOf(state_->gather->resolve(lights, albedo, progress));
+    return state_->decompositionOf(state_->gather->reevaluate(lights, albedo, progress));
 }
 
 } // namespace relamp

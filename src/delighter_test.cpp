@@ -72,7 +72,7 @@ ErrorCode codeOf(const std::function<void()>& work)
     return ErrorCode::cannotRead;
 }
 
-/// A room that is solved and can be resolved.
+/// A room that is solved and can be re-evaluated.
 struct Room
 {
     explicit Room(Scan of) : scan(std::move(of)), delighter(scenes::copyOf(scan))
@@ -80,9 +80,9 @@ struct Room
         found.emplace(delighter.solve(draft(), progress));
     }
 
-    [[nodiscard]] Decomposition resolve(const Lights& lights)
+    [[nodiscard]] Decomposition reevaluate(const Lights& lights)
     {
-        return delighter.resolve(lights, draft().albedo, progress);
+        return delighter.reevaluate(lights, draft().albedo, progress);
     }
 
     Scan scan;
@@ -117,7 +117,7 @@ TEST(Delighter, SolvesAsDelightDoesWhateverItSolvedBefore)
     expectSame(room.delighter.solve(draft(), room.progress), *room.found);
 }
 
-TEST(Delighter, DialsOfTheThesisAreThoseOfDelight)
+TEST(Delighter, ParametersOfTheThesisAreThoseOfDelight)
 {
     const Scan scan = scenes::LitRoom().scan;
     Progress progress;
@@ -125,13 +125,13 @@ TEST(Delighter, DialsOfTheThesisAreThoseOfDelight)
     DelightOptions options = thesisSolver();
     const Decomposition first = delighter.solve(options, progress);
     const PageLayers before = layersOf(first);
-    const std::function<void()> dials[] = {[&] { options.thesis.power = 2.0f; },
-                                           [&] { options.thesis.lpvSteps = 3; },
-                                           [&] { options.thesis.flattenRange = 1.0f; },
-                                           [&] { options.thesis.lightLevels = 3; },
-                                           [&] { options.thesis.emitterThreshold = 0.5f; },
-                                           [&] { options.thesis.useLpv = false; }};
-    for (const auto& turn : dials) {
+    const std::function<void()> parameters[] = {[&] { options.thesis.power = 2.0f; },
+                                                [&] { options.thesis.lpvSteps = 3; },
+                                                [&] { options.thesis.flattenRange = 1.0f; },
+                                                [&] { options.thesis.lightLevels = 3; },
+                                                [&] { options.thesis.emitterThreshold = 0.5f; },
+                                                [&] { options.thesis.useLpv = false; }};
+    for (const auto& turn : parameters) {
         turn();
         expectSame(delighter.solve(options, progress),
                    delight(scenes::copyOf(scan), options, progress));
@@ -144,33 +144,33 @@ TEST(Delighter, TheSameLightsGiveTheSameRoom)
     Room room(scenes::LitRoom().scan);
     const Lights& lights = room.found->lights();
     ASSERT_EQ(lights.fixtures.size(), 1u);
-    expectSame(room.resolve(lights), *room.found);
+    expectSame(room.reevaluate(lights), *room.found);
 
     const PageLayers before = layersOf(*room.found);
-    const Decomposition other = room.resolve(brighter(lights, 2.0f));
+    const Decomposition other = room.reevaluate(brighter(lights, 2.0f));
     EXPECT_NEAR(sumOf(layersOf(other).direct) / sumOf(before.direct), 2.0, 0.01);
     EXPECT_LT(sumOf(layersOf(other).albedo), 0.8 * sumOf(before.albedo));
     EXPECT_FLOAT_EQ(other.lights().fixtures[0].radiance.r, 2.0f * lights.fixtures[0].radiance.r);
     EXPECT_EQ(other.lights().fixtures[0].error, glm::vec3(0.0f)); // somebody said so
     EXPECT_EQ(layersOf(*room.found).albedo, before.albedo);
 
-    expectSame(room.resolve(lights), *room.found);
+    expectSame(room.reevaluate(lights), *room.found);
 }
 
 TEST(Delighter, ResultsOutliveIt)
 {
     const Scan scan = scenes::LitRoom().scan;
     std::optional<Decomposition> found;
-    std::optional<Decomposition> resolved;
+    std::optional<Decomposition> reevaluated;
     {
         Delighter delighter(scenes::copyOf(scan));
         Progress progress;
         found.emplace(delighter.solve(draft(), progress));
-        resolved.emplace(
-            delighter.resolve(brighter(found->lights(), 0.5f), draft().albedo, progress));
+        reevaluated.emplace(
+            delighter.reevaluate(brighter(found->lights(), 0.5f), draft().albedo, progress));
         static_cast<void>(delighter.solve(thesisSolver(), progress)); // which needs other texels
     }
-    EXPECT_GT(sumOf(layersOf(*resolved).albedo), sumOf(layersOf(*found).albedo));
+    EXPECT_GT(sumOf(layersOf(*reevaluated).albedo), sumOf(layersOf(*found).albedo));
 }
 
 TEST(Delighter, ALampThatIsOffIsWall)
@@ -178,7 +178,7 @@ TEST(Delighter, ALampThatIsOffIsWall)
     Room room(scenes::LitRoom().scan);
     const PageLayers found = layersOf(*room.found);
     EXPECT_FALSE(found.emission.empty());
-    const PageLayers dark = layersOf(room.resolve(brighter(room.found->lights(), 0.0f)));
+    const PageLayers dark = layersOf(room.reevaluate(brighter(room.found->lights(), 0.0f)));
     EXPECT_TRUE(dark.emission.empty());
     EXPECT_EQ(sumOf(dark.direct), 0.0);
     EXPECT_EQ(dark.area[static_cast<size_t>(Doubt::shines)], 0.0);
@@ -189,14 +189,14 @@ TEST(Delighter, TheSunIsALampToo)
     Room room(scenes::SunRoom(glm::vec3(3.0f)).scan);
     Lights lights = room.found->lights();
     ASSERT_TRUE(lights.sun);
-    expectSame(room.resolve(lights), *room.found);
+    expectSame(room.reevaluate(lights), *room.found);
 
     lights.sun->irradiance *= 0.5f;
     lights.ambient += glm::vec3(0.1f);
-    const Decomposition dimmed = room.resolve(lights);
+    const Decomposition dimmed = room.reevaluate(lights);
     EXPECT_EQ(lightsAsJson(dimmed.lights()), lightsAsJson(lights));
     EXPECT_LT(sumOf(layersOf(dimmed).direct), sumOf(layersOf(*room.found).direct));
-    expectSame(room.resolve(room.found->lights()), *room.found);
+    expectSame(room.reevaluate(room.found->lights()), *room.found);
 }
 
 TEST(Delighter, LampsOfAGroupGetTheirMean)
@@ -204,12 +204,12 @@ TEST(Delighter, LampsOfAGroupGetTheirMean)
     Room room(scenes::ManyLamps(14, 7).scan);
     Lights lights = room.found->lights();
     ASSERT_GT(lights.fixtures.size(), 96u); // else every one stays by itself
-    expectSame(room.resolve(lights), *room.found);
+    expectSame(room.reevaluate(lights), *room.found);
 
     lights.fixtures[0].radiance *= 3.0f;
-    const Decomposition resolved = room.resolve(lights);
+    const Decomposition reevaluated = room.reevaluate(lights);
     const std::vector<Fixture>& before = room.found->lights().fixtures;
-    const std::vector<Fixture>& after = resolved.lights().fixtures;
+    const std::vector<Fixture>& after = reevaluated.lights().fixtures;
     size_t changed = 0; // of the group that the brighter one belongs to
     float area = 0.0f;
     float wanted = 0.0f; // power
@@ -230,33 +230,35 @@ TEST(Delighter, RefusesWhatAreNotItsLightsAndGoesOn)
     Room room(scenes::LitRoom().scan);
     const Lights& found = room.found->lights();
     Lights lights;
-    EXPECT_EQ(codeOf([&] { static_cast<void>(room.resolve(lights)); }), ErrorCode::sizeMismatch);
+    EXPECT_EQ(codeOf([&] { static_cast<void>(room.reevaluate(lights)); }), ErrorCode::sizeMismatch);
     lights = found;
     lights.sun.emplace();
-    EXPECT_EQ(codeOf([&] { static_cast<void>(room.resolve(lights)); }), ErrorCode::sizeMismatch);
+    EXPECT_EQ(codeOf([&] { static_cast<void>(room.reevaluate(lights)); }), ErrorCode::sizeMismatch);
     for (const float wrong :
          {-1.0f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         lights = found;
         lights.fixtures[0].radiance.g = wrong;
-        EXPECT_EQ(codeOf([&] { static_cast<void>(room.resolve(lights)); }), ErrorCode::malformed);
+        EXPECT_EQ(codeOf([&] { static_cast<void>(room.reevaluate(lights)); }),
+                  ErrorCode::malformed);
     }
     Progress cancelled;
     cancelled.cancel();
     EXPECT_EQ(codeOf([&] {
-                  static_cast<void>(room.delighter.resolve(brighter(found, 2.0f), {}, cancelled));
+                  static_cast<void>(
+                      room.delighter.reevaluate(brighter(found, 2.0f), {}, cancelled));
               }),
               ErrorCode::cancelled);
     EXPECT_EQ(codeOf([&] { static_cast<void>(room.delighter.solve(thesisSolver(), cancelled)); }),
               ErrorCode::cancelled);
     Delighter fresh(scenes::copyOf(room.scan));
-    EXPECT_EQ(codeOf([&] { static_cast<void>(fresh.resolve(found, {}, room.progress)); }),
+    EXPECT_EQ(codeOf([&] { static_cast<void>(fresh.reevaluate(found, {}, room.progress)); }),
               ErrorCode::unsupported);
 }
 
 class GpuDelighter : public scenes::GpuTest
 {};
 
-/// What two engines made of one room, as near as Delighter::resolve() says.
+/// What two engines made of one room, as near as Delighter::reevaluate() says.
 void expectAlike(const Decomposition& found, const Decomposition& expected)
 {
     EXPECT_EQ(lightsAsJson(found.lights()), lightsAsJson(expected.lights()));
@@ -266,7 +268,7 @@ void expectAlike(const Decomposition& found, const Decomposition& expected)
 }
 
 // What a person sees of a lamp, found or changed, must not depend on what computed it.
-TEST_F(GpuDelighter, SolvesAndResolvesAsTheCpuDoes)
+TEST_F(GpuDelighter, SolvesAndReevaluatesAsTheCpuDoes)
 {
     for (Scan scan : {scenes::LitRoom().scan, scenes::SunRoom(glm::vec3(3.0f)).scan}) {
         DelightOptions options = draft();
@@ -285,13 +287,13 @@ TEST_F(GpuDelighter, SolvesAndResolvesAsTheCpuDoes)
             Lights lights = brighter(found.lights(), factor);
             if (lights.sun) lights.sun->irradiance *= factor;
             lights.ambient += glm::vec3(0.05f);
-            const Decomposition expected = cpu.resolve(lights, options.albedo, progress);
-            const Decomposition resolved = gpu.resolve(lights, options.albedo, progress);
-            EXPECT_EQ(resolved.optionsInForce().engine.gpu, device().description().name);
-            expectAlike(resolved, expected);
+            const Decomposition expected = cpu.reevaluate(lights, options.albedo, progress);
+            const Decomposition reevaluated = gpu.reevaluate(lights, options.albedo, progress);
+            EXPECT_EQ(reevaluated.optionsInForce().engine.gpu, device().description().name);
+            expectAlike(reevaluated, expected);
         }
         // And back, to the bit.
-        expectSame(gpu.resolve(found.lights(), options.albedo, progress), foundByGpu);
+        expectSame(gpu.reevaluate(found.lights(), options.albedo, progress), foundByGpu);
         expectSame(delight(scenes::copyOf(scan), options, progress), foundByGpu);
     }
 }

@@ -3,7 +3,7 @@
 #include "albedo/closed_loop.h"
 #include "output/fixtures_file.h"
 #include "output/result_folder.h"
-#include "shading/buried.h"
+#include "shading/enclosed_texels.h"
 #include "solve/by_pathtrace.h"
 #include "solve/found_room.h"
 
@@ -26,7 +26,7 @@ Verification verify(const std::filesystem::path& folder, const VerifyOptions& op
 
     const RayScene scene(scan);
     Texels texels = rasterizeAtlas(scan, progress, surfelsOf(run.gather.quality));
-    separateBuried(texels, scene, progress);
+    separateEnclosed(texels, scene, progress);
     const FoundRoom found = findRoom(texels, scene, asThen, progress);
     result.warnings.insert(result.warnings.end(), found.warnings.begin(), found.warnings.end());
     const TracedRoom room = tracedRoomOf(texels, found, meanAlbedo(texels, found.radiance, albedo));

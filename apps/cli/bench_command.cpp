@@ -3,7 +3,7 @@
 #include "scan_arguments.h"
 #include "terminal.h"
 
-#include "inside/bench.h"
+#include "bench/stage_times.h"
 #include "relamp/threads.h"
 
 #include <memory>
@@ -50,14 +50,14 @@ void print(const relamp::BenchReport& report)
     print(report.frame);
     printOut("Choi 2018, table 1: 36.06 ms on a GTX 1080 Ti\n");
 
-    const relamp::ResolveTimes& resolve = report.resolve;
+    const relamp::ReevaluateTimes& reevaluate = report.reevaluate;
     printOut("\nThe gather solver after a lamp's power changed: {} texels, {} lamps, {} surfels, "
              "{} rays\n",
-             resolve.texels, resolve.lamps, resolve.surfels, resolve.rays);
-    print(resolve);
-    if (resolve.once > 0.0)
+             reevaluate.texels, reevaluate.lamps, reevaluate.surfels, reevaluate.rays);
+    print(reevaluate);
+    if (reevaluate.once > 0.0)
         printOut("Before, once: {:.2f} ms on the GPU for each lamp on each texel\n",
-                 1e3 * resolve.once);
+                 1e3 * reevaluate.once);
 }
 
 int run(const BenchArguments& arguments)

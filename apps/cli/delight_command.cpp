@@ -22,7 +22,7 @@ namespace
 
 constexpr int kDraftSide = 512;    // pixels of a draft's textures, at most
 constexpr size_t kMostListed = 12; // lamps in the summary
-constexpr const char* kGatherGroup = "Dials of the gather solver (it needs none)";
+constexpr const char* kGatherGroup = "Parameters of the gather solver (it needs none)";
 
 struct DelightArguments
 {
@@ -38,24 +38,24 @@ struct DelightArguments
     bool force = false;
 };
 
-void addDials(CLI::App& command, DelightArguments& arguments)
+void addThesisParameters(CLI::App& command, DelightArguments& arguments)
 {
-    relamp::ThesisOptions& dials = arguments.options.thesis;
+    relamp::ThesisOptions& parameters = arguments.options.thesis;
     const std::string group =
-        "Dials of the thesis solver (what is not given follows from the scan)";
+        "Parameters of the thesis solver (what is not given follows from the scan)";
     command
-        .add_option("--emitter-threshold", dials.emitterThreshold,
+        .add_option("--emitter-threshold", parameters.emitterThreshold,
                     "Luminance from which a burnt-out texel is taken to shine [0.9]")
         ->check(between(0.0, 1.0))
         ->type_name("L")
         ->group(group);
     command
-        .add_option("--expansion", dials.expansion,
+        .add_option("--expansion", parameters.expansion,
                     "Radiance of white once the range is expanded [8]")
         ->check(between(1.0, 1e4))
         ->type_name("L")
         ->group(group);
-    command.add_option("--light-levels", dials.lightLevels, "2^N lights by median cut [6]")
+    command.add_option("--light-levels", parameters.lightLevels, "2^N lights by median cut [6]")
         ->check(between(0, 10))
         ->type_name("N")
         ->group(group);
@@ -66,55 +66,55 @@ void addDials(CLI::App& command, DelightArguments& arguments)
         ->check(between(0.0, 1e6))
         ->type_name("K")
         ->group(group);
-    command.add_option("--power", dials.power, "Factor on all light")
+    command.add_option("--power", parameters.power, "Factor on all light")
         ->check(between(1e-6, 1e6))
         ->type_name("X")
         ->group(group);
-    command.add_option("--ambient", dials.ambient, "Ambient light, irradiance / pi")
+    command.add_option("--ambient", parameters.ambient, "Ambient light, irradiance / pi")
         ->check(between(0.0, 1e6))
         ->type_name("L")
         ->group(group);
     command
-        .add_option("--merge-distance", dials.mergeDistance,
+        .add_option("--merge-distance", parameters.mergeDistance,
                     "Lights nearer than this share a shadow map")
         ->check(between(0.0, 1e6))
         ->type_name("M")
         ->group(group);
     command
-        .add_option("--rsm-size", dials.rsmSize,
+        .add_option("--rsm-size", parameters.rsmSize,
                     "Pixels along a face of a reflective shadow map [32]")
         ->check(between(8, 512))
         ->type_name("N")
         ->group(group);
     command
-        .add_option("--lpv-size", dials.lpvSize,
+        .add_option("--lpv-size", parameters.lpvSize,
                     "Cells of the light propagation volume along the room [32]")
         ->check(between(8, 128))
         ->type_name("N")
         ->group(group);
-    command.add_option("--lpv-steps", dials.lpvSteps, "Propagation steps [8]")
+    command.add_option("--lpv-steps", parameters.lpvSteps, "Propagation steps [8]")
         ->check(between(1, 128))
         ->type_name("N")
         ->group(group);
     command
-        .add_option("--flatten-reach", dials.flattenReach,
+        .add_option("--flatten-reach", parameters.flattenReach,
                     "Reach of the bilateral filter, in pieces of surface [1.5]")
         ->check(between(1.0, 2.0))
         ->type_name("X")
         ->group(group);
     command
-        .add_option("--flatten-range", dials.flattenRange,
+        .add_option("--flatten-range", parameters.flattenRange,
                     "Range of the bilateral filter in square roots of radiance [0.2]")
         ->check(between(0.01, 10.0))
         ->type_name("X")
         ->group(group);
     command
         .add_flag_callback(
-            "--no-lpv", [&dials] { dials.useLpv = false; }, "No bounce light")
+            "--no-lpv", [&parameters] { parameters.useLpv = false; }, "No bounce light")
         ->group(group);
     command
         .add_flag_callback(
-            "--no-ambient", [&dials] { dials.useAmbient = false; }, "No ambient light")
+            "--no-ambient", [&parameters] { parameters.useAmbient = false; }, "No ambient light")
         ->group(group);
 }
 
@@ -130,7 +130,7 @@ void addPlaces(CLI::App& command, const char* name, std::vector<float>& numbers,
         ->group(kGatherGroup);
 }
 
-void addGatherDials(CLI::App& command, DelightArguments& arguments)
+void addGatherParameters(CLI::App& command, DelightArguments& arguments)
 {
     relamp::GatherOptions& gather = arguments.options.gather;
     command
@@ -160,9 +160,9 @@ void addGatherDials(CLI::App& command, DelightArguments& arguments)
         ->group(kGatherGroup);
 }
 
-void addPathtraceDials(CLI::App& command, relamp::PathtraceOptions& pathtrace)
+void addPathtraceParameters(CLI::App& command, relamp::PathtraceOptions& pathtrace)
 {
-    const std::string group = "Dials of the pathtrace solver (and those of the gather solver)";
+    const std::string group = "Parameters of the pathtrace solver (and those of the gather solver)";
     command.add_option("--samples", pathtrace.samples, "Paths from every texel [64]")
         ->check(between(1, 65536))
         ->type_name("N")
@@ -282,9 +282,9 @@ void addDelightCommand(CLI::App& app, Run& run)
                      "Replace files of DIR that relamp did not write, or that were changed since");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
     command.add_flag("--json", arguments->json, "Print the report as JSON and nothing else");
-    addGatherDials(command, *arguments);
-    addPathtraceDials(command, arguments->options.pathtrace);
-    addDials(command, *arguments);
+    addGatherParameters(command, *arguments);
+    addPathtraceParameters(command, arguments->options.pathtrace);
+    addThesisParameters(command, *arguments);
     command.footer("Examples:\n"
                    "  relamp delight kitchen.glb -o kitchen\n"
                    "  relamp delight scan.obj --up z --scale 0.01 -o out\n"

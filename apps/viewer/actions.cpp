@@ -130,7 +130,7 @@ template<bool isLight>
 void judge(Viewer& viewer)
 {
     Studio& studio = viewer.studio;
-    relamp::GatherOptions& gather = studio.edit.dials.gather;
+    relamp::GatherOptions& gather = studio.edit.parameters.gather;
     if (!isLight && studio.selection.kind == Selection::Kind::fixture)
         gather.notLights.push_back(studio.captured().fixtures[studio.selection.index].centre);
     else if (viewer.place)

@@ -94,7 +94,7 @@ void drawPowerOf(FixtureItem& fixture)
 /// Whether the albedo can follow what is said of the day of the scan; else says why not.
 bool canTellOfScan(const Studio& studio)
 {
-    const bool isGather = studio.edit.dials.solver == relamp::Solver::gather;
+    const bool isGather = studio.edit.parameters.solver == relamp::Solver::gather;
     const bool isSolved = studio.stage() == Stage::solved;
     if (!isGather) ImGui::TextDisabled("The solver Gather takes it into account.");
     if (isGather && !isSolved) ImGui::TextDisabled("It can be told once the room is solved.");

@@ -43,8 +43,8 @@ void drawPathtrace(relamp::PathtraceOptions& pathtrace)
     ImGui::InputScalar("Seed", ImGuiDataType_U32, &pathtrace.seed, &step);
 }
 
-/// A dial that follows from the scan unless it is set.
-void dial(const char* label, std::optional<float>& value, float otherwise, float high)
+/// A parameter that follows from the scan unless it is set.
+void parameter(const char* label, std::optional<float>& value, float otherwise, float high)
 {
     ImGui::PushID(label);
     bool isSet = value.has_value();
@@ -61,31 +61,32 @@ void dial(const char* label, std::optional<float>& value, float otherwise, float
     ImGui::PopID();
 }
 
-void drawThesis(relamp::ThesisOptions& dials)
+void drawThesis(relamp::ThesisOptions& parameters)
 {
     constexpr ImGuiSliderFlags kClamp = ImGuiSliderFlags_AlwaysClamp;
-    dial("Power", dials.power, 1.0f, 100.0f);
-    dial("Ambient", dials.ambient, 0.05f, 10.0f);
-    dial("Merge, m", dials.mergeDistance, 0.5f, 10.0f);
-    bool hasAttenuation = dials.attenuation.has_value();
+    parameter("Power", parameters.power, 1.0f, 100.0f);
+    parameter("Ambient", parameters.ambient, 0.05f, 10.0f);
+    parameter("Merge, m", parameters.mergeDistance, 0.5f, 10.0f);
+    bool hasAttenuation = parameters.attenuation.has_value();
     if (ImGui::Checkbox("Attenuation by hand", &hasAttenuation))
-        dials.attenuation =
+        parameters.attenuation =
             hasAttenuation ? std::optional(glm::vec3(1.0f, 0.0f, 1.0f)) : std::nullopt;
-    if (dials.attenuation)
-        ImGui::DragFloat3("k0 k1 k2", &dials.attenuation->x, 0.01f, 0.0f, 1e4f, "%.3f", kClamp);
-    ImGui::SliderFloat("Shines from", &dials.emitterThreshold, 0.0f, 1.0f, "%.2f", kClamp);
-    ImGui::SliderFloat("Expansion", &dials.expansion, 1.0f, 200.0f, "%.1f",
+    if (parameters.attenuation)
+        ImGui::DragFloat3("k0 k1 k2", &parameters.attenuation->x, 0.01f, 0.0f, 1e4f, "%.3f",
+                          kClamp);
+    ImGui::SliderFloat("Shines from", &parameters.emitterThreshold, 0.0f, 1.0f, "%.2f", kClamp);
+    ImGui::SliderFloat("Expansion", &parameters.expansion, 1.0f, 200.0f, "%.1f",
                        kClamp | ImGuiSliderFlags_Logarithmic);
-    ImGui::SliderInt("Lights, 2^n", &dials.lightLevels, 0, 10, "%d", kClamp);
-    ImGui::SliderInt("Shadow map", &dials.rsmSize, 8, 512, "%d", kClamp);
-    ImGui::SliderInt("Volume", &dials.lpvSize, 8, 128, "%d", kClamp);
-    ImGui::SliderInt("Steps", &dials.lpvSteps, 1, 128, "%d", kClamp);
-    ImGui::SliderFloat("Flatten reach", &dials.flattenReach, 1.0f, 2.0f, "%.2f", kClamp);
-    ImGui::SliderFloat("Flatten range", &dials.flattenRange, 0.01f, 10.0f, "%.2f",
+    ImGui::SliderInt("Lights, 2^n", &parameters.lightLevels, 0, 10, "%d", kClamp);
+    ImGui::SliderInt("Shadow map", &parameters.rsmSize, 8, 512, "%d", kClamp);
+    ImGui::SliderInt("Volume", &parameters.lpvSize, 8, 128, "%d", kClamp);
+    ImGui::SliderInt("Steps", &parameters.lpvSteps, 1, 128, "%d", kClamp);
+    ImGui::SliderFloat("Flatten reach", &parameters.flattenReach, 1.0f, 2.0f, "%.2f", kClamp);
+    ImGui::SliderFloat("Flatten range", &parameters.flattenRange, 0.01f, 10.0f, "%.2f",
                        kClamp | ImGuiSliderFlags_Logarithmic);
-    ImGui::Checkbox("Bounce light", &dials.useLpv);
+    ImGui::Checkbox("Bounce light", &parameters.useLpv);
     ImGui::SameLine();
-    ImGui::Checkbox("Ambient light", &dials.useAmbient);
+    ImGui::Checkbox("Ambient light", &parameters.useAmbient);
 }
 
 /// A place to save at, and a button.
@@ -104,18 +105,18 @@ bool pathField(const char* button, std::string& path)
 
 void drawSolverPanel(Viewer& viewer)
 {
-    Dials& dials = viewer.studio.edit.dials;
-    int solver = static_cast<int>(dials.solver);
+    SolverParameters& parameters = viewer.studio.edit.parameters;
+    int solver = static_cast<int>(parameters.solver);
     if (ImGui::Combo("Solver", &solver, "Gather\0Path tracing, slow\0Thesis\0"))
-        dials.solver = static_cast<relamp::Solver>(solver);
-    if (dials.solver == relamp::Solver::thesis)
-        drawThesis(dials.thesis);
+        parameters.solver = static_cast<relamp::Solver>(solver);
+    if (parameters.solver == relamp::Solver::thesis)
+        drawThesis(parameters.thesis);
     else
-        drawGather(dials.gather);
-    if (dials.solver == relamp::Solver::pathtrace) drawPathtrace(dials.pathtrace);
-    ImGui::SliderFloat("Darkest", &dials.albedo.darkest, 0.001f, 1.0f, "%.3f",
+        drawGather(parameters.gather);
+    if (parameters.solver == relamp::Solver::pathtrace) drawPathtrace(parameters.pathtrace);
+    ImGui::SliderFloat("Darkest", &parameters.albedo.darkest, 0.001f, 1.0f, "%.3f",
                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
-    ImGui::Checkbox("Fill what is unlit", &dials.albedo.fill);
+    ImGui::Checkbox("Fill what is unlit", &parameters.albedo.fill);
     if (const auto& closure = viewer.studio.closure())
         ImGui::TextDisabled("Closed loop: %.4f of %.4f", closure->rmsError, closure->rmsInput);
 }

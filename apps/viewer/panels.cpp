@@ -100,7 +100,7 @@ std::string statusOf(const Viewer& viewer, float& fraction)
         fraction = static_cast<float>(work.fraction);
         const char* aim = studio.stage() == Stage::reading   ? "Reading"
                           : studio.stage() == Stage::drafted ? "Solving, a draft is shown"
-                          : studio.resolves()                ? "The albedo follows"
+                          : studio.reevaluates()             ? "The albedo follows"
                                                              : "Solving";
         return work.stage.empty() ? aim : fmt::format("{}: {}", aim, work.stage);
     }

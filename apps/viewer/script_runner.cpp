@@ -176,7 +176,7 @@ bool ScriptRunner::isThere(const std::string& what, const Viewer& viewer) const
     const Stage stage = viewer.studio.stage();
     if (what == "scan") return stage >= Stage::scanned;
     if (what == "draft") return stage >= Stage::drafted;
-    if (what == "solve") return stage == Stage::solved && !viewer.studio.resolves();
+    if (what == "solve") return stage == Stage::solved && !viewer.studio.reevaluates();
     if (what == "glance") return viewer.studio.isGlanced();
     if (what == "relit") return viewer.studio.isRelit();
     if (what == "rest") return viewer.studio.rests();
@@ -202,7 +202,7 @@ void ScriptRunner::end(const ScriptCommand& command, Viewer& viewer)
         if (viewer.studio.isGlanced())
             fmt::print("{:.0f} ms for the last glance at the light\n",
                        viewer.studio.glanceMilliseconds());
-        if (const auto milliseconds = viewer.studio.resolveMilliseconds())
+        if (const auto milliseconds = viewer.studio.reevaluateMilliseconds())
             fmt::print("{:.0f} ms until the albedo followed a lamp of the scan\n", *milliseconds);
         std::fflush(stdout);
     }

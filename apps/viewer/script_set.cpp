@@ -89,62 +89,67 @@ void setCamera(Viewer& viewer, const Words& words)
 }
 
 template<class T>
-void setNumber(T& dial, const Words& words, float low, float high)
+void setNumber(T& parameter, const Words& words, float low, float high)
 {
-    dial = static_cast<T>(std::clamp(number(words), low, high));
+    parameter = static_cast<T>(std::clamp(number(words), low, high));
 }
 
 /// "auto" leaves it to the scan.
-void setNumber(std::optional<float>& dial, const Words& words, float low, float high)
+void setNumber(std::optional<float>& parameter, const Words& words, float low, float high)
 {
-    dial.reset();
-    if (words[1] != "auto") dial = std::clamp(number(words), low, high);
+    parameter.reset();
+    if (words[1] != "auto") parameter = std::clamp(number(words), low, high);
 }
 
-/// The solvers' dials, by the names and ranges that relamp delight has.
-const std::map<std::string, std::function<void(Dials&, const Words&)>>& dials()
+/// The solvers' parameters, by the names and ranges that relamp delight has.
+const std::map<std::string, std::function<void(SolverParameters&, const Words&)>>& parameters()
 {
-    using D = Dials;
+    using D = SolverParameters;
     using W = Words;
     static const std::map<std::string, std::function<void(D&, const W&)>> all{
-        {"dial.rays",
+        {"parameter.rays",
          [](D& d, const W& w) {
              d.gather.rays = 0;
              if (w[1] != "auto") setNumber(d.gather.rays, w, 4.0f, 1024.0f);
          }},
-        {"dial.shadow-rays",
+        {"parameter.shadow-rays",
          [](D& d, const W& w) {
              d.gather.shadowRays = 0;
              if (w[1] != "auto") setNumber(d.gather.shadowRays, w, 1.0f, 1024.0f);
          }},
-        {"dial.samples",
+        {"parameter.samples",
          [](D& d, const W& w) { setNumber(d.pathtrace.samples, w, 1.0f, 65536.0f); }},
-        {"dial.seed", [](D& d, const W& w) { d.pathtrace.seed = wholeNumberOf(w[1]); }},
-        {"dial.darkest", [](D& d, const W& w) { setNumber(d.albedo.darkest, w, 1e-6f, 1.0f); }},
-        {"dial.fill", [](D& d, const W& w) { d.albedo.fill = flag(w); }},
-        {"dial.emitter-threshold",
+        {"parameter.seed", [](D& d, const W& w) { d.pathtrace.seed = wholeNumberOf(w[1]); }},
+        {"parameter.darkest",
+         [](D& d, const W& w) { setNumber(d.albedo.darkest, w, 1e-6f, 1.0f); }},
+        {"parameter.fill", [](D& d, const W& w) { d.albedo.fill = flag(w); }},
+        {"parameter.emitter-threshold",
          [](D& d, const W& w) { setNumber(d.thesis.emitterThreshold, w, 0.0f, 1.0f); }},
-        {"dial.expansion", [](D& d, const W& w) { setNumber(d.thesis.expansion, w, 1.0f, 1e4f); }},
-        {"dial.light-levels",
+        {"parameter.expansion",
+         [](D& d, const W& w) { setNumber(d.thesis.expansion, w, 1.0f, 1e4f); }},
+        {"parameter.light-levels",
          [](D& d, const W& w) { setNumber(d.thesis.lightLevels, w, 0.0f, 10.0f); }},
-        {"dial.attenuation",
+        {"parameter.attenuation",
          [](D& d, const W& w) {
              d.thesis.attenuation.reset();
              if (w[1] != "auto") d.thesis.attenuation = glm::max(vector(w), 0.0f);
          }},
-        {"dial.power", [](D& d, const W& w) { setNumber(d.thesis.power, w, 1e-6f, 1e6f); }},
-        {"dial.ambient", [](D& d, const W& w) { setNumber(d.thesis.ambient, w, 0.0f, 1e6f); }},
-        {"dial.merge-distance",
+        {"parameter.power", [](D& d, const W& w) { setNumber(d.thesis.power, w, 1e-6f, 1e6f); }},
+        {"parameter.ambient", [](D& d, const W& w) { setNumber(d.thesis.ambient, w, 0.0f, 1e6f); }},
+        {"parameter.merge-distance",
          [](D& d, const W& w) { setNumber(d.thesis.mergeDistance, w, 0.0f, 1e6f); }},
-        {"dial.rsm-size", [](D& d, const W& w) { setNumber(d.thesis.rsmSize, w, 8.0f, 512.0f); }},
-        {"dial.lpv-size", [](D& d, const W& w) { setNumber(d.thesis.lpvSize, w, 8.0f, 128.0f); }},
-        {"dial.lpv-steps", [](D& d, const W& w) { setNumber(d.thesis.lpvSteps, w, 1.0f, 128.0f); }},
-        {"dial.flatten-reach",
+        {"parameter.rsm-size",
+         [](D& d, const W& w) { setNumber(d.thesis.rsmSize, w, 8.0f, 512.0f); }},
+        {"parameter.lpv-size",
+         [](D& d, const W& w) { setNumber(d.thesis.lpvSize, w, 8.0f, 128.0f); }},
+        {"parameter.lpv-steps",
+         [](D& d, const W& w) { setNumber(d.thesis.lpvSteps, w, 1.0f, 128.0f); }},
+        {"parameter.flatten-reach",
          [](D& d, const W& w) { setNumber(d.thesis.flattenReach, w, 1.0f, 2.0f); }},
-        {"dial.flatten-range",
+        {"parameter.flatten-range",
          [](D& d, const W& w) { setNumber(d.thesis.flattenRange, w, 0.01f, 10.0f); }},
-        {"dial.lpv", [](D& d, const W& w) { d.thesis.useLpv = flag(w); }},
-        {"dial.ambient-light", [](D& d, const W& w) { d.thesis.useAmbient = flag(w); }}};
+        {"parameter.lpv", [](D& d, const W& w) { d.thesis.useLpv = flag(w); }},
+        {"parameter.ambient-light", [](D& d, const W& w) { d.thesis.useAmbient = flag(w); }}};
     return all;
 }
 
@@ -176,10 +181,10 @@ const std::map<std::string, std::function<void(Viewer&, const Words&)>>& setting
         {"exposure", [](V& v, const W& w) { v.studio.edit.view.exposure = number(w); }},
         {"view", [](V& v, const W& w) { v.studio.edit.view.view = valueOf<relamp::View>(w[1]); }},
         {"solver",
-         [](V& v, const W& w) { v.studio.edit.dials.solver = valueOf<relamp::Solver>(w[1]); }},
+         [](V& v, const W& w) { v.studio.edit.parameters.solver = valueOf<relamp::Solver>(w[1]); }},
         {"quality",
          [](V& v, const W& w) {
-             v.studio.edit.dials.gather.quality = valueOf<relamp::Quality>(w[1]);
+             v.studio.edit.parameters.gather.quality = valueOf<relamp::Quality>(w[1]);
          }},
         {"lights", [](V& v, const W& w) { v.studio.loadLights(w[1]); }},
         {"timeline", [](V& v, const W& w) { v.studio.loadTimeline(w[1]); }},
@@ -286,11 +291,11 @@ bool setLight(Viewer& viewer, const Words& words)
 void setByScript(Viewer& viewer, const std::vector<std::string>& words)
 {
     const auto found = settings().find(words[0]);
-    const auto dial = dials().find(words[0]);
+    const auto parameter = parameters().find(words[0]);
     if (found != settings().end())
         found->second(viewer, words);
-    else if (dial != dials().end())
-        dial->second(viewer.studio.edit.dials, words);
+    else if (parameter != parameters().end())
+        parameter->second(viewer.studio.edit.parameters, words);
     else if (!setLight(viewer, words))
         wrongSetting(fmt::format("\"{}\" cannot be set", words[0]));
     viewer.studio.commit("Set " + words[0]);

@@ -133,11 +133,11 @@ Solved RoomSolver::solved(Side& side, const relamp::DelightOptions& options,
     relamp::Decomposition found = side.delighter.solve(options, progress);
     solved.found = side.found = found.lights();
     side.texels = found.texelCount();
-    if (side.delighter.canResolve()) {
+    if (side.delighter.canReevaluate()) {
         solved.scanned = itemsOf(scanned, side.found);
         if (!solved.scanned.isAsFound())
-            found = side.delighter.resolve(lightsUnder(solved.scanned, scanned.light, side.found),
-                                           options.albedo, progress);
+            found = side.delighter.reevaluate(
+                lightsUnder(solved.scanned, scanned.light, side.found), options.albedo, progress);
     }
     Paint paint = tell(std::move(found), limits_, solved, progress);
     auto room = std::make_shared<relamp::DelitRoom>();
@@ -175,8 +175,8 @@ void RoomSolver::solve(const relamp::DelightOptions& options, const ScannedLight
     deliver(std::move(whole));
 }
 
-Solved RoomSolver::resolved(Side& side, const relamp::AlbedoOptions& albedo,
-                            const ScannedLight& scanned, relamp::Progress& progress)
+Solved RoomSolver::reevaluated(Side& side, const relamp::AlbedoOptions& albedo,
+                               const ScannedLight& scanned, relamp::Progress& progress)
 {
     Solved solved;
     solved.found = side.found;
@@ -184,19 +184,19 @@ Solved RoomSolver::resolved(Side& side, const relamp::AlbedoOptions& albedo,
     const relamp::Lights lights =
         lightsUnder(itemsOf(scanned, side.found), scanned.light, side.found);
     solved.paint = std::make_shared<const Paint>(
-        tell(side.delighter.resolve(lights, albedo, progress), limits_, solved, progress));
+        tell(side.delighter.reevaluate(lights, albedo, progress), limits_, solved, progress));
     return solved;
 }
 
-void RoomSolver::resolve(const relamp::AlbedoOptions& albedo, const ScannedLight& scanned,
-                         const std::function<void(Solved)>& deliver, relamp::Progress& progress)
+void RoomSolver::reevaluate(const relamp::AlbedoOptions& albedo, const ScannedLight& scanned,
+                            const std::function<void(Solved)>& deliver, relamp::Progress& progress)
 {
-    if (whole_.texels > kTexelsAtOnce && draft_ && draft_->delighter.canResolve()) {
-        Solved draft = resolved(*draft_, albedo, scanned, progress);
+    if (whole_.texels > kTexelsAtOnce && draft_ && draft_->delighter.canReevaluate()) {
+        Solved draft = reevaluated(*draft_, albedo, scanned, progress);
         draft.isDraft = true;
         deliver(std::move(draft));
     }
-    deliver(resolved(whole_, albedo, scanned, progress));
+    deliver(reevaluated(whole_, albedo, scanned, progress));
 }
 
 Solved readSolved(const std::filesystem::path& folder, const relamp::ScanOptions& options,

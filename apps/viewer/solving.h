@@ -84,8 +84,8 @@ public:
 
     /// The whole again, where light is said to have been otherwise, or the albedo's options are
     /// others. The solver gather has solved it before. Of a large scan the draft comes first.
-    void resolve(const relamp::AlbedoOptions& albedo, const ScannedLight& scanned,
-                 const std::function<void(Solved)>& deliver, relamp::Progress& progress);
+    void reevaluate(const relamp::AlbedoOptions& albedo, const ScannedLight& scanned,
+                    const std::function<void(Solved)>& deliver, relamp::Progress& progress);
 
 private:
     /// A scan as one of the solvers takes it.
@@ -102,8 +102,8 @@ private:
 
     Solved solved(Side& side, const relamp::DelightOptions& options, const ScannedLight& scanned,
                   relamp::Progress& progress);
-    Solved resolved(Side& side, const relamp::AlbedoOptions& albedo, const ScannedLight& scanned,
-                    relamp::Progress& progress);
+    Solved reevaluated(Side& side, const relamp::AlbedoOptions& albedo, const ScannedLight& scanned,
+                       relamp::Progress& progress);
 
     TextureLimits limits_;
     Side whole_;

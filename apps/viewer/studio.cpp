@@ -32,7 +32,7 @@ relamp::Camera firstView(const relamp::Scan& scan, const relamp::Bounds& box)
 
 } // namespace
 
-relamp::DelightOptions Dials::options() const
+relamp::DelightOptions SolverParameters::options() const
 {
     relamp::DelightOptions options;
     options.solver = solver;
@@ -45,7 +45,7 @@ relamp::DelightOptions Dials::options() const
 
 bool Edit::operator==(const Edit& other) const
 {
-    return light == other.light && scanned == other.scanned && dials == other.dials &&
+    return light == other.light && scanned == other.scanned && parameters == other.parameters &&
            view.view == other.view.view && view.exposure == other.view.exposure;
 }
 
@@ -104,7 +104,7 @@ void Studio::fail(const std::string& sentence)
 {
     hasFailed_ = true;
     ++failures_;
-    resolving_.reset();
+    reevaluating_.reset();
     say(sentence);
 }
 
@@ -113,10 +113,10 @@ void Studio::goOn(size_t failed)
 {
     if (!opening_ || opening_->number != failed) return;
     const Opening opening = *std::exchange(opening_, std::nullopt);
-    if (scan_ && (stage_ != Stage::solved || edit.dials != solvedBy_))
+    if (scan_ && (stage_ != Stage::solved || edit.parameters != solvedBy_))
         solveAgain();
-    else if (opening.resolved && canResolve())
-        resolve();
+    else if (opening.reevaluated && canReevaluate())
+        reevaluate();
 }
 
 std::filesystem::path Studio::besideScan() const
@@ -125,9 +125,9 @@ std::filesystem::path Studio::besideScan() const
     return std::filesystem::is_directory(path_, ignored) ? path_ : path_.parent_path();
 }
 
-relamp::DelightOptions Studio::optionsOf(const Dials& dials) const
+relamp::DelightOptions Studio::optionsOf(const SolverParameters& parameters) const
 {
-    relamp::DelightOptions options = dials.options();
+    relamp::DelightOptions options = parameters.options();
     if (options.solver != relamp::Solver::pathtrace) options.engine = engine_; // that has none
     return options;
 }
@@ -135,13 +135,13 @@ relamp::DelightOptions Studio::optionsOf(const Dials& dials) const
 void Studio::open(const std::filesystem::path& path, const relamp::ScanOptions& options)
 {
     const size_t number = ++openings_;
-    opening_ = Opening{number, edit.dials, resolving_.has_value()};
-    opening_->dials.gather.lights.clear(); // places in another room
-    opening_->dials.gather.notLights.clear();
+    opening_ = Opening{number, edit.parameters, reevaluating_.has_value()};
+    opening_->parameters.gather.lights.clear(); // places in another room
+    opening_->parameters.gather.notLights.clear();
     hasFailed_ = false;
-    resolving_.reset();
+    reevaluating_.reset();
     isCameraUntouched = true;
-    const Wish wish{path, options, optionsOf(opening_->dials), number};
+    const Wish wish{path, options, optionsOf(opening_->parameters), number};
     solver_.start([this, wish](relamp::Progress& progress) {
         try {
             std::error_code ignored;
@@ -168,7 +168,7 @@ void Studio::readScan(const Wish& wish, relamp::Progress& progress)
     for (const relamp::Page& page : unlit->scan->pages) unlit->albedo.push_back(page.image);
     find(unlit, progress);
     roomSolver->solve(
-        wish.dials, {},
+        wish.parameters, {},
         [this, roomSolver](Solved solved) {
             mailbox_.post(
                 [this, roomSolver, solved = std::make_shared<const Solved>(std::move(solved))] {
@@ -214,7 +214,7 @@ void Studio::find(const std::shared_ptr<const relamp::DelitRoom>& room, relamp::
 bool Studio::adopt(const Opened& opened)
 {
     if (!opening_ || opening_->number != opened.wish.number) return false;
-    const Dials solvedBy = std::exchange(opening_, std::nullopt)->dials;
+    const SolverParameters solvedBy = std::exchange(opening_, std::nullopt)->parameters;
     relighting_.setRoom(nullptr, nullptr);
     path_ = opened.wish.path;
     lightsFolder_ = besideScan();
@@ -225,15 +225,15 @@ bool Studio::adopt(const Opened& opened)
     bounds_ = mesh_->bounds;
     decomposition_ = nullptr;
     captured_ = found_ = {};
-    resolveMilliseconds_.reset();
+    reevaluateMilliseconds_.reset();
     closure_.reset();
     timeline_.reset();
     isPlaying_ = isGlanced_ = isRelit_ = false;
     isLightOfScan_ = true;
     edit.light = {};
     edit.scanned = {};
-    edit.dials.gather.lights.clear();
-    edit.dials.gather.notLights.clear();
+    edit.parameters.gather.lights.clear();
+    edit.parameters.gather.notLights.clear();
     selection = {}; // may be of the room before
     applied_ = edit;
     history_ = History<Edit>(edit);
@@ -247,7 +247,7 @@ bool Studio::adopt(const Opened& opened)
     stage_ = Stage::scanned;
     solvedBy_ = solvedBy;
     for (const std::string& warning : scan_->warnings) say(warning);
-    if (opened.solver && edit.dials != solvedBy) solveAgain(); // they were turned meanwhile
+    if (opened.solver && edit.parameters != solvedBy) solveAgain(); // they were changed meanwhile
     return true;
 }
 
@@ -271,24 +271,24 @@ void Studio::adopt(const Solved& solved)
     decomposition_ = solved.decomposition;
     notes_.clear();
     tell(solved.notes);
-    if (canResolve() && edit.scanned != solved.scanned) resolve(); // it was said meanwhile
+    if (canReevaluate() && edit.scanned != solved.scanned) reevaluate(); // it was said meanwhile
 }
 
 /// The same room with another albedo.
-void Studio::adoptResolved(const Solved& solved)
+void Studio::adoptReevaluated(const Solved& solved)
 {
     adoptTextures(solved);
     if (solved.isDraft) return;
     const std::chrono::duration<double, std::milli> took =
-        std::chrono::steady_clock::now() - *resolving_;
-    resolveMilliseconds_ = took.count();
-    resolving_.reset();
+        std::chrono::steady_clock::now() - *reevaluating_;
+    reevaluateMilliseconds_ = took.count();
+    reevaluating_.reset();
     captured_ = solved.captured;
     relighting_.repaint(solved.paint);
     sendLight();
     decomposition_ = solved.decomposition;
     tell(solved.notes);
-    if (edit.scanned != solved.scanned || edit.dials.albedo != solved.albedo) resolve();
+    if (edit.scanned != solved.scanned || edit.parameters.albedo != solved.albedo) reevaluate();
 }
 
 /// Fixtures that were there before keep what was said of them, and stay selected.
@@ -352,16 +352,17 @@ void Studio::apply(const Edit& before)
     follow(before);
 }
 
-/// Computes again what the dials and the light of the day of the scan decide, and no more.
+/// Computes again what the parameters and the light of the day of the scan decide, and no more.
 void Studio::follow(const Edit& before)
 {
-    Dials dials = before.dials;
+    SolverParameters parameters = before.parameters;
     const bool isScannedNew = edit.scanned != before.scanned;
-    const bool isDivisionNew = edit.dials.albedo != std::exchange(dials.albedo, edit.dials.albedo);
-    if (edit.dials != dials || (isDivisionNew && !canResolve())) return solveAgain();
+    const bool isDivisionNew =
+        edit.parameters.albedo != std::exchange(parameters.albedo, edit.parameters.albedo);
+    if (edit.parameters != parameters || (isDivisionNew && !canReevaluate())) return solveAgain();
     if (!isScannedNew && !isDivisionNew) return;
-    if (canResolve()) return resolve();
-    if (stage_ == Stage::solved && edit.dials.solver == relamp::Solver::gather)
+    if (canReevaluate()) return reevaluate();
+    if (stage_ == Stage::solved && edit.parameters.solver == relamp::Solver::gather)
         return solveAgain(); // a folder, of which no more is kept than its pictures
     if (stage_ == Stage::solved)
         say("Only the solver Gather follows what is said of lamps on the day of the scan.");
@@ -387,14 +388,14 @@ void Studio::solveAgain()
 {
     if (!scan_ || opening_) return;
     hasFailed_ = false;
-    resolving_.reset();
+    reevaluating_.reset();
     stage_ = Stage::scanned;
-    solvedBy_ = edit.dials;
+    solvedBy_ = edit.parameters;
     if (!roomSolver_) roomSolver_ = std::make_shared<RoomSolver>(scan_, limits_);
-    solver_.start([this, solver = roomSolver_, dials = optionsOf(edit.dials),
+    solver_.start([this, solver = roomSolver_, parameters = optionsOf(edit.parameters),
                    scanned = scannedLight()](relamp::Progress& progress) {
         solver->solve(
-            dials, scanned,
+            parameters, scanned,
             [this, solver](Solved solved) {
                 mailbox_.post(
                     [this, solver, solved = std::make_shared<const Solved>(std::move(solved))] {
@@ -411,7 +412,7 @@ ScannedLight Studio::scannedLight() const
 }
 
 /// Whether more of the room is kept than its pictures.
-bool Studio::canResolve() const
+bool Studio::canReevaluate() const
 {
     return !opening_ && stage_ == Stage::solved && roomSolver_ && decomposition_ &&
            decomposition_->optionsInForce().solver == relamp::Solver::gather;
@@ -419,20 +420,20 @@ bool Studio::canResolve() const
 
 /// What runs and is soon over is shown first, or nothing would be while a slider is drawn; the
 /// newest wish follows when it is adopted.
-void Studio::resolve()
+void Studio::reevaluate()
 {
     const auto now = std::chrono::steady_clock::now();
-    if (resolving_ && now - *resolving_ < kPatience) return;
+    if (reevaluating_ && now - *reevaluating_ < kPatience) return;
     hasFailed_ = false;
-    resolving_ = now;
-    solver_.start([this, solver = roomSolver_, albedo = edit.dials.albedo,
+    reevaluating_ = now;
+    solver_.start([this, solver = roomSolver_, albedo = edit.parameters.albedo,
                    scanned = scannedLight()](relamp::Progress& progress) {
-        solver->resolve(
+        solver->reevaluate(
             albedo, scanned,
             [this, solver](Solved solved) {
                 mailbox_.post(
                     [this, solver, solved = std::make_shared<const Solved>(std::move(solved))] {
-                        if (solver == roomSolver_ && resolving_) adoptResolved(*solved);
+                        if (solver == roomSolver_ && reevaluating_) adoptReevaluated(*solved);
                     });
             },
             progress);
@@ -441,7 +442,7 @@ void Studio::resolve()
 
 void Studio::stopSolving()
 {
-    resolving_.reset();
+    reevaluating_.reset();
     opening_.reset();
     solver_.cancel();
 }

@@ -20,8 +20,8 @@
 #include <string>
 #include <vector>
 
-/// The solver and its dials, as far as the viewer has them.
-struct Dials
+/// The solver and its parameters, as far as the viewer has them.
+struct SolverParameters
 {
     relamp::Solver solver = relamp::Solver::gather;
     relamp::GatherOptions gather;
@@ -29,7 +29,7 @@ struct Dials
     relamp::ThesisOptions thesis;
     relamp::AlbedoOptions albedo;
 
-    bool operator==(const Dials& other) const = default;
+    bool operator==(const SolverParameters& other) const = default;
     [[nodiscard]] relamp::DelightOptions options() const;
 };
 
@@ -39,7 +39,7 @@ struct Edit
     LightDocument light;  // how it shall shine now
     ScannedItems scanned; // how it was on the day of the scan
     relamp::ViewOptions view;
-    Dials dials;
+    SolverParameters parameters;
 
     bool operator==(const Edit& other) const;
 };
@@ -100,12 +100,15 @@ public:
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] Stage stage() const { return opening_ ? Stage::reading : stage_; }
     /// Whether albedo is behind what was said.
-    [[nodiscard]] bool resolves() const { return resolving_.has_value(); }
+    [[nodiscard]] bool reevaluates() const { return reevaluating_.has_value(); }
     [[nodiscard]] const relamp::Bounds& bounds() const { return bounds_; }
     [[nodiscard]] const std::optional<relamp::Closure>& closure() const { return closure_; }
     [[nodiscard]] double glanceMilliseconds() const { return glanceMilliseconds_; }
     /// Of the last time that albedo followed, until it was there to be drawn.
-    [[nodiscard]] std::optional<double> resolveMilliseconds() const { return resolveMilliseconds_; }
+    [[nodiscard]] std::optional<double> reevaluateMilliseconds() const
+    {
+        return reevaluateMilliseconds_;
+    }
     /// Whether light that counts now is on the walls: glanced at, or found for every texel.
     [[nodiscard]] bool isGlanced() const;
     [[nodiscard]] bool isRelit() const;
@@ -133,16 +136,16 @@ private:
     /// A room that is being read.
     struct Opening
     {
-        size_t number = 0;     // of all that were to be opened
-        Dials dials;           // that it will be solved with
-        bool resolved = false; // the one before it was being resolved
+        size_t number = 0;           // of all that were to be opened
+        SolverParameters parameters; // that it will be solved with
+        bool reevaluated = false;    // the one before it was being re-evaluated
     };
     /// What its thread needs to know.
     struct Wish
     {
         std::filesystem::path path;
         relamp::ScanOptions scan;
-        relamp::DelightOptions dials;
+        relamp::DelightOptions parameters;
         size_t number;
     };
     /// It was read.
@@ -159,14 +162,14 @@ private:
     void goOn(size_t failed);
     void adopt(const Solved& solved);
     void adoptTextures(const Solved& solved);
-    void adoptResolved(const Solved& solved);
+    void adoptReevaluated(const Solved& solved);
     void adoptFixtures(const Solved& solved);
     void apply(const Edit& before);
     void follow(const Edit& before);
     void sendLight();
     void solveAgain();
-    void resolve();
-    [[nodiscard]] bool canResolve() const;
+    void reevaluate();
+    [[nodiscard]] bool canReevaluate() const;
     [[nodiscard]] ScannedLight scannedLight() const;
     void tell(const std::vector<std::string>& notes);
     void fail(const std::string& sentence);
@@ -174,7 +177,7 @@ private:
     void readFolder(const Wish& wish, relamp::Progress& progress);
     void find(const std::shared_ptr<const relamp::DelitRoom>& room, relamp::Progress& progress);
     [[nodiscard]] std::filesystem::path besideScan() const;
-    [[nodiscard]] relamp::DelightOptions optionsOf(const Dials& dials) const;
+    [[nodiscard]] relamp::DelightOptions optionsOf(const SolverParameters& parameters) const;
 
     RoomDrawing& drawing_;
     TextureLimits limits_;
@@ -195,15 +198,15 @@ private:
     std::optional<Opening> opening_;
     size_t openings_ = 0;
     Stage stage_ = Stage::nothing; // of what is open
-    Dials solvedBy_;               // it is, or is on the way to be
+    SolverParameters solvedBy_;    // it is, or is on the way to be
     bool hasFailed_ = false;
     size_t failures_ = 0;
     bool isGlanced_ = false;
     bool isRelit_ = false;
     bool isLightOfScan_ = true; // as the room's own
     double glanceMilliseconds_ = 0.0;
-    std::optional<std::chrono::steady_clock::time_point> resolving_; // since when
-    std::optional<double> resolveMilliseconds_;
+    std::optional<std::chrono::steady_clock::time_point> reevaluating_; // since when
+    std::optional<double> reevaluateMilliseconds_;
     std::optional<relamp::Timeline> timeline_;
     bool isPlaying_ = false;
     double part_ = 0.0;

@@ -56,7 +56,7 @@ Viewer::Viewer(const Options& options)
     studio.edit.view.view =
         relamp::named<relamp::View>(settings.view).value_or(relamp::View::standard);
     if (const auto quality = relamp::named<relamp::Quality>(settings.quality))
-        studio.edit.dials.gather.quality = *quality;
+        studio.edit.parameters.gather.quality = *quality;
     if (!options.path.empty()) studio.open(options.path, options.scan);
     if (!options.script.empty())
         script_ = std::make_unique<ScriptRunner>(readScript(options.script), options.script);
@@ -73,7 +73,7 @@ Viewer::~Viewer()
     settings.panels = shown.panels;
     settings.walks = studio.camera.mode == CameraRig::Mode::walk;
     settings.view = relamp::nameOf(studio.edit.view.view);
-    settings.quality = relamp::nameOf(studio.edit.dials.gather.quality);
+    settings.quality = relamp::nameOf(studio.edit.parameters.gather.quality);
     if (!studio.path().empty()) {
         const std::string path = std::filesystem::absolute(studio.path()).string();
         std::erase(settings.recent, path);

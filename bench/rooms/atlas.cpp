@@ -63,20 +63,20 @@ bool pack(Atlas& atlas, float pixelsPerMetre)
     std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
         return atlas.charts[a].pixels.y > atlas.charts[b].pixels.y;
     });
-    glm::ivec2 next(kGutter);
+    glm::ivec2 next(kPadding);
     int shelf = 0; // its height
     for (const size_t i : order) {
         Chart& chart = atlas.charts[i];
-        if (next.x + chart.pixels.x + kGutter > atlas.side) {
-            next = {kGutter, next.y + shelf + kGutter};
+        if (next.x + chart.pixels.x + kPadding > atlas.side) {
+            next = {kPadding, next.y + shelf + kPadding};
             shelf = 0;
         }
         shelf = std::max(shelf, chart.pixels.y);
         chart.corner = next;
-        if (next.x + chart.pixels.x + kGutter > atlas.side ||
-            next.y + chart.pixels.y + kGutter > atlas.side)
+        if (next.x + chart.pixels.x + kPadding > atlas.side ||
+            next.y + chart.pixels.y + kPadding > atlas.side)
             return false;
-        next.x += chart.pixels.x + kGutter;
+        next.x += chart.pixels.x + kPadding;
     }
     return true;
 }

@@ -11,7 +11,7 @@
 namespace relamp::rooms
 {
 
-constexpr int kGutter = 2; // pixels around a chart that are no other's
+constexpr int kPadding = 2; // pixels around a chart that are no other's
 
 /// A piece of a patch and the rectangle of the texture that shows it.
 struct Chart
@@ -21,7 +21,7 @@ struct Chart
     glm::ivec2 pixels{0}; // >= 1 each
 };
 
-/// Where on a texture of side x side pixels everything is. No two charts' gutters meet.
+/// Where on a texture of side x side pixels everything is. No two charts' padding meets.
 struct Atlas
 {
     int side = 0;

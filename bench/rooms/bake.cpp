@@ -3,8 +3,8 @@
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "base/random.h"
+#include "base/sampling.shared.h"
 #include "scan/rays.h"
-#include "shading/sampling.shared.h"
 
 #include <algorithm>
 #include <cmath>

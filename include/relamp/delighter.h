@@ -11,8 +11,8 @@
 namespace relamp
 {
 
-/// Takes the light out of one scan again and again, as a person turns dials: what they do not
-/// change is not computed again.
+/// Takes the light out of one scan again and again, as a person changes parameters: what they do
+/// not change is not computed again.
 ///
 /// Keeps beside what its results refer to (texels, the tree of rays, shadows), of the solver
 /// gather: 4 bytes a ray, 8 bytes a lamp and side of a surfel, and some 200 bytes a surfel. Of
@@ -34,8 +34,8 @@ public:
     [[nodiscard]] Decomposition solve(const DelightOptions& options = {},
                                       Progress& progress = unwatched());
 
-    /// Whether the last result of solve() is the solver gather's, so that it can be resolved.
-    [[nodiscard]] bool canResolve() const;
+    /// Whether the last result of solve() is the solver gather's, so that it can be re-evaluated.
+    [[nodiscard]] bool canReevaluate() const;
 
     /// The room as it would be had its lamps been as bright as `lights` say. These are the lights
     /// of the last result of solve(), with other radiances of the fixtures, irradiance of the sun
@@ -47,10 +47,10 @@ public:
     /// off as before. A fixture of radiance 0 is no lamp: what is burnt out of it is wall. Beyond
     /// 96 burnt-out pieces alike neighbours are one lamp to the solver and get their mean.
     ///
-    /// Throws Error(unsupported) unless canResolve(), Error(sizeMismatch) where these are other
+    /// Throws Error(unsupported) unless canReevaluate(), Error(sizeMismatch) where these are other
     /// fixtures or a sun that is not there, Error(malformed) where a number is negative or none.
-    [[nodiscard]] Decomposition resolve(const Lights& lights, const AlbedoOptions& albedo = {},
-                                        Progress& progress = unwatched());
+    [[nodiscard]] Decomposition reevaluate(const Lights& lights, const AlbedoOptions& albedo = {},
+                                           Progress& progress = unwatched());
 
 private:
     struct State;

@@ -78,7 +78,7 @@ struct Sky
 struct LitFixture
 {
     Fixture fixture;       // radiance 0: switched off
-    bool isWindow = false; // a pane: sun goes through, and the sky makes it shine
+    bool isWindow = false; // an opening: sun goes through, and the sky makes it shine
 };
 
 /// All light of a room as somebody wants it.

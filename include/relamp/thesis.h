@@ -7,7 +7,7 @@
 namespace relamp
 {
 
-/// The dials of Choi's system. What is left empty is derived from the scan.
+/// The parameters of Choi's system. What is left empty is derived from the scan.
 struct ThesisOptions
 {
     float emitterThreshold = 0.9f; // luminance from which a burnt-out texel is taken to shine, 0..1

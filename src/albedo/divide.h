@@ -2,7 +2,7 @@
 
 #include "base/instruction_set.h"
 #include "scan/texels.h"
-#include "shading/thesis.h"
+#include "shading/texel_shading.h"
 
 #include <cstdint>
 

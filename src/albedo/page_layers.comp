@@ -6,8 +6,8 @@
 #include "albedo/page_layers.gpu.h"
 #include "albedo/page_layers.shared.h"
 #include "base/radiometry.shared.h"
-#include "lights/emitters.shared.h"
-#include "shading/buried.shared.h"
+#include "lights/shining.shared.h"
+#include "shading/enclosed_texels.shared.h"
 
 ARGUMENTS(PageLayersArguments)
 
@@ -17,7 +17,7 @@ struct Shading
     vec3 indirect;
 };
 
-// With some of the light around at the rim of what is buried.
+// With some of the light around at the rim of what is enclosed.
 Shading shadingOf(uint i, vec4 rim, vec3 radiance)
 {
     Shading shading;

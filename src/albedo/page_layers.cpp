@@ -6,8 +6,8 @@
 #include "albedo/layer_parts.h"
 #include "albedo/page_layers.shared.h"
 #include "base/half.h"
-#include "image/gutter.h"
-#include "lights/emitters.shared.h"
+#include "image/padding.h"
+#include "lights/shining.shared.h"
 
 #include <algorithm>
 #include <span>
@@ -40,7 +40,7 @@ private:
                     size_t i, uint32_t pixel);
     void fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around, float lack,
                       uint16_t* rho) const;
-    void fillGutters();
+    void fillPadding();
 
     size_t page_;
     const PageTexels& texels_;
@@ -126,13 +126,13 @@ void LayerMaker::makeBlock(size_t begin, size_t count)
     areas_.add(block, std::span(texels_.pixel).subspan(begin, count), layers_.doubt);
 }
 
-void LayerMaker::fillGutters()
+void LayerMaker::fillPadding()
 {
     if (ofVertices_) return; // its pixels have no neighbours
     for (auto* layer : {&layers_.albedo, &layers_.direct, &layers_.indirect})
-        relamp::fillGutters(std::span(*layer), covered_, layers_.width, layers_.height);
+        relamp::fillPadding(std::span(*layer), covered_, layers_.width, layers_.height);
     if (!layers_.emission.empty())
-        relamp::fillGutters(std::span(layers_.emission), covered_, layers_.width, layers_.height);
+        relamp::fillPadding(std::span(layers_.emission), covered_, layers_.width, layers_.height);
 }
 
 PageLayers LayerMaker::run(Progress::Stage& stage)
@@ -143,7 +143,7 @@ PageLayers LayerMaker::run(Progress::Stage& stage)
     });
     dropDarkEmission(layers_);
     layers_.area = areas_.sum();
-    fillGutters();
+    fillPadding();
     return std::move(layers_);
 }
 

@@ -13,7 +13,7 @@ struct PageLayersArguments
     Uvec2s indirect;
     Uints surfel;
     Uints pixel;
-    Vec4s rims;   // of surfels: shading around buried ones, and its albedo or 0
+    Vec4s rims;   // of surfels: shading around enclosed ones, and its albedo or 0
     Vec4s trust;  // seen, front, edges
     Vec4s around; // albedo for what is burnt out; w: 1 where it holds a part of a lamp
     Uvec2s albedoOut;

@@ -4,7 +4,7 @@
 #include "lights/shining.h"
 #include "relamp/delight.h"
 #include "scan/texels.h"
-#include "shading/buried.h"
+#include "shading/enclosed_texels.h"
 #include "shading/texel_shading.h"
 
 #include <functional>
@@ -20,7 +20,7 @@ namespace relamp
 struct SolvedTexels
 {
     TexelShading shade;    // refers to the texels and the scene that were solved
-    std::vector<Rim> rims; // of surfels, for the buried ones; or none
+    std::vector<Rim> rims; // of surfels, for the enclosed ones; or none
     Shining shining;
     std::vector<SurfelTrust> trust; // in the shading of surfels; empty: full
     std::vector<glm::vec3> fill;    // albedo of surfels, for what is burnt out; or none

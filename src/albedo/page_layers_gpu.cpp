@@ -4,7 +4,7 @@
 #include "albedo/page_layers.comp.h"
 #include "albedo/page_layers.gpu.h"
 #include "base/parallel.h"
-#include "image/gutter.h"
+#include "image/padding.h"
 
 #include <algorithm>
 #include <atomic>
@@ -76,7 +76,7 @@ void addEmissionAndAreas(const Texels& texels, size_t p, bool anyShines, PageLay
     if (layers.emission.empty() || texels.scan->pages[p].ofVertices) return;
     std::vector<uint8_t> covered(layers.doubt.size());
     for (const uint32_t pixel : page.pixel) covered[pixel] = 1;
-    fillGutters(std::span(layers.emission), covered, layers.width, layers.height);
+    fillPadding(std::span(layers.emission), covered, layers.width, layers.height);
 }
 
 } // namespace

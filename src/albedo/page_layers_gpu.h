@@ -2,7 +2,7 @@
 
 #include "albedo/page_layers.h"
 #include "gpu/commands.h"
-#include "image/gutter_gpu.h"
+#include "image/padding_gpu.h"
 #include "scan/texels_gpu.h"
 
 #include <cstddef>
@@ -43,7 +43,7 @@ public:
         const gpu::Array<glm::uvec2>& indirect;
         bool clips; // Image::clipsAtWhite
     };
-    /// Without gutters.
+    /// Without padding.
     void divide(gpu::Commands& commands, const LitPage& page, const AlbedoOptions& options,
                 const LayerPictures& out) const;
 

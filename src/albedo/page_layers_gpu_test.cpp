@@ -100,13 +100,13 @@ struct Lit
         const gpu::Array<glm::uvec2> directThere(device, direct);
         const gpu::Array<glm::uvec2> indirectThere(device, indirect);
         PageLayersGpu gpu(device, texels.surfels.count());
-        const GutterGpu gutter(device);
+        const PaddingGpu padding(device);
         gpu.setSurfels(said);
         gpu::Commands commands(device);
         pictures.clear(commands);
         const bool clips = scan.pages[0].image.clipsAtWhite;
         gpu.divide(commands, {page, directThere, indirectThere, clips}, options, pictures);
-        gutter.fill(commands, {pictures.albedo, pictures.direct, pictures.indirect});
+        padding.fill(commands, {pictures.albedo, pictures.direct, pictures.indirect});
         commands.run();
     }
 

@@ -1,10 +1,10 @@
 #include "fit/given_lamps.h"
 
 #include "base/radiometry.shared.h"
+#include "base/sampling.shared.h"
 #include "lights/fixture_place.h"
+#include "lights/lamp_body.h"
 #include "lights/shining.h"
-#include "shading/lamp_body.h"
-#include "shading/sampling.shared.h"
 
 #include <algorithm>
 #include <cmath>

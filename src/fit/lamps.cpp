@@ -10,7 +10,7 @@
 #include "fit/missed.h"
 #include "fit/powers.h"
 #include "fit/suspects.h"
-#include "shading/lamp_body.h"
+#include "lights/lamp_body.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
+#include "base/sampling.shared.h"
 #include "lights/candidates.h"
-#include "shading/sampling.shared.h"
 
 #include <algorithm>
 #include <array>

@@ -3,9 +3,9 @@
 #include "base/fail.h"
 #include "base/json.h"
 #include "lights/fixture_named.h"
-#include "lights/fixtures.h"
 #include "lights/json_document.h"
 #include "lights/lights_from.h"
+#include "lights/point_light.h"
 #include "lights/sun_item.h"
 
 #include <algorithm>

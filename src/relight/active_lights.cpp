@@ -47,15 +47,15 @@ ActiveLights activate(const Texels& texels, const RoomFixtures& room, const Reli
     }
     for (const LitFixture& lit : lighting.fixtures) {
         glm::vec3 radiance = lit.fixture.radiance;
-        if (lit.isWindow) radiance += skyThroughPane(active.sky, -lit.fixture.normal);
+        if (lit.isWindow) radiance += skyThroughOpening(active.sky, -lit.fixture.normal);
         if (isDark(radiance) && !lit.isWindow) continue;
         const size_t place = room.captured.placeOf(lit.fixture.id);
         const bool isOfRoom = place < room.surfaces.size();
         const std::vector<ClippedPatch> patches =
             isOfRoom ? room.surfaces[place] : bodyOf(lit.fixture);
         if (lit.isWindow) {
-            active.panes.resize(surfels, 0);
-            mark(patches, active.panes);
+            active.windowOpenings.resize(surfels, 0);
+            mark(patches, active.windowOpenings);
         }
         if (isDark(radiance)) continue;
         mark(patches, active.shines);

@@ -43,11 +43,11 @@ struct ActiveLights
     std::vector<ActiveLight> lights;
     std::vector<glm::vec3> sky;  // of SkyBins
     std::vector<uint8_t> shines; // of surfels; not 0: its burnt-out texels are a lamp that is on
-    std::vector<glm::vec3> emission; // of these texels
-    std::vector<uint8_t> panes;      // of surfels; empty: none is a window's
+    std::vector<glm::vec3> emission;     // of these texels
+    std::vector<uint8_t> windowOpenings; // of surfels; empty: none is a window's
 };
 
-/// Gives each fixture its surface, takes the sky through panes, leaves out what is dark.
+/// Gives each fixture its surface, takes the sky through window openings, leaves out what is dark.
 ActiveLights activate(const Texels& texels, const RoomFixtures& room, const Relighting& lighting);
 
 } // namespace relamp

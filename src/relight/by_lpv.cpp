@@ -1,8 +1,8 @@
 #include "relight/by_lpv.h"
 
 #include "base/radiometry.shared.h"
-#include "shading/rsm.h"
-#include "shading/thesis.h"
+#include "thesis/rsm.h"
+#include "thesis/thesis_shading.h"
 
 #include <algorithm>
 #include <memory>
@@ -72,7 +72,7 @@ glm::vec3 meanOf(std::span<const glm::vec3> values)
 TexelShading shadingByLpv(const Relighter::State& state, std::vector<std::string>& warnings,
                           Progress& progress)
 {
-    const ThesisOptions& dials = state.options.thesis;
+    const ThesisOptions& parameters = state.options.thesis;
     Progress::Stage stage(progress, "bounce", state.active.lights.size() + 1);
     const auto light = std::make_shared<LpvLight>();
     std::vector<Radiance> albedo;
@@ -86,10 +86,10 @@ TexelShading shadingByLpv(const Relighter::State& state, std::vector<std::string
             continue;
         }
         light->lights.push_back(active);
-        if (dials.useLpv) addBounce(state, active, albedo, leaving);
+        if (parameters.useLpv) addBounce(state, active, albedo, leaving);
     }
-    if (!leaving.empty()) light->bounce = spread(state.texels, leaving, dials);
-    if (dials.useAmbient) light->ambient = meanOf(state.active.sky);
+    if (!leaving.empty()) light->bounce = spread(state.texels, leaving, parameters);
+    if (parameters.useAmbient) light->ambient = meanOf(state.active.sky);
     return [light](size_t, size_t, const TexelBlock& block, ShadingBlock& out) {
         light->shade(block, out);
     };

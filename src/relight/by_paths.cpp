@@ -1,9 +1,9 @@
 #include "relight/by_paths.h"
 
 #include "base/radiometry.shared.h"
+#include "lights/lamp_surface.h"
 #include "relight/relit_page.h"
 #include "relight/sky_bins.h"
-#include "shading/lamp_surface.h"
 #include "shading/path_tracer.h"
 #include "solve/by_pathtrace.h"
 
@@ -21,8 +21,8 @@ class UnseenLights
 public:
     explicit UnseenLights(const Relighter::State& state)
         : walls_(state.texels, state.scene, {}, state.radiance.isClipped),
-          panes_(state.active.panes),
-          wallsWithoutPanes_(state.texels, state.scene, panes_, state.radiance.isClipped)
+          windowOpenings_(state.active.windowOpenings),
+          wallsWithOpenings_(state.texels, state.scene, windowOpenings_, state.radiance.isClipped)
     {
         for (const ActiveLight& light : state.active.lights)
             if (!light.isFixture) lights_.push_back(light);
@@ -41,7 +41,7 @@ public:
             if (look.irradiance <= 0.0f) continue;
             const Ray ray{.origin = origin, .direction = look.direction, .farthest = look.distance};
             uint8_t blocked = 0;
-            (light.source->isSun() ? wallsWithoutPanes_ : walls_).blocked({&ray, 1}, {&blocked, 1});
+            (light.source->isSun() ? wallsWithOpenings_ : walls_).blocked({&ray, 1}, {&blocked, 1});
             if (blocked == 0) sum += look.irradiance / kPi * light.emission;
         }
         return sum;
@@ -49,8 +49,8 @@ public:
 
 private:
     Obstacles walls_;
-    std::vector<uint8_t> panes_;
-    Obstacles wallsWithoutPanes_;
+    std::vector<uint8_t> windowOpenings_;
+    Obstacles wallsWithOpenings_;
     std::vector<ActiveLight> lights_;
 };
 

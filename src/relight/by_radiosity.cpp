@@ -103,22 +103,22 @@ void RadiosityLight::findShadows(const ActiveLights& active, ShadowDetail detail
                                  Progress& progress)
 {
     Progress::Stage stage(progress, "shadows", std::max<size_t>(active.lights.size(), 1));
-    const bool arePanesNew = panes_ != active.panes;
+    const bool areOpeningsNew = windowOpenings_ != active.windowOpenings;
     const Obstacles walls(texels_, scene_, {}, isClipped_);
-    const Obstacles wallsWithoutPanes(texels_, scene_, active.panes, isClipped_);
+    const Obstacles wallsWithOpenings(texels_, scene_, active.windowOpenings, isClipped_);
     std::vector<std::shared_ptr<const ShadowedLight>> found;
     for (const ActiveLight& light : active.lights) {
         const bool isSun = light.source->isSun();
         const auto isSame = [&](const auto& other) {
-            return castSameShadows(other->light, light) && !(isSun && arePanesNew);
+            return castSameShadows(other->light, light) && !(isSun && areOpeningsNew);
         };
         const auto known = std::find_if(lights_.begin(), lights_.end(), isSame);
         found.push_back(shadowed(light, known != lights_.end() ? *known : nullptr, detail,
-                                 isSun ? wallsWithoutPanes : walls));
+                                 isSun ? wallsWithOpenings : walls));
         stage.advance();
     }
     lights_ = std::move(found); // all or, where somebody cancelled, none of it
-    panes_ = active.panes;
+    windowOpenings_ = active.windowOpenings;
 }
 
 /// What each light makes glow; what rays found of that is kept as the light itself is.

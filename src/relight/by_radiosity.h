@@ -81,7 +81,7 @@ private:
     size_t shadowRays_;
     RadiosityEngine engine_;
 
-    std::vector<uint8_t> panes_;
+    std::vector<uint8_t> windowOpenings_;
     std::vector<std::shared_ptr<const ShadowedLight>> lights_;
     std::vector<glm::vec3> emissions_;
     std::vector<std::shared_ptr<const SeenGlow>> glows_;     // of lights; null: it has none

@@ -2,8 +2,8 @@
 
 #include "base/lanes.h"
 #include "base/radiometry.shared.h"
+#include "base/sampling.shared.h"
 #include "shading/area_direct.shared.h"
-#include "shading/sampling.shared.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,30 +9,30 @@ namespace relamp
 namespace
 {
 
-constexpr int kMostPanes = 16;    // on one way; a pane is scanned in layers
-constexpr float kOffPane = 1e-3f; // m
+constexpr int kMostOpenings = 16;    // on one way; a window is scanned in layers
+constexpr float kOffOpening = 1e-3f; // m
 
 } // namespace
 
 void Obstacles::blocked(std::span<const Ray> rays, std::span<uint8_t> blocked) const
 {
     scene_.occluded(rays, blocked);
-    if (isPane_.empty()) return;
+    if (isOpening_.empty()) return;
     for (size_t i = 0; i < rays.size(); ++i)
         if (blocked[i] != 0) blocked[i] = isBlocked(rays[i]) ? 1 : 0;
 }
 
 bool Obstacles::isBlocked(Ray ray) const
 {
-    for (int pane = 0; pane < kMostPanes; ++pane) {
+    for (int opening = 0; opening < kMostOpenings; ++opening) {
         const Hit hit = scene_.intersect(ray);
         if (hit.missed()) return false;
         const glm::vec3 place = ray.origin + hit.distance * ray.direction;
         const uint32_t surfel = texels_.surfels.find(place, normalAt(texels_, hit));
         const auto [page, pixel] = nearestPixelAt(texels_, hit);
-        if (surfel == Surfels::kNone || isPane_[surfel] == 0 || isClipped_[page][pixel] == 0)
+        if (surfel == Surfels::kNone || isOpening_[surfel] == 0 || isClipped_[page][pixel] == 0)
             return true;
-        ray.nearest = hit.distance + kOffPane;
+        ray.nearest = hit.distance + kOffOpening;
     }
     return true;
 }

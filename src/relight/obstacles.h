@@ -10,16 +10,17 @@
 namespace relamp
 {
 
-/// What stops light on its way: the scan's surface, but for window panes where it comes from
+/// What stops light on its way: the scan's surface, but for window openings where it comes from
 /// outside. The arguments must outlive this. Thread safe.
 class Obstacles
 {
 public:
-    /// `isPane` marks surfels, `isClipped` [page][pixel] what is burnt out of them; light that is
-    /// burnt out in a pane's surfel goes through. Without panes everything stops light.
-    Obstacles(const Texels& texels, const RayScene& scene, std::span<const uint8_t> isPane,
+    /// `isOpening` marks surfels, `isClipped` [page][pixel] what is burnt out of them; light that
+    /// is burnt out in a surfel of an opening goes through. Without openings everything stops
+    /// light.
+    Obstacles(const Texels& texels, const RayScene& scene, std::span<const uint8_t> isOpening,
               std::span<const std::vector<uint8_t>> isClipped)
-        : texels_(texels), scene_(scene), isPane_(isPane), isClipped_(isClipped)
+        : texels_(texels), scene_(scene), isOpening_(isOpening), isClipped_(isClipped)
     {}
 
     /// blocked[i] is not 0 where rays[i] does not come through.
@@ -30,7 +31,7 @@ private:
 
     const Texels& texels_;
     const RayScene& scene_;
-    std::span<const uint8_t> isPane_; // empty: none
+    std::span<const uint8_t> isOpening_; // empty: none
     std::span<const std::vector<uint8_t>> isClipped_;
 };
 

@@ -2,12 +2,12 @@
 #include "lights/fixture_map.h"
 #include "relight/by_lpv.h"
 #include "relight/by_paths.h"
-#include "relight/panes.h"
 #include "relight/relighter_state.h"
 #include "relight/relit_page.h"
 #include "relight/room_transport.h"
+#include "relight/window_openings.h"
 #include "scan/overlap.h"
-#include "shading/buried.h"
+#include "shading/enclosed_texels.h"
 #include "solve/found_room.h"
 
 #include "relamp/error.h"
@@ -67,7 +67,7 @@ Texels checkedTexels(const DelitRoom& room, const RayScene& scene, Progress& pro
     checkMaps(room);
     Texels texels = rasterizeAtlas(*room.scan, progress, surfelsOf(room.gather.quality));
     checkOverlap(texels);
-    separateBuried(texels, scene, progress);
+    separateEnclosed(texels, scene, progress);
     return texels;
 }
 
@@ -85,14 +85,14 @@ Relighter::State::State(const DelitRoom& of, const RelightOptions& with, Progres
       transport(transportOfRoom({texels, scene, radiance}, with, warningsOfRoom, progress)),
       open(std::make_shared<const TexelMarks>(openShares(texels, scene))), painted(of.albedo),
       albedo(texels, of.albedo, of.confidence, radiance.isClipped),
-      isPane(likelyPanes(scene, surfaces)),
+      isOpening(likelyWindowOpenings(scene, surfaces)),
       radiosity(texels, scene, transport, radiance.isClipped, with)
 {}
 
 ActiveLights Relighter::State::activeUnder(const Relighting& lighting) const
 {
     return activate(texels, {room.captured, surfaces},
-                    withOpenPanes(lighting, room.captured, isPane));
+                    withWindowOpenings(lighting, room.captured, isOpening));
 }
 
 Relighter::Relighter(const DelitRoom& room, const RelightOptions& options, Progress& progress)

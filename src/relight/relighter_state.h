@@ -37,7 +37,7 @@ struct Relighter::State
     std::shared_ptr<const TexelMarks> open; // openShares
     std::span<const Image> painted;         // pages that `albedo` is of
     RoomAlbedo albedo;
-    std::vector<uint8_t> isPane; // of captured fixtures: likelyPanes
+    std::vector<uint8_t> isOpening; // of captured fixtures: likelyWindowOpenings
     RadiosityLight radiosity;
 
     ActiveLights active;

@@ -1,7 +1,7 @@
 #include "relight/relit_page.h"
 
 #include "base/half.h"
-#include "image/gutter.h"
+#include "image/padding.h"
 
 #include <algorithm>
 
@@ -57,7 +57,7 @@ Image relitPage(const Relighter::State& state, size_t p, Progress& progress)
         stage.advance(count);
     });
     if (!state.room.scan->pages[p].ofVertices)
-        fillGutters(std::span(rgb), covered, relit.width, relit.height);
+        fillPadding(std::span(rgb), covered, relit.width, relit.height);
     relit.rgb = std::move(rgb);
     return relit;
 }

@@ -1,8 +1,8 @@
 #include "relight/shadows.h"
 
 #include "base/parallel.h"
+#include "base/sampling.shared.h"
 #include "scan/footprints.h"
-#include "shading/sampling.shared.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,10 +86,10 @@ bool disagree(std::span<const AreaSample> sums)
 
 /// Where a thing stands on a part of a surfel, its edge crosses texels that the surfel's rays,
 /// which start beside it, know nothing of.
-void doubtPartlyBuried(const Surfels& surfels, std::span<Seen> states)
+void doubtPartlyEnclosed(const Surfels& surfels, std::span<Seen> states)
 {
     for (size_t s = 0; s < states.size(); ++s)
-        if (states[s] == Seen::all && surfels.isPartlyBuried(s)) states[s] = Seen::some;
+        if (states[s] == Seen::all && surfels.isPartlyEnclosed(s)) states[s] = Seen::some;
 }
 
 /// Rays say which share of a light is seen; how much all of it is, they know from a point or two,
@@ -163,7 +163,7 @@ Shadows::Shadows(const Texels& texels, const Obstacles& obstacles, const LightSo
     : texels_(texels)
 {
     std::vector<Seen> states = seenBySurfels(texels_.surfels, coarse);
-    doubtPartlyBuried(texels_.surfels, states);
+    doubtPartlyEnclosed(texels_.surfels, states);
     for (size_t p = 0; p < texels.pages.size(); ++p)
         pages_.push_back(look(p, states, obstacles, light, rays));
     // The shadow of a point has no penumbra: what varies in it is where its edge lies.

@@ -80,7 +80,7 @@ std::vector<glm::vec3> skyInBins(const Sky& sky)
     return bins;
 }
 
-glm::vec3 skyThroughPane(const std::vector<glm::vec3>& bins, glm::vec3 outwards)
+glm::vec3 skyThroughOpening(const std::vector<glm::vec3>& bins, glm::vec3 outwards)
 {
     glm::vec3 sum(0.0f);
     float weights = 0.0f;

@@ -39,8 +39,8 @@ private:
 /// Mean radiance of every bin.
 std::vector<glm::vec3> skyInBins(const Sky& sky);
 
-/// Radiance of a pane that the sky shines on from behind and that spreads it evenly: irradiance /
-/// pi. `outwards` is unit; zero: all directions count alike.
-glm::vec3 skyThroughPane(const std::vector<glm::vec3>& bins, glm::vec3 outwards);
+/// Radiance of a window opening that the sky shines on from behind and that spreads it evenly:
+/// irradiance / pi. `outwards` is unit; zero: all directions count alike.
+glm::vec3 skyThroughOpening(const std::vector<glm::vec3>& bins, glm::vec3 outwards);
 
 } // namespace relamp

@@ -84,7 +84,7 @@ TEST(Overlap, WhatThePageRepeatsBeyondItsEdgeIsShared)
     EXPECT_LT(sharedPixels(texels), 4000u);
 }
 
-// Whoever comes first in the file: the one behind gets no light, and would be taken for buried.
+// Whoever comes first in the file: the one behind gets no light, and would be taken for enclosed.
 TEST(Overlap, OfSkinsThatFaceAlikeTheOneInFrontHasTheTexels)
 {
     for (const float up : {0.005f, -0.005f}) {

@@ -99,20 +99,20 @@ TEST(SplitSurfels, MarkedTexelsLeaveTheirSurfelsAndKeepTheirArea)
             marks[0][i] = 1;
             marked.insert(page.pixel[i]);
         }
-    splitSurfels(texels, marks, SurfelPart::buried);
+    splitSurfels(texels, marks, SurfelPart::enclosed);
     findNeighbors(texels.surfels);
     EXPECT_GT(texels.surfels.count(), before); // the cells that x = 0.49 m runs through
     double area = 0.0;
     for (size_t s = 0; s < texels.surfels.count(); ++s) {
         area += static_cast<double>(texels.surfels.area[s]);
         for (const uint32_t n : texels.surfels.neighborsOf(s))
-            EXPECT_EQ(texels.surfels.isBuried(n), texels.surfels.isBuried(s));
+            EXPECT_EQ(texels.surfels.isEnclosed(n), texels.surfels.isEnclosed(s));
     }
     EXPECT_NEAR(area, 1.0, 1e-4);
     ASSERT_EQ(texels.pages[0].count(), page.count());
     for (size_t i = 0; i < page.count(); ++i) {
         const uint32_t surfel = texels.pages[0].runs[texels.pages[0].runOf(i)].surfel;
-        EXPECT_EQ(texels.surfels.isBuried(surfel), marked.contains(texels.pages[0].pixel[i]));
+        EXPECT_EQ(texels.surfels.isEnclosed(surfel), marked.contains(texels.pages[0].pixel[i]));
     }
 }
 

@@ -13,8 +13,8 @@ namespace relamp
 
 /// What sets surfels of one cell and one facing apart; bits of their keys.
 enum class SurfelPart : uint64_t {
-    upper = 1,  // of two layers, the one that the other lies behind
-    buried = 2, // something stands or lies on it
+    upper = 1,    // of two layers, the one that the other lies behind
+    enclosed = 2, // something stands or lies on it
 };
 
 /// Where a texel belongs: its cell in space and the axis that it faces most.

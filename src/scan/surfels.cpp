@@ -24,7 +24,7 @@ constexpr float kSlack = 0.01f;     // for rounding, in these
 bool isSameSurface(const Surfels& surfels, size_t a, size_t b)
 {
     const glm::vec3 way = surfels.position[b] - surfels.position[a];
-    if (surfels.isBuried(a) != surfels.isBuried(b)) return false;
+    if (surfels.isEnclosed(a) != surfels.isEnclosed(b)) return false;
     const float reach = kReach * surfels.size;
     const float offA = glm::dot(way, surfels.normal[a]);
     const float offB = glm::dot(way, surfels.normal[b]);
@@ -47,12 +47,12 @@ bool mayHoldNeighbor(glm::vec3 normal, glm::vec3 way)
 
 } // namespace
 
-bool Surfels::isPartlyBuried(size_t surfel) const
+bool Surfels::isPartlyEnclosed(size_t surfel) const
 {
-    const uint64_t buried = key[surfel] | static_cast<uint64_t>(SurfelPart::buried);
+    const uint64_t enclosed = key[surfel] | static_cast<uint64_t>(SurfelPart::enclosed);
     const size_t end = std::min<size_t>(surfel + SurfelGrid::kParts, count());
-    return !isBuried(surfel) &&
-           std::find(&key[surfel], &key[end - 1] + 1, buried) != &key[end - 1] + 1;
+    return !isEnclosed(surfel) &&
+           std::find(&key[surfel], &key[end - 1] + 1, enclosed) != &key[end - 1] + 1;
 }
 
 uint32_t Surfels::find(glm::vec3 place, glm::vec3 facing) const

@@ -31,9 +31,9 @@ struct Surfels
     std::vector<uint32_t> neighbor;
 
     [[nodiscard]] size_t count() const { return position.size(); }
-    [[nodiscard]] bool isBuried(size_t surfel) const
+    [[nodiscard]] bool isEnclosed(size_t surfel) const
     {
-        return (key[surfel] & static_cast<uint64_t>(SurfelPart::buried)) != 0;
+        return (key[surfel] & static_cast<uint64_t>(SurfelPart::enclosed)) != 0;
     }
     [[nodiscard]] std::span<const uint32_t> neighborsOf(size_t surfel) const
     {
@@ -41,8 +41,8 @@ struct Surfels
                 neighbor.data() + firstNeighbor[surfel + 1]};
     }
 
-    /// Whether it lies open beside a buried part of its own cell and layer.
-    [[nodiscard]] bool isPartlyBuried(size_t surfel) const;
+    /// Whether it lies open beside an enclosed part of its own cell and layer.
+    [[nodiscard]] bool isPartlyEnclosed(size_t surfel) const;
 
     static constexpr uint32_t kNone = ~0u;
     /// The surfel that a texel at `place` facing `facing` belongs to, of layers the nearest; where
@@ -66,7 +66,7 @@ struct Surfels
 };
 
 /// Finds for every surfel those within two cells' reach whose surface goes on from its own: not
-/// turned away by more than 60 degrees, not on another level, and buried like it or open like it.
+/// turned away by more than 60 degrees, not on another level, and enclosed like it or open like it.
 void connectNeighbors(Surfels& surfels);
 
 template<class Matters, class Visit>

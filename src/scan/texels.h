@@ -90,7 +90,7 @@ struct SurfelOptions
     double smallest = 0.03;    // m
     double largest = 0.12;     // m
     bool layered = false;      // one surfel a layer: see separateLayers
-    bool connected = true;     // else separateBuried follows and finds their neighbours
+    bool connected = true;     // else separateEnclosed follows and finds their neighbours
 
     bool operator==(const SurfelOptions&) const = default;
 };

@@ -5,40 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace relamp
 {
-AreaLight::AreaLight(std::vector<ClippedPatch> patches) : patches_(std::move(patches))
-{
-    float area = 0.0f;
-    for (const ClippedPatch& patch : patches_) {
-        area += patch.area;
-        areaUpTo_.push_back(area);
-        centre_ += patch.area * patch.position;
-    }
-    centre_ /= area;
-    firstOfShare_.resize(patches_.size());
-    for (size_t step = 0, first = 0; step < patches_.size(); ++step) {
-        const float share = static_cast<float>(step) / static_cast<float>(patches_.size());
-        while (first + 1 < patches_.size() && areaUpTo_[first] < share * area) ++first;
-        firstOfShare_[step] = static_cast<uint32_t>(first);
-    }
-    for (const ClippedPatch& patch : patches_)
-        radius_ = std::max(radius_, glm::distance(patch.position, centre_) + std::sqrt(patch.area));
-}
-
-const ClippedPatch& AreaLight::at(float share) const
-{
-    const auto steps = static_cast<float>(firstOfShare_.size());
-    const auto step = std::min(static_cast<size_t>(share * steps), firstOfShare_.size() - 1);
-    size_t index = firstOfShare_[step];
-    const float wanted = share * area();       // no more than the last
-    for (int likely = 0; likely < 2; ++likely) // most need no more, and this is no branch
-        index += areaUpTo_[index] < wanted ? size_t{1} : size_t{0};
-    while (areaUpTo_[index] < wanted) ++index;
-    return patches_[index];
-}
 
 void AreaSampler::add(std::span<const TexelSite> sites, size_t samples, float shift,
                       AreaSample& sum)

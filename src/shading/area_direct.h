@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lights/surfel_radiance.h"
+#include "lights/area_light.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
 
@@ -21,31 +21,6 @@ constexpr float kOffLamp =
 /// estimating what its own lamps brought as it was captured, without what errors of the mesh alone
 /// would bring (mesh_noise.shared.h).
 enum class Geometry : uint8_t { exact, scanned };
-
-/// A lamp as something that points can be sampled on: its burnt-out patches, and where in their
-/// order an area is reached.
-class AreaLight
-{
-public:
-    explicit AreaLight(std::vector<ClippedPatch> patches);
-
-    [[nodiscard]] float area() const { return areaUpTo_.empty() ? 0.0f : areaUpTo_.back(); }
-    /// Patch at which `share` (0..1) of the area is reached.
-    [[nodiscard]] const ClippedPatch& at(float share) const;
-    [[nodiscard]] std::span<const ClippedPatch> patches() const { return patches_; }
-    [[nodiscard]] glm::vec3 centre() const { return centre_; }
-    [[nodiscard]] float radius() const
-    {
-        return radius_;
-    } // of the sphere around `centre` that holds all
-
-private:
-    std::vector<ClippedPatch> patches_;
-    std::vector<float> areaUpTo_;
-    std::vector<uint32_t> firstOfShare_; // where the search for a share starts, evenly over 0..1
-    glm::vec3 centre_{0.0f};
-    float radius_ = 0.0f;
-};
 
 /// Irradiance of a lamp of radiance 1 at one place, by samples on its surface.
 struct AreaSample

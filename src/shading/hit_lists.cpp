@@ -2,8 +2,8 @@
 
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
+#include "base/sampling.shared.h"
 #include "scan/surface_point.h"
-#include "shading/sampling.shared.h"
 
 #include <algorithm>
 #include <atomic>

@@ -2,9 +2,9 @@
 
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
+#include "base/sampling.shared.h"
 #include "shading/lamp_patches.h"
 #include "shading/lit_sides.shared.h"
-#include "shading/sampling.shared.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,10 +1,10 @@
 #include "shading/path_tracer.h"
 
 #include "base/radiometry.shared.h"
+#include "base/sampling.shared.h"
 #include "scan/surface_point.h"
 #include "shading/area_direct.h"
 #include "shading/area_direct.shared.h"
-#include "shading/sampling.shared.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/random.h"
+#include "lights/lamp_surface.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
-#include "shading/lamp_surface.h"
 
 #include <cstdint>
 #include <functional>

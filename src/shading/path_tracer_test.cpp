@@ -1,10 +1,10 @@
 #include "shading/path_tracer.h"
 
 #include "base/radiometry.shared.h"
+#include "base/sampling.shared.h"
 #include "scenes/form_factors.h"
 #include "scenes/radiosity.h"
 #include "scenes/scenes.h"
-#include "shading/sampling.shared.h"
 
 #include <cmath>
 

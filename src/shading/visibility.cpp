@@ -2,7 +2,7 @@
 
 #include "base/lanes.h"
 #include "base/parallel.h"
-#include "shading/sampling.shared.h"
+#include "base/sampling.shared.h"
 
 #include <algorithm>
 #include <cmath>

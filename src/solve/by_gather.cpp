@@ -102,12 +102,12 @@ Solution GatherSolver::solve(const DelightOptions& options, Progress& progress)
 {
     if (isOfKept(options)) {
         kept_->asked = options;
-        return resolve(kept_->found, options.albedo, progress);
+        return reevaluate(kept_->found, options.albedo, progress);
     }
-    std::shared_ptr<ResolveEngine> engine;
+    std::shared_ptr<ReevaluateEngine> engine;
     FoundRoom found;
     // The search for a device loads drivers, which takes a while.
-    callAll([&] { engine = std::make_shared<ResolveEngine>(texels_, options.engine); },
+    callAll([&] { engine = std::make_shared<ReevaluateEngine>(texels_, options.engine); },
             [&] {
                 const FoundRoom* before = kept_ ? &kept_->room.found : nullptr;
                 found = findRoom(texels_, scene_, options, progress, before);
@@ -120,14 +120,14 @@ Solution GatherSolver::solve(const DelightOptions& options, Progress& progress)
         });
         keep(std::move(room), options, engine);
     }
-    if (!rating) return resolve(kept_->found, options.albedo, progress);
+    if (!rating) return reevaluate(kept_->found, options.albedo, progress);
     Solution solution = solutionOf(texels_, kept_->room, options, std::move(*rating));
     solution.engine = [engine] { return engine->inForce(); };
     return solution;
 }
 
 void GatherSolver::keep(SolvedRoom room, const DelightOptions& asked,
-                        std::shared_ptr<ResolveEngine> engine)
+                        std::shared_ptr<ReevaluateEngine> engine)
 {
     kept_.emplace(KeptRoom{.room = std::move(room), .asked = asked});
     kept_->found = lightsOf(kept_->room.found);
@@ -160,18 +160,18 @@ LampPowers GatherSolver::setPowers(const Lights& lights)
     return powers;
 }
 
-Solution GatherSolver::resolve(const Lights& lights, const AlbedoOptions& albedo,
-                               Progress& progress)
+Solution GatherSolver::reevaluate(const Lights& lights, const AlbedoOptions& albedo,
+                                  Progress& progress)
 {
     checkPowers(lights, kept_->found);
-    Progress::Stage stage(progress, "resolve", 2);
+    Progress::Stage stage(progress, "re-evaluation", 2);
     SolvedRoom& room = kept_->room;
     const LampPowers powers = setPowers(lights);
     room.found.shines = shinesOf(room.found);
     const auto& engine = kept_->engine.of(kept_->asked.engine, [&] {
-        return std::make_shared<ResolveEngine>(texels_, kept_->asked.engine);
+        return std::make_shared<ReevaluateEngine>(texels_, kept_->asked.engine);
     });
-    DeviceLayers onDevice = engine->resolve(room, powers);
+    DeviceLayers onDevice = engine->reevaluate(room, powers);
     stage.advance();
     Rating rating = rate(texels_, room);
     stage.advance();

@@ -3,8 +3,8 @@
 #include "base/kept.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
-#include "solve/resolve.h"
-#include "solve/resolve_engine.h"
+#include "solve/reevaluate.h"
+#include "solve/reevaluate_engine.h"
 #include "solve/solution.h"
 
 #include <memory>
@@ -30,8 +30,8 @@ public:
     /// What rays met is kept from the last time where it is the same, and all but the division
     /// where only the albedo's options are others.
     Solution solve(const DelightOptions& options, Progress& progress);
-    /// As Delighter::resolve(), on the engine of the options that solve() had.
-    Solution resolve(const Lights& lights, const AlbedoOptions& albedo, Progress& progress);
+    /// As Delighter::reevaluate(), on the engine of the options that solve() had.
+    Solution reevaluate(const Lights& lights, const AlbedoOptions& albedo, Progress& progress);
     [[nodiscard]] bool hasSolved() const { return kept_.has_value(); }
 
 private:
@@ -42,11 +42,12 @@ private:
         DelightOptions asked;
         Lights found;
         LampPowers powers; // that were found
-        Kept<EngineOptions, std::shared_ptr<ResolveEngine>> engine;
+        Kept<EngineOptions, std::shared_ptr<ReevaluateEngine>> engine;
     };
 
     [[nodiscard]] bool isOfKept(const DelightOptions& options) const;
-    void keep(SolvedRoom room, const DelightOptions& asked, std::shared_ptr<ResolveEngine> engine);
+    void keep(SolvedRoom room, const DelightOptions& asked,
+              std::shared_ptr<ReevaluateEngine> engine);
     LampPowers setPowers(const Lights& lights);
 
     const Texels& texels_;

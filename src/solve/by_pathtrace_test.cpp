@@ -4,7 +4,7 @@
 #include "relamp/delight.h"
 #include "relamp/threads.h"
 #include "scenes/scenes.h"
-#include "shading/buried.h"
+#include "shading/enclosed_texels.h"
 
 #include <cmath>
 
@@ -33,7 +33,7 @@ struct PaperRoom
         : scan(scenes::room(kSize, 40, paper)), scene(scan),
           texels(rasterizeAtlas(scan, progress, surfelsOf(Quality::standard)))
     {
-        separateBuried(texels, scene, progress);
+        separateEnclosed(texels, scene, progress);
         const TracedRoom room = roomWith(radiance);
         const PathTracer tracer(texels, scene, room);
         const PageTexels& page = texels.pages[0];

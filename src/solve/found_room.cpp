@@ -7,7 +7,7 @@
 #include "fit/outside.h"
 #include "lights/candidates.h"
 #include "lights/fixture_map.h"
-#include "lights/fixtures.h"
+#include "lights/point_light.h"
 #include "lights/surfel_radiance.h"
 #include "shading/lit_sides.shared.h"
 

@@ -19,7 +19,7 @@
 namespace relamp
 {
 
-/// As fine as light changes on walls; coarse for a draft. separateBuried has to follow.
+/// As fine as light changes on walls; coarse for a draft. separateEnclosed has to follow.
 SurfelOptions surfelsOf(Quality quality);
 
 /// The sun, and what it does to a room.

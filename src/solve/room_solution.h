@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solve/resolve.h"
+#include "solve/reevaluate.h"
 #include "solve/solution.h"
 
 #include <vector>

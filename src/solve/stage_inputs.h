@@ -6,7 +6,7 @@
 namespace relamp
 {
 
-/// What a stage was last computed from, as numbers: its dials, and the versions of the stages
+/// What a stage was last computed from, as numbers: its parameters, and the versions of the stages
 /// before it.
 class StageInputs
 {

@@ -10,7 +10,7 @@ namespace relamp::scenes
 namespace
 {
 
-constexpr int kGutter = 2; // pixels around each chart
+constexpr int kPadding = 2; // pixels around each chart
 
 /// A panel and the rectangle of the page that it takes up, in pixels.
 struct Wall
@@ -90,14 +90,15 @@ Scan splitSquare(float side, int pixels, const Paint& paint)
 {
     const int half = pixels / 2;
     Mesh mesh;
-    Page page = emptyPage(2 * (half + 2 * kGutter), pixels + 2 * kGutter);
+    Page page = emptyPage(2 * (half + 2 * kPadding), pixels + 2 * kPadding);
     const Paint upwards = [&](glm::vec3 p, glm::vec3) { return paint(p, {0.0f, 1.0f, 0.0f}); };
     // The right half comes first on the page, so that the seam's two sides are far apart there.
     const glm::vec3 alongU(0.5f * side, 0, 0);
     const glm::vec3 alongV(0, 0, side);
-    addWall(mesh, page, {{alongU, alongU, alongV}, kGutter, kGutter, {half, pixels}}, upwards);
+    addWall(mesh, page, {{alongU, alongU, alongV}, kPadding, kPadding, {half, pixels}}, upwards);
     addWall(mesh, page,
-            {{glm::vec3(0), alongU, alongV}, half + 3 * kGutter, kGutter, {half, pixels}}, upwards);
+            {{glm::vec3(0), alongU, alongV}, half + 3 * kPadding, kPadding, {half, pixels}},
+            upwards);
     for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
     return scanOf(std::move(mesh), std::move(page));
 }
@@ -119,13 +120,13 @@ std::vector<Panel> wallsOf(glm::vec3 size)
 Scan panels(std::span<const Panel> panels, int pixels, const Paint& paint)
 {
     constexpr int kColumns = 3;
-    const int tile = pixels + 2 * kGutter;
+    const int tile = pixels + 2 * kPadding;
     const int rows = (static_cast<int>(panels.size()) + kColumns - 1) / kColumns;
     Mesh mesh;
     Page page = emptyPage(kColumns * tile, rows * tile);
     for (int i = 0; i < static_cast<int>(panels.size()); ++i) {
-        const int column = i % kColumns * tile + kGutter;
-        const int row = i / kColumns * tile + kGutter;
+        const int column = i % kColumns * tile + kPadding;
+        const int row = i / kColumns * tile + kPadding;
         addWall(mesh, page, {panels[static_cast<size_t>(i)], column, row, glm::ivec2(pixels)},
                 paint);
     }

@@ -21,7 +21,7 @@ Scan square(float side, int pixels, const Paint& paint);
 Scan splitSquare(float side, int pixels, const Paint& paint);
 
 /// The inside of a box from the origin to `size`: six walls, each a chart of its own of `pixels`
-/// squared with a gutter around it, in one 3 x 2 atlas. Textures are half floats.
+/// squared with padding around it, in one 3 x 2 atlas. Textures are half floats.
 Scan room(glm::vec3 size, int pixels, const Paint& paint);
 
 /// A parallelogram that is seen from where alongU x alongV points.

@@ -1,6 +1,6 @@
 #include "scenes/solved.h"
 
-#include "shading/buried.h"
+#include "shading/enclosed_texels.h"
 
 #include <utility>
 
@@ -13,7 +13,7 @@ Texels texelsOf(const Scan& scan, const RayScene& scene)
 {
     Progress progress;
     Texels texels = rasterizeAtlas(scan, progress, surfelsOf(Quality::draft));
-    separateBuried(texels, scene, progress);
+    separateEnclosed(texels, scene, progress);
     return texels;
 }
 

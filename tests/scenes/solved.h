@@ -1,7 +1,7 @@
 #pragma once
 
 #include "scan/rays.h"
-#include "solve/resolve.h"
+#include "solve/reevaluate.h"
 
 namespace relamp::scenes
 {

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "base/instruction_set.h"
+#include "lights/area_light.h"
 #include "lights/surfel_radiance.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
 #include "scenes/scenes.h"
-#include "shading/area_direct.h"
 #include "shading/hit_lists.h"
 
 #include <vector>

@@ -284,34 +284,35 @@ TEST(ViewerProgram, SavesWhatWasSaidOfTheDayOfTheScan)
     EXPECT_EQ(textOf(file("undone/albedo.exr")), textOf(file("found/albedo.exr")));
 }
 
-// Dials, each of which has to reach the solver, and all to come back.
-TEST(ViewerProgram, DialsSolveAgain)
+// Parameters, each of which has to reach the solver, and all to come back.
+TEST(ViewerProgram, ParametersSolveAgain)
 {
     const scenes::TemporaryFolder out;
-    const std::vector<std::string> dials{
-        "quality draft",    "dial.rays 6",         "dial.darkest 0.7",
-        "solver pathtrace", "dial.seed 7",         "solver thesis",
-        "dial.power 2",     "dial.light-levels 1", "dial.attenuation 1 2 3",
-        "dial.ambient 0.3", "dial.lpv off",        "dial.emitter-threshold 0.6"};
+    const std::vector<std::string> parameters{
+        "quality draft",         "parameter.rays 6",         "parameter.darkest 0.7",
+        "solver pathtrace",      "parameter.seed 7",         "solver thesis",
+        "parameter.power 2",     "parameter.light-levels 1", "parameter.attenuation 1 2 3",
+        "parameter.ambient 0.3", "parameter.lpv off",        "parameter.emitter-threshold 0.6"};
     const auto file = [&](size_t i) { return out / (std::to_string(i) + ".exr"); };
-    std::string script = "set panels off\nset marks off\nset " + dials[0] +
-                         "\nset dial.samples 1\nopen " + (kBedroom / "scan.glb").string() +
+    std::string script = "set panels off\nset marks off\nset " + parameters[0] +
+                         "\nset parameter.samples 1\nopen " + (kBedroom / "scan.glb").string() +
                          "\nwait scan\n" + kCamera + "press 5\nwait solve\nscreenshot " +
                          file(0).string() + " view\n";
-    for (size_t i = 1; i < dials.size(); ++i) {
-        const char* layer = dials[i] == "dial.darkest 0.7" ? "6" : "5";
-        script += "set " + dials[i] + "\npress " + layer + "\nwait solve\nscreenshot " +
+    for (size_t i = 1; i < parameters.size(); ++i) {
+        const char* layer = parameters[i] == "parameter.darkest 0.7" ? "6" : "5";
+        script += "set " + parameters[i] + "\npress " + layer + "\nwait solve\nscreenshot " +
                   file(i).string() + " view\n";
     }
-    for (size_t i = 1; i < dials.size(); ++i) script += "press ctrl+z\n";
+    for (size_t i = 1; i < parameters.size(); ++i) script += "press ctrl+z\n";
     const std::filesystem::path undone = out / "undone.exr";
     const Outcome outcome =
         view({}, script + "wait solve\nscreenshot " + undone.string() + " view\nquit\n");
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
 
     EXPECT_EQ(likeness(readImage(undone), readImage(file(0)), 1e-6f), 1.0);
-    for (size_t i = 1; i < dials.size(); ++i) {
-        EXPECT_LT(likeness(readImage(file(i)), readImage(file(i - 1)), 1e-4f), 0.999) << dials[i];
+    for (size_t i = 1; i < parameters.size(); ++i) {
+        EXPECT_LT(likeness(readImage(file(i)), readImage(file(i - 1)), 1e-4f), 0.999)
+            << parameters[i];
     }
 }
 
