@@ -143,7 +143,7 @@ void drawStatus(Viewer& viewer)
         ImGui::SameLine();
         if (ImGui::SmallButton("Stop")) viewer.studio.stopSolving();
     }
-    const std::string right = fmt::format("{}   F1 help", viewer.device().name());
+    const std::string right = fmt::format("{}   F1 help", viewer.device().gpu().description().name);
     ImGui::SameLine(size.x - ImGui::CalcTextSize(right.c_str()).x - 14.0f * viewer.scale());
     ImGui::TextDisabled("%s", right.c_str());
     ImGui::End();
