@@ -57,14 +57,19 @@ gpu::Instance::Candidate chosen(const gpu::Instance& instance, VkSurfaceKHR surf
                          wanted.name));
 }
 
-VkPhysicalDeviceFeatures2 featuresOf(const gpu::Instance::Candidate& device)
+bool canLookAlong(VkPhysicalDevice device, const relamp::GpuDevice& description)
 {
     VkPhysicalDeviceFeatures available;
-    vkGetPhysicalDeviceFeatures(device.handle, &available);
+    vkGetPhysicalDeviceFeatures(device, &available);
+    return description.isReal() && available.samplerAnisotropy != 0;
+}
+
+gpu::Device opened(const std::shared_ptr<const gpu::Instance>& instance,
+                   const gpu::Instance::Candidate& device)
+{
     VkPhysicalDeviceFeatures2 wanted{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
-    if (device.description.isReal())
-        wanted.features.samplerAnisotropy = available.samplerAnisotropy;
-    return wanted;
+    wanted.features.samplerAnisotropy = canLookAlong(device.handle, device.description);
+    return {instance, device, &wanted, kExtensions};
 }
 
 /// All Vulkan devices can do four.
@@ -78,9 +83,9 @@ VkSampleCountFlagBits samplesOf(Smooth smooth, bool isReal)
 
 WindowDevice::WindowDevice(GLFWwindow* window, const Wish& wish)
     : instance_(instanceForWindows()), surface_(surfaceOf(instance_->handle(), window)),
-      chosen_(chosen(*instance_, surface_.get(), wish.gpu)), features_(featuresOf(chosen_)),
-      gpu_(instance_, chosen_, &features_, kExtensions),
-      samples_(samplesOf(wish.smooth, chosen_.description.isReal()))
+      gpu_(opened(instance_, chosen(*instance_, surface_.get(), wish.gpu))),
+      isAnisotropic_(canLookAlong(gpu_.physical(), gpu_.description())),
+      samples_(samplesOf(wish.smooth, gpu_.description().isReal()))
 {}
 
 TextureLimits WindowDevice::textureLimits() const

@@ -30,7 +30,7 @@ public:
     [[nodiscard]] VkDevice handle() const { return gpu_.handle(); }
     [[nodiscard]] VkSurfaceKHR surface() const { return surface_.get(); }
     /// Whether looking along a texture is worth its cost: in hardware.
-    [[nodiscard]] bool isAnisotropic() const { return features_.features.samplerAnisotropy != 0; }
+    [[nodiscard]] bool isAnisotropic() const { return isAnisotropic_; }
     /// Of its memory all textures together may take half.
     [[nodiscard]] TextureLimits textureLimits() const;
     /// Of a pixel of all that is drawn.
@@ -39,8 +39,7 @@ public:
 private:
     std::shared_ptr<const relamp::gpu::Instance> instance_;
     relamp::gpu::Owned<VkSurfaceKHR, VkInstance> surface_;
-    relamp::gpu::Instance::Candidate chosen_;
-    VkPhysicalDeviceFeatures2 features_;
     relamp::gpu::Device gpu_;
+    bool isAnisotropic_;
     VkSampleCountFlagBits samples_;
 };
