@@ -104,7 +104,7 @@ std::string statusOf(const Viewer& viewer, float& fraction)
                                                              : "Solving";
         return work.stage.empty() ? aim : fmt::format("{}: {}", aim, work.stage);
     }
-    const RelightingThread::Status relighting = studio.relighting();
+    const RelightingThread::Status relighting = studio.light().status();
     if (!relighting.stage.empty()) {
         fraction = static_cast<float>(relighting.fraction);
         return "Relighting: " + relighting.stage;

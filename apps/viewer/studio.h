@@ -1,60 +1,24 @@
 #pragma once
 
 #include "camera_rig.h"
+#include "edit.h"
 #include "history.h"
-#include "layers.h"
-#include "light_document.h"
 #include "mailbox.h"
-#include "relighting.h"
+#include "open_room.h"
+#include "read_room.h"
 #include "room_drawing.h"
+#include "room_light.h"
 #include "solving.h"
 #include "worker.h"
-
-#include "relamp/timeline.h"
 
 #include <chrono>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
-
-/// The solver and its dials, as far as the viewer has them.
-struct Dials
-{
-    relamp::Solver solver = relamp::Solver::gather;
-    relamp::GatherOptions gather;
-    relamp::PathtraceOptions pathtrace;
-    relamp::ThesisOptions thesis;
-    relamp::AlbedoOptions albedo;
-
-    bool operator==(const Dials& other) const = default;
-    [[nodiscard]] relamp::DelightOptions options() const;
-};
-
-/// What a person may change and take back.
-struct Edit
-{
-    LightDocument light;  // how it shall shine now
-    ScannedItems scanned; // how it was on the day of the scan
-    relamp::ViewOptions view;
-    Dials dials;
-
-    bool operator==(const Edit& other) const;
-};
-
-struct Selection
-{
-    enum class Kind { none, lamp, fixture };
-    Kind kind = Kind::none;
-    size_t index = 0;
-
-    bool operator==(const Selection&) const = default;
-};
-
-/// How far the room has been taken apart.
-enum class Stage { nothing, reading, scanned, drafted, solved };
 
 /// The room that is open, its light, and all that works on it: the viewer without its window.
 class Studio
@@ -86,36 +50,35 @@ public:
     void saveBaked(const std::filesystem::path& file);
     void loadTimeline(const std::filesystem::path& file);
     void play(bool on);
-    [[nodiscard]] bool isPlaying() const { return isPlaying_; }
+    [[nodiscard]] bool isPlaying() const { return room_.isPlaying; }
     /// Moves the timeline on, where one plays.
     void passTime(double seconds);
     void seek(double part);
-    [[nodiscard]] double timelinePart() const { return part_; }
-    [[nodiscard]] bool hasTimeline() const { return timeline_.has_value(); }
+    [[nodiscard]] double timelinePart() const { return room_.part; }
+    [[nodiscard]] bool hasTimeline() const { return room_.timeline.has_value(); }
 
-    [[nodiscard]] const relamp::Scan* scan() const { return scan_.get(); }
-    [[nodiscard]] const relamp::Lights& captured() const { return captured_; }
+    [[nodiscard]] const relamp::Scan* scan() const { return room_.scan.get(); }
+    [[nodiscard]] const relamp::Lights& captured() const { return room_.captured; }
     /// Before anybody said how it was on the day of the scan.
-    [[nodiscard]] const relamp::Lights& found() const { return found_; }
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    [[nodiscard]] Stage stage() const { return opening_ ? Stage::reading : stage_; }
+    [[nodiscard]] const relamp::Lights& found() const { return room_.found; }
+    [[nodiscard]] const std::filesystem::path& path() const { return room_.path; }
+    [[nodiscard]] Stage stage() const { return opening_ ? Stage::reading : room_.stage; }
     /// Whether albedo is behind what was said.
     [[nodiscard]] bool resolves() const { return resolving_.has_value(); }
-    [[nodiscard]] const relamp::Bounds& bounds() const { return bounds_; }
-    [[nodiscard]] const std::optional<relamp::Closure>& closure() const { return closure_; }
-    [[nodiscard]] double glanceMilliseconds() const { return glanceMilliseconds_; }
+    [[nodiscard]] relamp::Bounds bounds() const
+    {
+        return room_.mesh ? room_.mesh->bounds : relamp::Bounds{};
+    }
+    [[nodiscard]] const std::optional<relamp::Closure>& closure() const { return room_.closure; }
+    [[nodiscard]] const RoomLight& light() const { return light_; }
     /// Of the last time that albedo followed, until it was there to be drawn.
-    [[nodiscard]] std::optional<double> resolveMilliseconds() const { return resolveMilliseconds_; }
-    /// Whether light that counts now is on the walls: glanced at, or found for every texel.
-    [[nodiscard]] bool isGlanced() const;
-    [[nodiscard]] bool isRelit() const;
+    [[nodiscard]] std::optional<double> resolveMilliseconds() const
+    {
+        return room_.resolveMilliseconds;
+    }
     [[nodiscard]] bool rests() const;
     [[nodiscard]] WorkStatus solving() const { return solver_.status(); }
-    [[nodiscard]] RelightingThread::Status relighting() const { return relighting_.status(); }
-    [[nodiscard]] bool isSaving() const
-    {
-        return saver_.status().isBusy || relighting_.status().bakes;
-    }
+    [[nodiscard]] bool isSaving() const { return saver_.status().isBusy || light_.status().bakes; }
 
     /// What to tell the person, the newest last; a sentence each.
     std::deque<std::string> messages;
@@ -137,79 +100,43 @@ private:
         Dials dials;           // that it will be solved with
         bool resolved = false; // the one before it was being resolved
     };
-    /// What its thread needs to know.
-    struct Wish
-    {
-        std::filesystem::path path;
-        relamp::ScanOptions scan;
-        relamp::DelightOptions dials;
-        size_t number;
-    };
-    /// It was read.
-    struct Opened
-    {
-        Wish wish;
-        std::shared_ptr<const relamp::Scan> scan;
-        std::shared_ptr<const RoomMesh> mesh;
-        std::vector<TexturePixels> textures;
-        std::shared_ptr<RoomSolver> solver; // none of a folder
-    };
+    using Adopt = void (Studio::*)(const Solved&);
 
-    bool adopt(const Opened& opened);
+    // studio_room.cpp: it is read, and solved
+    void adopt(const ReadRoom& read);
+    void look(const Surroundings& around);
     void goOn(size_t failed);
-    void adopt(const Solved& solved);
-    void adoptTextures(const Solved& solved);
-    void adoptResolved(const Solved& solved);
-    void adoptFixtures(const Solved& solved);
-    void apply(const Edit& before);
-    void follow(const Edit& before);
-    void sendLight();
     void solveAgain();
     void resolve();
     [[nodiscard]] bool canResolve() const;
     [[nodiscard]] ScannedLight scannedLight() const;
+    [[nodiscard]] relamp::DelightOptions optionsOf(const Dials& dials) const;
+    [[nodiscard]] std::function<void(Solved)> sendTo(Adopt adopt,
+                                                     const std::shared_ptr<RoomSolver>& from);
+    void adoptSolved(const Solved& solved);
+    void adoptResolved(const Solved& solved);
+    void adoptTextures(const Solved& solved);
+    void adoptFixtures(const Solved& solved);
+
+    // studio.cpp: what a person changes is followed
+    void apply(const Edit& before);
+    void follow(const Edit& before);
+    void sendLight();
     void tell(const std::vector<std::string>& notes);
     void fail(const std::string& sentence);
-    void readScan(const Wish& wish, relamp::Progress& progress);
-    void readFolder(const Wish& wish, relamp::Progress& progress);
-    void find(const std::shared_ptr<const relamp::DelitRoom>& room, relamp::Progress& progress);
-    [[nodiscard]] std::filesystem::path besideScan() const;
-    [[nodiscard]] relamp::DelightOptions optionsOf(const Dials& dials) const;
 
     RoomDrawing& drawing_;
-    TextureLimits limits_;
     relamp::EngineOptions engine_;
     Mailbox mailbox_;
-    std::filesystem::path path_;
-    std::filesystem::path lightsFolder_; // where files lie that the light names
-    relamp::RelightingReader reader_;    // of these files
-    std::shared_ptr<const relamp::Scan> scan_;
-    std::shared_ptr<const RoomMesh> mesh_;
-    relamp::Bounds bounds_;
-    relamp::Lights captured_;                // by which the albedo was found
-    relamp::Lights found_;                   // before anybody said how it was then
-    std::shared_ptr<RoomSolver> roomSolver_; // of the thread of `solver_`
-    std::shared_ptr<const relamp::Decomposition> decomposition_;
-    std::optional<relamp::Closure> closure_;
-    std::vector<std::string> notes_; // on the solution, that were told
+    OpenRoom room_;
     std::optional<Opening> opening_;
     size_t openings_ = 0;
-    Stage stage_ = Stage::nothing; // of what is open
-    Dials solvedBy_;               // it is, or is on the way to be
+    std::optional<std::chrono::steady_clock::time_point> resolving_; // since when
     bool hasFailed_ = false;
     size_t failures_ = 0;
-    bool isGlanced_ = false;
-    bool isRelit_ = false;
-    bool isLightOfScan_ = true; // as the room's own
-    double glanceMilliseconds_ = 0.0;
-    std::optional<std::chrono::steady_clock::time_point> resolving_; // since when
-    std::optional<double> resolveMilliseconds_;
-    std::optional<relamp::Timeline> timeline_;
-    bool isPlaying_ = false;
-    double part_ = 0.0;
     Edit applied_;
     History<Edit> history_;
-    RelightingThread relighting_; // these three use all of the above
+    RoomLight light_; // these three use all of the above
     Worker solver_;
     Worker saver_;
 };
