@@ -2,6 +2,8 @@
 
 #include "window.h"
 
+#include "gpu/commands.h"
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -10,12 +12,14 @@
 #include <backends/imgui_impl_vulkan.h>
 #include <imgui.h>
 
+namespace gpu = relamp::gpu;
+
 namespace
 {
 
 constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
-OwnedDescriptorPool poolOf(const Device& device)
+gpu::Owned<VkDescriptorPool> poolOf(const WindowDevice& device)
 {
     const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 8};
     VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
@@ -23,9 +27,8 @@ OwnedDescriptorPool poolOf(const Device& device)
     info.maxSets = 8;
     info.poolSizeCount = 1;
     info.pPoolSizes = &size;
-    VkDescriptorPool made = nullptr;
-    check(vkCreateDescriptorPool(device.get(), &info, nullptr, &made), "making descriptors");
-    return {device.get(), made};
+    return gpu::owned(device.handle(), vkCreateDescriptorPool, vkDestroyDescriptorPool, info,
+                      "making descriptors");
 }
 
 /// Whether a modifier is held after an event; its own key tells of the time before.
@@ -65,7 +68,7 @@ void mapKeys(ImGuiIO& io)
 
 } // namespace
 
-PanelDrawing::PanelDrawing(const Device& device, Window& window, VkRenderPass pass)
+PanelDrawing::PanelDrawing(const WindowDevice& device, Window& window, VkRenderPass pass)
     : device_(device), pool_(poolOf(device))
 {
     ImGui::CreateContext();
@@ -86,23 +89,25 @@ PanelDrawing::PanelDrawing(const Device& device, Window& window, VkRenderPass pa
     dress(window.scale());
 
     ImGui_ImplVulkan_InitInfo info{};
-    info.Instance = device.instance();
-    info.PhysicalDevice = device.physical();
-    info.Device = device.get();
-    info.QueueFamily = device.family();
-    info.Queue = device.queue();
+    info.Instance = device.gpu().instance().handle();
+    info.PhysicalDevice = device.gpu().physical();
+    info.Device = device.handle();
+    info.QueueFamily = device.gpu().queueFamily();
+    info.Queue = device.gpu().queue();
     info.DescriptorPool = pool_.get();
     info.MinImageCount = 2;
     info.ImageCount = 2;
     info.MSAASamples = device.samples();
     ImGui_ImplVulkan_Init(&info, pass);
-    device.run([](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
+    gpu::Commands commands(device.gpu());
+    ImGui_ImplVulkan_CreateFontsTexture(commands.handle());
+    commands.run();
     ImGui_ImplVulkan_DestroyFontUploadObjects();
 }
 
 PanelDrawing::~PanelDrawing()
 {
-    device_.wait();
+    device_.gpu().wait();
     ImGui_ImplVulkan_Shutdown();
     ImGui::DestroyContext();
 }

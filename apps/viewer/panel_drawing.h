@@ -1,7 +1,7 @@
 #pragma once
 
-#include "device.h"
 #include "input.h"
+#include "window_device.h"
 
 #include <string>
 
@@ -11,7 +11,7 @@ class Window;
 class PanelDrawing
 {
 public:
-    PanelDrawing(const Device& device, Window& window, VkRenderPass pass);
+    PanelDrawing(const WindowDevice& device, Window& window, VkRenderPass pass);
     ~PanelDrawing();
     PanelDrawing(const PanelDrawing&) = delete;
     PanelDrawing& operator=(const PanelDrawing&) = delete;
@@ -26,7 +26,7 @@ public:
 private:
     void dress(float scale);
 
-    const Device& device_;
-    OwnedDescriptorPool pool_;
+    const WindowDevice& device_;
+    relamp::gpu::Owned<VkDescriptorPool> pool_;
     std::string clipboard_;
 };

@@ -104,7 +104,7 @@ std::string statusOf(const Viewer& viewer, float& fraction)
                                                              : "Solving";
         return work.stage.empty() ? aim : fmt::format("{}: {}", aim, work.stage);
     }
-    const RelightingThread::Status relighting = studio.relighting();
+    const RelightingThread::Status relighting = studio.light().status();
     if (!relighting.stage.empty()) {
         fraction = static_cast<float>(relighting.fraction);
         return "Relighting: " + relighting.stage;
@@ -143,7 +143,7 @@ void drawStatus(Viewer& viewer)
         ImGui::SameLine();
         if (ImGui::SmallButton("Stop")) viewer.studio.stopSolving();
     }
-    const std::string right = fmt::format("{}   F1 help", viewer.device().name());
+    const std::string right = fmt::format("{}   F1 help", viewer.device().gpu().description().name);
     ImGui::SameLine(size.x - ImGui::CalcTextSize(right.c_str()).x - 14.0f * viewer.scale());
     ImGui::TextDisabled("%s", right.c_str());
     ImGui::End();

@@ -2,11 +2,14 @@
 
 #include "room_mesh.h"
 
+#include "gpu/program.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <span>
 #include <tuple>
+
+namespace gpu = relamp::gpu;
 
 namespace
 {
@@ -17,16 +20,6 @@ namespace
 #include "room_vert.h"
 #include "sky_frag.h"
 #include "sky_vert.h"
-
-OwnedShader shader(const Device& device, std::span<const uint32_t> words)
-{
-    VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-    info.codeSize = words.size_bytes();
-    info.pCode = words.data();
-    VkShaderModule made = nullptr;
-    check(vkCreateShaderModule(device.get(), &info, nullptr, &made), "reading a shader");
-    return {device.get(), made};
-}
 
 /// The shaders' constants 0 to 4.
 struct Constants
@@ -100,11 +93,13 @@ VkPipelineRasterizationStateCreateInfo rasterOf(const Drawing& drawing)
 
 } // namespace
 
-Pipelines::Pipelines(const Device& device, VkDescriptorSetLayout layers)
-    : device_(device), roomVertex_(shader(device, kRoomVert)),
-      roomFragment_(shader(device, kRoomFrag)), lampVertex_(shader(device, kLampVert)),
-      lampFragment_(shader(device, kLampFrag)), skyVertex_(shader(device, kSkyVert)),
-      skyFragment_(shader(device, kSkyFrag))
+Pipelines::Pipelines(const WindowDevice& device, VkDescriptorSetLayout layers)
+    : device_(device), roomVertex_(gpu::shaderOf(device.gpu(), kRoomVert)),
+      roomFragment_(gpu::shaderOf(device.gpu(), kRoomFrag)),
+      lampVertex_(gpu::shaderOf(device.gpu(), kLampVert)),
+      lampFragment_(gpu::shaderOf(device.gpu(), kLampFrag)),
+      skyVertex_(gpu::shaderOf(device.gpu(), kSkyVert)),
+      skyFragment_(gpu::shaderOf(device.gpu(), kSkyFrag))
 {
     const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
                                    std::max(sizeof(Push), sizeof(SkyPush))};
@@ -113,14 +108,13 @@ Pipelines::Pipelines(const Device& device, VkDescriptorSetLayout layers)
     info.pSetLayouts = &layers;
     info.pushConstantRangeCount = 1;
     info.pPushConstantRanges = &push;
-    VkPipelineLayout made = nullptr;
-    check(vkCreatePipelineLayout(device.get(), &info, nullptr, &made), "making a pipeline layout");
-    layout_ = {device.get(), made};
+    layout_ = gpu::owned(device.handle(), vkCreatePipelineLayout, vkDestroyPipelineLayout, info,
+                         "making a pipeline layout");
 }
 
 VkPipeline Pipelines::of(const Drawing& drawing, VkRenderPass pass)
 {
-    OwnedPipeline& pipeline = made_[{pass, drawing}];
+    gpu::Owned<VkPipeline>& pipeline = made_[{pass, drawing}];
     if (!pipeline) pipeline = make(drawing, pass);
     return pipeline.get();
 }
@@ -138,7 +132,7 @@ std::pair<VkShaderModule, VkShaderModule> Pipelines::shadersOf(Subject subject) 
     return {roomVertex_.get(), roomFragment_.get()};
 }
 
-OwnedPipeline Pipelines::make(const Drawing& drawing, VkRenderPass pass) const
+gpu::Owned<VkPipeline> Pipelines::make(const Drawing& drawing, VkRenderPass pass) const
 {
     const Constants constants{drawing.ofVertices, drawing.atlas, drawing.layer, drawing.view,
                               drawing.lines};
@@ -203,7 +197,7 @@ OwnedPipeline Pipelines::make(const Drawing& drawing, VkRenderPass pass) const
     info.layout = layout_.get();
     info.renderPass = pass;
     VkPipeline made = nullptr;
-    check(vkCreateGraphicsPipelines(device_.get(), nullptr, 1, &info, nullptr, &made),
-          "making a pipeline");
-    return {device_.get(), made};
+    gpu::check(vkCreateGraphicsPipelines(device_.handle(), nullptr, 1, &info, nullptr, &made),
+               "making a pipeline");
+    return {device_.handle(), made, vkDestroyPipeline};
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "device.h"
+#include "window_device.h"
 
 #include <map>
 #include <tuple>
@@ -48,7 +48,7 @@ struct Drawing
 class Pipelines
 {
 public:
-    Pipelines(const Device& device, VkDescriptorSetLayout layers);
+    Pipelines(const WindowDevice& device, VkDescriptorSetLayout layers);
 
     /// `pass` is what it will be drawn in.
     VkPipeline of(const Drawing& drawing, VkRenderPass pass);
@@ -57,10 +57,12 @@ public:
 private:
     /// That of its corners, and that of its pixels.
     [[nodiscard]] std::pair<VkShaderModule, VkShaderModule> shadersOf(Subject subject) const;
-    [[nodiscard]] OwnedPipeline make(const Drawing& drawing, VkRenderPass pass) const;
+    [[nodiscard]] relamp::gpu::Owned<VkPipeline> make(const Drawing& drawing,
+                                                      VkRenderPass pass) const;
 
-    const Device& device_;
-    OwnedShader roomVertex_, roomFragment_, lampVertex_, lampFragment_, skyVertex_, skyFragment_;
-    OwnedPipelineLayout layout_;
-    std::map<std::pair<VkRenderPass, Drawing>, OwnedPipeline> made_;
+    const WindowDevice& device_;
+    relamp::gpu::Owned<VkShaderModule> roomVertex_, roomFragment_, lampVertex_, lampFragment_,
+        skyVertex_, skyFragment_;
+    relamp::gpu::Owned<VkPipelineLayout> layout_;
+    std::map<std::pair<VkRenderPass, Drawing>, relamp::gpu::Owned<VkPipeline>> made_;
 };

@@ -4,13 +4,15 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+namespace gpu = relamp::gpu;
+
 namespace
 {
 
 constexpr int kGlance = 8;             // shaders/layers.glsl
 constexpr uint32_t kLargestSky = 4096; // pixels
 
-OwnedSetLayout layoutOfLayers(const Device& device)
+gpu::Owned<VkDescriptorSetLayout> layoutOfLayers(const WindowDevice& device)
 {
     VkDescriptorSetLayoutBinding binding{};
     binding.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
@@ -19,9 +21,8 @@ OwnedSetLayout layoutOfLayers(const Device& device)
     VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
     info.bindingCount = 1;
     info.pBindings = &binding;
-    VkDescriptorSetLayout made = nullptr;
-    check(vkCreateDescriptorSetLayout(device.get(), &info, nullptr, &made), "making a layout");
-    return {device.get(), made};
+    return gpu::owned(device.handle(), vkCreateDescriptorSetLayout, vkDestroyDescriptorSetLayout,
+                      info, "making a layout");
 }
 
 VkSamplerAddressMode addressOf(relamp::Wrap wrap)
@@ -45,23 +46,34 @@ TexturePixels greyPixel(std::byte value)
     return pixels;
 }
 
+/// What is drawn from; none of nothing.
+template<class T>
+gpu::Buffer drawn(const WindowDevice& device, std::span<const T> values, VkBufferUsageFlags usage)
+{
+    if (values.empty()) return {};
+    gpu::Buffer buffer(device.gpu(), values.size_bytes(), gpu::Place::device,
+                       usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+    buffer.upload(std::as_bytes(values));
+    return buffer;
+}
+
 } // namespace
 
-RoomDrawing::RoomDrawing(const Device& device)
+RoomDrawing::RoomDrawing(const WindowDevice& device)
     : device_(device), setLayout_(layoutOfLayers(device)), pipelines_(device, setLayout_.get()),
-      nothing_(uploaded(device, greyPixel(std::byte{0}))),
-      skyPicture_(uploaded(device, greyPixel(std::byte{255})))
+      nothing_(uploaded(device.gpu(), greyPixel(std::byte{0}))),
+      skyPicture_(uploaded(device.gpu(), greyPixel(std::byte{255})))
 {}
 
 void RoomDrawing::setMesh(const RoomMesh& mesh, size_t pages)
 {
-    device_.wait();
+    device_.gpu().wait();
     surfaces_ = mesh.surfaces;
-    vertices_ = Buffer(device_, std::span(mesh.vertices), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-    indices_ = Buffer(device_, std::span(mesh.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-    edges_ = Buffer(device_, std::span(mesh.edges), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    vertices_ = drawn(device_, std::span(mesh.vertices), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    indices_ = drawn(device_, std::span(mesh.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    edges_ = drawn(device_, std::span(mesh.edges), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
     const std::vector<relamp::LightAtPlace> dark(mesh.vertices.size());
-    light_ = Buffer(device_, std::span(dark), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    light_ = drawn(device_, std::span(dark), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
     hasLight_ = false;
     pages_.clear();
     pages_.resize(pages);
@@ -81,15 +93,14 @@ void RoomDrawing::makePool()
     info.maxSets = sets;
     info.poolSizeCount = 1;
     info.pPoolSizes = &size;
-    VkDescriptorPool made = nullptr;
-    check(vkCreateDescriptorPool(device_.get(), &info, nullptr, &made), "making descriptors");
-    pool_ = {device_.get(), made};
+    pool_ = gpu::owned(device_.handle(), vkCreateDescriptorPool, vkDestroyDescriptorPool, info,
+                       "making descriptors");
 }
 
 void RoomDrawing::setTexture(size_t page, PageTexture which, const TexturePixels& pixels)
 {
-    device_.wait();
-    pages_[page].images[static_cast<size_t>(which)] = uploaded(device_, pixels);
+    device_.gpu().wait();
+    pages_[page].images[static_cast<size_t>(which)] = uploaded(device_.gpu(), pixels);
     if (which == PageTexture::scan)
         pages_[page].aspect = static_cast<float>(pixels.levels[0].width) /
                               static_cast<float>(pixels.levels[0].height);
@@ -98,23 +109,23 @@ void RoomDrawing::setTexture(size_t page, PageTexture which, const TexturePixels
 
 void RoomDrawing::removeTextures(PageTexture which)
 {
-    device_.wait();
+    device_.gpu().wait();
     for (PageImages& page : pages_) page.images[static_cast<size_t>(which)] = {};
     makePool();
 }
 
 void RoomDrawing::setLight(std::span<const relamp::LightAtPlace> atVertices)
 {
-    if (std::as_bytes(atVertices).size() != light_.bytes()) return; // of another room
-    light_.write(std::as_bytes(atVertices));
+    if (std::as_bytes(atVertices).size() != light_.size()) return; // of another room
+    light_.upload(std::as_bytes(atVertices));
     hasLight_ = true;
 }
 
 void RoomDrawing::setLamps(std::span<const LampVertex> triangles)
 {
-    device_.wait();
+    device_.gpu().wait();
     lampVertices_ = static_cast<uint32_t>(triangles.size());
-    if (lampVertices_ > 0) lamps_ = Buffer(device_, triangles, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    if (lampVertices_ > 0) lamps_ = drawn(device_, triangles, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
 }
 
 void RoomDrawing::setSky(const relamp::Sky& sky)
@@ -122,11 +133,11 @@ void RoomDrawing::setSky(const relamp::Sky& sky)
     const bool isSame = sky.environment == sky_.environment;
     sky_ = sky;
     if (isSame) return;
-    device_.wait();
-    skyPicture_ =
-        uploaded(device_, sky.environment ? texturePixels(*sky.environment, TexelFormat::rgb9e5,
-                                                          kLargestSky, false)
-                                          : greyPixel(std::byte{255}));
+    device_.gpu().wait();
+    skyPicture_ = uploaded(device_.gpu(), sky.environment
+                                              ? texturePixels(*sky.environment, TexelFormat::rgb9e5,
+                                                              kLargestSky, false)
+                                              : greyPixel(std::byte{255}));
     makePool();
 }
 
@@ -163,7 +174,7 @@ bool RoomDrawing::has(Layer layer) const
 
 VkSampler RoomDrawing::samplerOf(Wraps wraps)
 {
-    OwnedSampler& sampler = samplers_[wraps];
+    gpu::Owned<VkSampler>& sampler = samplers_[wraps];
     if (sampler) return sampler.get();
     VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
     info.magFilter = VK_FILTER_LINEAR;
@@ -175,10 +186,9 @@ VkSampler RoomDrawing::samplerOf(Wraps wraps)
     info.anisotropyEnable = device_.isAnisotropic() ? VK_TRUE : VK_FALSE;
     info.maxAnisotropy = 8.0f;
     info.maxLod = VK_LOD_CLAMP_NONE;
-    VkSampler made = nullptr;
-    check(vkCreateSampler(device_.get(), &info, nullptr, &made), "making a sampler");
-    sampler = {device_.get(), made};
-    return made;
+    sampler =
+        gpu::owned(device_.handle(), vkCreateSampler, vkDestroySampler, info, "making a sampler");
+    return sampler.get();
 }
 
 VkDescriptorSet RoomDrawing::setOf(int page, Wraps wraps)
@@ -211,7 +221,7 @@ VkDescriptorSet RoomDrawing::newSet(const Views& views, VkSampler sampler)
     allocate.descriptorSetCount = 1;
     allocate.pSetLayouts = &layout;
     VkDescriptorSet set = nullptr;
-    check(vkAllocateDescriptorSets(device_.get(), &allocate, &set), "making descriptors");
+    gpu::check(vkAllocateDescriptorSets(device_.handle(), &allocate, &set), "making descriptors");
     std::array<VkDescriptorImageInfo, kPageTextures> images{};
     for (size_t t = 0; t < kPageTextures; ++t)
         images[t] = {sampler, views[t], VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
@@ -220,7 +230,7 @@ VkDescriptorSet RoomDrawing::newSet(const Views& views, VkSampler sampler)
     write.descriptorCount = kPageTextures;
     write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     write.pImageInfo = images.data();
-    vkUpdateDescriptorSets(device_.get(), 1, &write, 0, nullptr);
+    vkUpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
     return set;
 }
 
@@ -245,10 +255,10 @@ void RoomDrawing::draw(VkCommandBuffer commands, VkRenderPass pass, const Scene&
 void RoomDrawing::drawSurfaces(VkCommandBuffer commands, VkRenderPass pass, const Scene& scene,
                                bool lines)
 {
-    const VkBuffer buffers[] = {vertices_.get(), light_.get()};
+    const VkBuffer buffers[] = {vertices_.handle(), light_.handle()};
     const VkDeviceSize offsets[] = {0, 0};
     vkCmdBindVertexBuffers(commands, 0, 2, buffers, offsets);
-    vkCmdBindIndexBuffer(commands, (lines ? edges_ : indices_).get(), 0, VK_INDEX_TYPE_UINT32);
+    vkCmdBindIndexBuffer(commands, (lines ? edges_ : indices_).handle(), 0, VK_INDEX_TYPE_UINT32);
     Drawing drawing{.layer = static_cast<int>(scene.layer),
                     .view = scene.linear ? 3 : static_cast<int>(scene.view.view),
                     .atlas = scene.atlas,
@@ -286,7 +296,7 @@ void RoomDrawing::drawLamps(VkCommandBuffer commands, VkRenderPass pass, const S
     vkCmdPushConstants(commands, pipelines_.layout(),
                        VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(push),
                        &push);
-    const VkBuffer buffer = lamps_.get();
+    const VkBuffer buffer = lamps_.handle();
     const VkDeviceSize offset = 0;
     vkCmdBindVertexBuffers(commands, 0, 1, &buffer, &offset);
     vkCmdDraw(commands, lampVertices_, 1, 0, 0);

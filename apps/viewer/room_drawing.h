@@ -1,10 +1,11 @@
 #pragma once
 
+#include "device_image.h"
 #include "layers.h"
 #include "pipelines.h"
-#include "resources.h"
 #include "room_mesh.h"
 
+#include "gpu/buffer.h"
 #include "relamp/light_probes.h"
 #include "relamp/relight.h"
 #include "relamp/view.h"
@@ -41,7 +42,7 @@ struct Scene
 class RoomDrawing
 {
 public:
-    explicit RoomDrawing(const Device& device);
+    explicit RoomDrawing(const WindowDevice& device);
 
     void setMesh(const RoomMesh& mesh, size_t pages);
     void setTexture(size_t page, PageTexture which, const TexturePixels& pixels);
@@ -79,19 +80,19 @@ private:
     void drawLamps(VkCommandBuffer commands, VkRenderPass pass, const Scene& scene);
     void drawSky(VkCommandBuffer commands, VkRenderPass pass, const Scene& scene);
 
-    const Device& device_;
-    OwnedSetLayout setLayout_;
+    const WindowDevice& device_;
+    relamp::gpu::Owned<VkDescriptorSetLayout> setLayout_;
     Pipelines pipelines_;
-    std::map<Wraps, OwnedSampler> samplers_;
+    std::map<Wraps, relamp::gpu::Owned<VkSampler>> samplers_;
     DeviceImage nothing_; // a black pixel, for what has not come
     relamp::Sky sky_;
     DeviceImage skyPicture_; // a white pixel where it has none
     std::vector<PageImages> pages_;
-    OwnedDescriptorPool pool_;
+    relamp::gpu::Owned<VkDescriptorPool> pool_;
     std::map<std::pair<int, Wraps>, VkDescriptorSet> sets_;
     VkDescriptorSet skySet_ = nullptr;
     std::vector<RoomSurface> surfaces_;
-    Buffer vertices_, light_, indices_, edges_, lamps_;
+    relamp::gpu::Buffer vertices_, light_, indices_, edges_, lamps_;
     uint32_t lampVertices_ = 0;
     bool hasLight_ = false;
 };

@@ -1,37 +1,18 @@
 #include "studio.h"
 
-#include "lamp_shapes.h"
-
 #include "relamp/error.h"
-#include "relamp/picture.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
-
-#include <glm/geometric.hpp>
 
 namespace
 {
 
-constexpr int kGlanceLength = 1024; // pixels of pages by which a first view is looked for
 constexpr size_t kMessages = 6;
-constexpr float kAway = 0.25f; // of the room's diagonal, to a place that is turned around
-constexpr auto kPatience = std::chrono::seconds(1);
-
-/// Somewhere inside, until a good view is found.
-relamp::Camera firstView(const relamp::Scan& scan, const relamp::Bounds& box)
-{
-    if (!scan.cameras.empty()) return scan.cameras.front().camera;
-    const glm::vec3 extent = box.extent();
-    const glm::vec3 eye = box.low + extent * glm::vec3(0.2f, 0.6f, 0.8f);
-    const glm::vec3 way = box.low + extent * glm::vec3(0.75f, 0.4f, 0.2f) - eye;
-    const float length = glm::length(way);
-    return {eye, length > 0.0f ? way / length : glm::vec3(0, 0, -1), {0, 1, 0}, 1.3f};
-}
 
 } // namespace
 
+<<<<<<< HEAD
 relamp::DelightOptions SolverParameters::options() const
 {
     relamp::DelightOptions options;
@@ -49,34 +30,13 @@ bool Edit::operator==(const Edit& other) const
            view.view == other.view.view && view.exposure == other.view.exposure;
 }
 
+=======
+>>>>>>> f9eea98772763ae505793aee9f146a4ce5d07605
 Studio::Studio(RoomDrawing& drawing, const relamp::EngineOptions& engine,
                const std::function<void()>& wake)
-    : drawing_(drawing), limits_(drawing.limits()), engine_(engine), mailbox_(wake), history_(edit),
-      relighting_({engine, limits_},
-                  {.glance =
-                       [this](std::vector<relamp::LightAtPlace> light, double milliseconds) {
-                           mailbox_.post([this, light = std::move(light), milliseconds] {
-                               drawing_.removeTextures(PageTexture::relit);
-                               drawing_.setLight(light);
-                               glanceMilliseconds_ = milliseconds;
-                               isGlanced_ = !relighting_.status().glances;
-                           });
-                       },
-                   .textures =
-                       [this](std::vector<TexturePixels> pages) {
-                           mailbox_.post([this, pages = std::move(pages)] {
-                               const auto status = relighting_.status();
-                               if (status.glances || status.refines) return; // out of date
-                               for (size_t p = 0; p < std::min(pages.size(), drawing_.pages()); ++p)
-                                   drawing_.setTexture(p, PageTexture::relit, pages[p]);
-                               isRelit_ = true;
-                           });
-                       },
-                   .failed =
-                       [this](const std::string& sentence) {
-                           mailbox_.post([this, sentence] { fail(sentence); });
-                       },
-                   .changed = wake}),
+    : drawing_(drawing), engine_(engine), mailbox_(wake), history_(edit),
+      light_(drawing, mailbox_, engine,
+             {.failed = [this](const std::string& sentence) { fail(sentence); }, .changed = wake}),
       solver_(wake,
               [this](const std::string& sentence) {
                   mailbox_.post([this, sentence] { fail(sentence); });
@@ -96,8 +56,8 @@ void Studio::say(const std::string& sentence)
 void Studio::tell(const std::vector<std::string>& notes)
 {
     for (const std::string& note : notes)
-        if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) say(note);
-    notes_ = notes;
+        if (std::find(room_.notes.begin(), room_.notes.end(), note) == room_.notes.end()) say(note);
+    room_.notes = notes;
 }
 
 void Studio::fail(const std::string& sentence)
@@ -108,6 +68,7 @@ void Studio::fail(const std::string& sentence)
     say(sentence);
 }
 
+<<<<<<< HEAD
 /// What was open stays, with all that was under way when another was to be opened.
 void Studio::goOn(size_t failed)
 {
@@ -326,16 +287,20 @@ void Studio::sendLight()
     relighting_.setLight(std::move(lighting));
 }
 
+=======
+>>>>>>> f9eea98772763ae505793aee9f146a4ce5d07605
 void Studio::commit(const std::string& step)
 {
     if (edit == applied_) return;
     if (edit.scanned != applied_.scanned)
-        followSky(edit.light, skyUnder(applied_.scanned, found_), skyUnder(edit.scanned, found_));
+        followSky(edit.light, skyUnder(applied_.scanned, room_.found),
+                  skyUnder(edit.scanned, room_.found));
     history_.record(edit, step);
     const Edit before = applied_;
     apply(before);
 }
 
+<<<<<<< HEAD
 void Studio::apply(const Edit& before)
 {
     const bool isLightNew = !(edit.light == before.light);
@@ -368,6 +333,8 @@ void Studio::follow(const Edit& before)
         say("Only the solver Gather follows what is said of lamps on the day of the scan.");
 }
 
+=======
+>>>>>>> f9eea98772763ae505793aee9f146a4ce5d07605
 void Studio::undo()
 {
     if (!history_.canUndo()) return say("There is nothing to undo.");
@@ -384,8 +351,9 @@ void Studio::redo()
     apply(before);
 }
 
-void Studio::solveAgain()
+void Studio::apply(const Edit& before)
 {
+<<<<<<< HEAD
     if (!scan_ || opening_) return;
     hasFailed_ = false;
     reevaluating_.reset();
@@ -404,13 +372,38 @@ void Studio::solveAgain()
             },
             progress);
     });
+=======
+    const bool isLightNew = !(edit.light == before.light);
+    edit.light.fixtures.resize(room_.captured.fixtures.size());
+    edit.scanned.fixtures.resize(room_.captured.fixtures.size(), kAsFound);
+    applied_ = edit;
+    if (isLightNew) {
+        room_.isLightOfScan = edit.light == documentOf(skyUnder(edit.scanned, room_.found));
+        play(false);
+        if (selection.kind == Selection::Kind::lamp && selection.index >= edit.light.lamps.size())
+            selection = {};
+        sendLight();
+    }
+    follow(before);
+>>>>>>> f9eea98772763ae505793aee9f146a4ce5d07605
 }
 
-ScannedLight Studio::scannedLight() const
+/// Computes again what the dials and the light of the day of the scan decide, and no more.
+void Studio::follow(const Edit& before)
 {
-    return {.items = edit.scanned, .numbers = numbersOf(found_), .light = edit.light};
+    Dials dials = before.dials;
+    const bool isScannedNew = edit.scanned != before.scanned;
+    const bool isDivisionNew = edit.dials.albedo != std::exchange(dials.albedo, edit.dials.albedo);
+    if (edit.dials != dials || (isDivisionNew && !canResolve())) return solveAgain();
+    if (!isScannedNew && !isDivisionNew) return;
+    if (canResolve()) return resolve();
+    if (room_.stage == Stage::solved && edit.dials.solver == relamp::Solver::gather)
+        return solveAgain(); // a folder, of which no more is kept than its pictures
+    if (room_.stage == Stage::solved)
+        say("Only the solver Gather follows what is said of lamps on the day of the scan.");
 }
 
+<<<<<<< HEAD
 /// Whether more of the room is kept than its pictures.
 bool Studio::canReevaluate() const
 {
@@ -455,11 +448,22 @@ bool Studio::isGlanced() const
 bool Studio::isRelit() const
 {
     return isRelit_ && isGlanced();
+=======
+/// The light of `edit`.
+void Studio::sendLight()
+{
+    std::vector<std::string> notes;
+    try {
+        light_.shine(
+            lightingOf(edit.light, room_.lightsFolder, room_.captured, notes, room_.reader));
+    } catch (const relamp::Error& error) {
+        say(error.what()); // as by a picture of the sky that is gone
+    }
+>>>>>>> f9eea98772763ae505793aee9f146a4ce5d07605
 }
 
 bool Studio::rests() const
 {
-    const RelightingThread::Status relighting = relighting_.status();
     return !opening_ && !solver_.status().isBusy && !saver_.status().isBusy &&
-           relighting.stage.empty() && (!drawing_.has(Layer::albedo) || isRelit());
+           light_.status().stage.empty() && (!drawing_.has(Layer::albedo) || light_.isRelit());
 }

@@ -1,25 +1,26 @@
 #pragma once
 
 #include "camera_rig.h"
+#include "edit.h"
 #include "history.h"
-#include "layers.h"
-#include "light_document.h"
 #include "mailbox.h"
-#include "relighting.h"
+#include "open_room.h"
+#include "read_room.h"
 #include "room_drawing.h"
+#include "room_light.h"
 #include "solving.h"
 #include "worker.h"
-
-#include "relamp/timeline.h"
 
 #include <chrono>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+<<<<<<< HEAD
 /// The solver and its parameters, as far as the viewer has them.
 struct SolverParameters
 {
@@ -56,6 +57,8 @@ struct Selection
 /// How far the room has been taken apart.
 enum class Stage { nothing, reading, scanned, drafted, solved };
 
+=======
+>>>>>>> f9eea98772763ae505793aee9f146a4ce5d07605
 /// The room that is open, its light, and all that works on it: the viewer without its window.
 class Studio
 {
@@ -86,20 +89,21 @@ public:
     void saveBaked(const std::filesystem::path& file);
     void loadTimeline(const std::filesystem::path& file);
     void play(bool on);
-    [[nodiscard]] bool isPlaying() const { return isPlaying_; }
+    [[nodiscard]] bool isPlaying() const { return room_.isPlaying; }
     /// Moves the timeline on, where one plays.
     void passTime(double seconds);
     void seek(double part);
-    [[nodiscard]] double timelinePart() const { return part_; }
-    [[nodiscard]] bool hasTimeline() const { return timeline_.has_value(); }
+    [[nodiscard]] double timelinePart() const { return room_.part; }
+    [[nodiscard]] bool hasTimeline() const { return room_.timeline.has_value(); }
 
-    [[nodiscard]] const relamp::Scan* scan() const { return scan_.get(); }
-    [[nodiscard]] const relamp::Lights& captured() const { return captured_; }
+    [[nodiscard]] const relamp::Scan* scan() const { return room_.scan.get(); }
+    [[nodiscard]] const relamp::Lights& captured() const { return room_.captured; }
     /// Before anybody said how it was on the day of the scan.
-    [[nodiscard]] const relamp::Lights& found() const { return found_; }
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    [[nodiscard]] Stage stage() const { return opening_ ? Stage::reading : stage_; }
+    [[nodiscard]] const relamp::Lights& found() const { return room_.found; }
+    [[nodiscard]] const std::filesystem::path& path() const { return room_.path; }
+    [[nodiscard]] Stage stage() const { return opening_ ? Stage::reading : room_.stage; }
     /// Whether albedo is behind what was said.
+<<<<<<< HEAD
     [[nodiscard]] bool reevaluates() const { return reevaluating_.has_value(); }
     [[nodiscard]] const relamp::Bounds& bounds() const { return bounds_; }
     [[nodiscard]] const std::optional<relamp::Closure>& closure() const { return closure_; }
@@ -112,13 +116,23 @@ public:
     /// Whether light that counts now is on the walls: glanced at, or found for every texel.
     [[nodiscard]] bool isGlanced() const;
     [[nodiscard]] bool isRelit() const;
+=======
+    [[nodiscard]] bool resolves() const { return resolving_.has_value(); }
+    [[nodiscard]] relamp::Bounds bounds() const
+    {
+        return room_.mesh ? room_.mesh->bounds : relamp::Bounds{};
+    }
+    [[nodiscard]] const std::optional<relamp::Closure>& closure() const { return room_.closure; }
+    [[nodiscard]] const RoomLight& light() const { return light_; }
+    /// Of the last time that albedo followed, until it was there to be drawn.
+    [[nodiscard]] std::optional<double> resolveMilliseconds() const
+    {
+        return room_.resolveMilliseconds;
+    }
+>>>>>>> f9eea98772763ae505793aee9f146a4ce5d07605
     [[nodiscard]] bool rests() const;
     [[nodiscard]] WorkStatus solving() const { return solver_.status(); }
-    [[nodiscard]] RelightingThread::Status relighting() const { return relighting_.status(); }
-    [[nodiscard]] bool isSaving() const
-    {
-        return saver_.status().isBusy || relighting_.status().bakes;
-    }
+    [[nodiscard]] bool isSaving() const { return saver_.status().isBusy || light_.status().bakes; }
 
     /// What to tell the person, the newest last; a sentence each.
     std::deque<std::string> messages;
@@ -140,6 +154,7 @@ private:
         SolverParameters parameters; // that it will be solved with
         bool reevaluated = false;    // the one before it was being re-evaluated
     };
+<<<<<<< HEAD
     /// What its thread needs to know.
     struct Wish
     {
@@ -157,9 +172,15 @@ private:
         std::vector<TexturePixels> textures;
         std::shared_ptr<RoomSolver> solver; // none of a folder
     };
+=======
+    using Adopt = void (Studio::*)(const Solved&);
+>>>>>>> f9eea98772763ae505793aee9f146a4ce5d07605
 
-    bool adopt(const Opened& opened);
+    // studio_room.cpp: it is read, and solved
+    void adopt(const ReadRoom& read);
+    void look(const Surroundings& around);
     void goOn(size_t failed);
+<<<<<<< HEAD
     void adopt(const Solved& solved);
     void adoptTextures(const Solved& solved);
     void adoptReevaluated(const Solved& solved);
@@ -167,36 +188,42 @@ private:
     void apply(const Edit& before);
     void follow(const Edit& before);
     void sendLight();
+=======
+>>>>>>> f9eea98772763ae505793aee9f146a4ce5d07605
     void solveAgain();
     void reevaluate();
     [[nodiscard]] bool canReevaluate() const;
     [[nodiscard]] ScannedLight scannedLight() const;
+    [[nodiscard]] relamp::DelightOptions optionsOf(const Dials& dials) const;
+    [[nodiscard]] std::function<void(Solved)> sendTo(Adopt adopt,
+                                                     const std::shared_ptr<RoomSolver>& from);
+    void adoptSolved(const Solved& solved);
+    void adoptResolved(const Solved& solved);
+    void adoptTextures(const Solved& solved);
+    void adoptFixtures(const Solved& solved);
+
+    // studio.cpp: what a person changes is followed
+    void apply(const Edit& before);
+    void follow(const Edit& before);
+    void sendLight();
     void tell(const std::vector<std::string>& notes);
     void fail(const std::string& sentence);
+<<<<<<< HEAD
     void readScan(const Wish& wish, relamp::Progress& progress);
     void readFolder(const Wish& wish, relamp::Progress& progress);
     void find(const std::shared_ptr<const relamp::DelitRoom>& room, relamp::Progress& progress);
     [[nodiscard]] std::filesystem::path besideScan() const;
     [[nodiscard]] relamp::DelightOptions optionsOf(const SolverParameters& parameters) const;
+=======
+>>>>>>> f9eea98772763ae505793aee9f146a4ce5d07605
 
     RoomDrawing& drawing_;
-    TextureLimits limits_;
     relamp::EngineOptions engine_;
     Mailbox mailbox_;
-    std::filesystem::path path_;
-    std::filesystem::path lightsFolder_; // where files lie that the light names
-    relamp::RelightingReader reader_;    // of these files
-    std::shared_ptr<const relamp::Scan> scan_;
-    std::shared_ptr<const RoomMesh> mesh_;
-    relamp::Bounds bounds_;
-    relamp::Lights captured_;                // by which the albedo was found
-    relamp::Lights found_;                   // before anybody said how it was then
-    std::shared_ptr<RoomSolver> roomSolver_; // of the thread of `solver_`
-    std::shared_ptr<const relamp::Decomposition> decomposition_;
-    std::optional<relamp::Closure> closure_;
-    std::vector<std::string> notes_; // on the solution, that were told
+    OpenRoom room_;
     std::optional<Opening> opening_;
     size_t openings_ = 0;
+<<<<<<< HEAD
     Stage stage_ = Stage::nothing; // of what is open
     SolverParameters solvedBy_;    // it is, or is on the way to be
     bool hasFailed_ = false;
@@ -210,9 +237,14 @@ private:
     std::optional<relamp::Timeline> timeline_;
     bool isPlaying_ = false;
     double part_ = 0.0;
+=======
+    std::optional<std::chrono::steady_clock::time_point> resolving_; // since when
+    bool hasFailed_ = false;
+    size_t failures_ = 0;
+>>>>>>> f9eea98772763ae505793aee9f146a4ce5d07605
     Edit applied_;
     History<Edit> history_;
-    RelightingThread relighting_; // these three use all of the above
+    RoomLight light_; // these three use all of the above
     Worker solver_;
     Worker saver_;
 };

@@ -1,12 +1,9 @@
 #include "studio.h"
 
-#include "lamp_shapes.h"
 #include "text_file.h"
 
 #include "relamp/error.h"
 #include "relamp/result.h"
-
-#include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -37,16 +34,16 @@ void Studio::openAny(const std::filesystem::path& path)
 
 void Studio::saveLights(const std::filesystem::path& file)
 {
-    writeText(file, textOf(edit.light, captured_));
+    writeText(file, textOf(edit.light, room_.captured));
     say(fmt::format("The light is in {}.", file.string()));
 }
 
 void Studio::loadLights(const std::filesystem::path& file)
 {
     std::vector<std::string> notes;
-    edit.light = documentFrom(textFrom(file), file, captured_, notes);
-    lightsFolder_ = file.parent_path();
-    reader_ = {}; // what it names may be another by now
+    edit.light = documentFrom(textFrom(file), file, room_.captured, notes);
+    room_.lightsFolder = file.parent_path();
+    room_.reader = {}; // what it names may be another by now
     commit("Load lights");
     settle();
     for (const std::string& note : notes) say(note);
@@ -55,58 +52,21 @@ void Studio::loadLights(const std::filesystem::path& file)
 
 void Studio::saveResult(const std::filesystem::path& folder)
 {
-    if (!decomposition_) return say("The room is not solved yet; it can be saved when it is.");
-    saver_.start([this, folder, found = decomposition_, path = path_](relamp::Progress& progress) {
-        relamp::writeResult(*found, path, folder, progress);
-        mailbox_.post([this, folder] {
-            say(fmt::format("The room without its light is in {}.", folder.string()));
+    if (!room_.decomposition) return say("The room is not solved yet; it can be saved when it is.");
+    saver_.start(
+        [this, folder, found = room_.decomposition, path = room_.path](relamp::Progress& progress) {
+            relamp::writeResult(*found, path, folder, progress);
+            mailbox_.post([this, folder] {
+                say(fmt::format("The room without its light is in {}.", folder.string()));
+            });
         });
-    });
 }
 
 void Studio::saveBaked(const std::filesystem::path& file)
 {
     if (!drawing_.has(Layer::relit))
         return say("The room is not lit anew yet; it can be saved when it is.");
-    relighting_.bake(file, edit.view, [this, file] {
-        mailbox_.post([this, file] {
-            say(fmt::format("The room with this light is in {}.", file.string()));
-        });
+    light_.bake(file, edit.view, [this, file] {
+        say(fmt::format("The room with this light is in {}.", file.string()));
     });
-}
-
-void Studio::loadTimeline(const std::filesystem::path& file)
-{
-    std::vector<std::string> notes;
-    timeline_.emplace(file, captured_, notes);
-    for (const std::string& note : notes) say(note);
-    part_ = 0.0;
-    play(true);
-}
-
-void Studio::play(bool on)
-{
-    if (on && !timeline_) return say("There is no timeline; drop one into the window.");
-    const bool stops = isPlaying_ && !on;
-    isPlaying_ = on;
-    if (stops) sendLight();
-}
-
-void Studio::passTime(double seconds)
-{
-    if (!isPlaying_) return;
-    seek(std::fmod(part_ + seconds / timeline_->seconds(), 1.0));
-}
-
-void Studio::seek(double part)
-{
-    if (!timeline_) return;
-    part_ = part;
-    isPlaying_ = isPlaying_ || part > 0.0;
-    relamp::Relighting lighting = timeline_->at(part);
-    if (!drawing_.has(Layer::relit)) return;
-    drawing_.setLamps(lampShapes(lighting.lights));
-    drawing_.setSky(lighting.sky);
-    isGlanced_ = isRelit_ = false;
-    relighting_.setLight(std::move(lighting));
 }

@@ -1,26 +1,30 @@
 #include "swapchain.h"
 
-#include "resources.h"
+#include "device_image.h"
+
+#include "gpu/commands.h"
 
 #include <algorithm>
+
+namespace gpu = relamp::gpu;
 
 namespace
 {
 
-OwnedSemaphore semaphore(const Device& device)
+gpu::Owned<VkSemaphore> semaphore(const WindowDevice& device)
 {
-    VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
-    VkSemaphore made = nullptr;
-    check(vkCreateSemaphore(device.get(), &info, nullptr, &made), "making a semaphore");
-    return {device.get(), made};
+    const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
+    return gpu::owned(device.handle(), vkCreateSemaphore, vkDestroySemaphore, info,
+                      "making a semaphore");
 }
 
-VkSurfaceFormatKHR formatOf(const Device& device)
+VkSurfaceFormatKHR formatOf(const WindowDevice& device)
 {
     uint32_t count = 0;
-    vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), device.surface(), &count, nullptr);
+    vkGetPhysicalDeviceSurfaceFormatsKHR(device.gpu().physical(), device.surface(), &count,
+                                         nullptr);
     std::vector<VkSurfaceFormatKHR> formats(count);
-    vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), device.surface(), &count,
+    vkGetPhysicalDeviceSurfaceFormatsKHR(device.gpu().physical(), device.surface(), &count,
                                          formats.data());
     // Pictures are encoded for the screen already, so the copy must not encode them again.
     for (const VkSurfaceFormatKHR& format : formats)
@@ -33,34 +37,19 @@ VkSurfaceFormatKHR formatOf(const Device& device)
 
 } // namespace
 
-Swapchain::Swapchain(const Device& device, VkExtent2D size, bool waits)
-    : device_(device), waits_(waits), acquired_(semaphore(device))
+Swapchain::Swapchain(const WindowDevice& device, VkExtent2D size, bool waits)
+    : device_(device), waits_(waits)
 {
-    VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-    pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
-    pool.queueFamilyIndex = device.family();
-    VkCommandPool madePool = nullptr;
-    check(vkCreateCommandPool(device.get(), &pool, nullptr, &madePool), "making a command pool");
-    pool_ = {device.get(), madePool};
-    VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-    allocate.commandPool = madePool;
-    allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-    allocate.commandBufferCount = 1;
-    check(vkAllocateCommandBuffers(device.get(), &allocate, &commands_), "making commands");
-    VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-    VkFence madeFence = nullptr;
-    check(vkCreateFence(device.get(), &fence, nullptr, &madeFence), "making a fence");
-    done_ = {device.get(), madeFence};
     resize(size);
 }
 
 VkPresentModeKHR Swapchain::presentMode() const
 {
     uint32_t count = 0;
-    vkGetPhysicalDeviceSurfacePresentModesKHR(device_.physical(), device_.surface(), &count,
+    vkGetPhysicalDeviceSurfacePresentModesKHR(device_.gpu().physical(), device_.surface(), &count,
                                               nullptr);
     std::vector<VkPresentModeKHR> modes(count);
-    vkGetPhysicalDeviceSurfacePresentModesKHR(device_.physical(), device_.surface(), &count,
+    vkGetPhysicalDeviceSurfacePresentModesKHR(device_.gpu().physical(), device_.surface(), &count,
                                               modes.data());
     const auto has = [&](VkPresentModeKHR mode) {
         return std::find(modes.begin(), modes.end(), mode) != modes.end();
@@ -72,10 +61,11 @@ VkPresentModeKHR Swapchain::presentMode() const
 
 void Swapchain::resize(VkExtent2D size)
 {
-    device_.wait();
+    device_.gpu().wait();
     VkSurfaceCapabilitiesKHR can;
-    check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), device_.surface(), &can),
-          "asking for the window's size");
+    gpu::check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.gpu().physical(),
+                                                         device_.surface(), &can),
+               "asking for the window's size");
     const bool isFixed = can.currentExtent.width != ~0u;
     size_ =
         isFixed
@@ -100,26 +90,21 @@ void Swapchain::resize(VkExtent2D size)
     info.presentMode = presentMode();
     info.clipped = VK_TRUE;
     info.oldSwapchain = chain_.get();
-    VkSwapchainKHR made = nullptr;
-    check(vkCreateSwapchainKHR(device_.get(), &info, nullptr, &made), "preparing the window");
-    chain_ = {device_.get(), made};
+    chain_ = gpu::owned(device_.handle(), vkCreateSwapchainKHR, vkDestroySwapchainKHR, info,
+                        "preparing the window");
     uint32_t count = 0;
-    vkGetSwapchainImagesKHR(device_.get(), made, &count, nullptr);
+    vkGetSwapchainImagesKHR(device_.handle(), chain_.get(), &count, nullptr);
     images_.resize(count);
-    vkGetSwapchainImagesKHR(device_.get(), made, &count, images_.data());
+    vkGetSwapchainImagesKHR(device_.handle(), chain_.get(), &count, images_.data());
     drawn_.clear();
     for (uint32_t i = 0; i < count; ++i) drawn_.push_back(semaphore(device_));
     acquired_ = semaphore(device_);
 }
 
-void Swapchain::record(const std::function<void(VkCommandBuffer)>& draw, VkImage picture,
-                       VkExtent2D pictureSize, VkImage shown)
+void Swapchain::record(VkCommandBuffer commands, VkImage picture, VkExtent2D pictureSize,
+                       VkImage shown) const
 {
-    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    check(vkBeginCommandBuffer(commands_, &begin), "recording commands");
-    draw(commands_);
-    changeLayout(commands_, shown, VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_UNDEFINED,
+    changeLayout(commands, shown, VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_UNDEFINED,
                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
     VkImageBlit blit{};
     blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
@@ -127,11 +112,10 @@ void Swapchain::record(const std::function<void(VkCommandBuffer)>& draw, VkImage
                           static_cast<int32_t>(pictureSize.height), 1};
     blit.dstSubresource = blit.srcSubresource;
     blit.dstOffsets[1] = {static_cast<int32_t>(size_.width), static_cast<int32_t>(size_.height), 1};
-    vkCmdBlitImage(commands_, picture, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, shown,
+    vkCmdBlitImage(commands, picture, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, shown,
                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit, VK_FILTER_NEAREST);
-    changeLayout(commands_, shown, VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+    changeLayout(commands, shown, VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                  VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
-    check(vkEndCommandBuffer(commands_), "recording commands");
 }
 
 bool Swapchain::show(const std::function<void(VkCommandBuffer)>& draw, VkImage picture,
@@ -139,24 +123,15 @@ bool Swapchain::show(const std::function<void(VkCommandBuffer)>& draw, VkImage p
 {
     if (size_.width == 0 || size_.height == 0) return false;
     uint32_t index = 0;
-    const VkResult acquired =
-        vkAcquireNextImageKHR(device_.get(), chain_.get(), ~0ull, acquired_.get(), nullptr, &index);
+    const VkResult acquired = vkAcquireNextImageKHR(device_.handle(), chain_.get(), ~0ull,
+                                                    acquired_.get(), nullptr, &index);
     if (acquired == VK_ERROR_OUT_OF_DATE_KHR) return false;
-    check(acquired, "waiting for the window");
-    record(draw, picture, pictureSize, images_[index]);
-
-    VkSemaphore waited = acquired_.get();
+    gpu::check(acquired, "waiting for the window");
     VkSemaphore drawn = drawn_[index].get();
-    const VkPipelineStageFlags stage = VK_PIPELINE_STAGE_TRANSFER_BIT;
-    VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
-    submit.waitSemaphoreCount = 1;
-    submit.pWaitSemaphores = &waited;
-    submit.pWaitDstStageMask = &stage;
-    submit.commandBufferCount = 1;
-    submit.pCommandBuffers = &commands_;
-    submit.signalSemaphoreCount = 1;
-    submit.pSignalSemaphores = &drawn;
-    check(vkQueueSubmit(device_.queue(), 1, &submit, done_.get()), "drawing");
+    gpu::Commands commands(device_.gpu());
+    draw(commands.handle());
+    record(commands.handle(), picture, pictureSize, images_[index]);
+    commands.start(acquired_.get(), drawn);
 
     VkSwapchainKHR chain = chain_.get();
     VkPresentInfoKHR present{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
@@ -165,12 +140,10 @@ bool Swapchain::show(const std::function<void(VkCommandBuffer)>& draw, VkImage p
     present.swapchainCount = 1;
     present.pSwapchains = &chain;
     present.pImageIndices = &index;
-    const VkResult presented = vkQueuePresentKHR(device_.queue(), &present);
+    const VkResult presented = vkQueuePresentKHR(device_.gpu().queue(), &present);
     // One frame at a time: what is drawn from may be changed as soon as this returns.
-    VkFence done = done_.get();
-    check(vkWaitForFences(device_.get(), 1, &done, VK_TRUE, ~0ull), "drawing");
-    check(vkResetFences(device_.get(), 1, &done), "drawing");
+    commands.wait();
     if (presented == VK_ERROR_OUT_OF_DATE_KHR) return false;
-    check(presented, "showing the picture");
+    gpu::check(presented, "showing the picture");
     return presented != VK_SUBOPTIMAL_KHR;
 }

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "device.h"
+#include "window_device.h"
 
+#include <functional>
 #include <vector>
 
 /// What the window shows: copies of a picture.
@@ -9,7 +10,7 @@ class Swapchain
 {
 public:
     /// `size` is the window's, in pixels. Without `waits`, pictures are shown as fast as they come.
-    Swapchain(const Device& device, VkExtent2D size, bool waits);
+    Swapchain(const WindowDevice& device, VkExtent2D size, bool waits);
 
     /// Records and runs `draw`, then shows `picture`, which `draw` leaves ready to be copied from.
     /// False where the window has another size by now and nothing was shown.
@@ -18,20 +19,17 @@ public:
     void resize(VkExtent2D size);
 
 private:
-    void record(const std::function<void(VkCommandBuffer)>& draw, VkImage picture,
-                VkExtent2D pictureSize, VkImage shown);
+    void record(VkCommandBuffer commands, VkImage picture, VkExtent2D pictureSize,
+                VkImage shown) const;
     [[nodiscard]] VkPresentModeKHR presentMode() const;
 
-    using OwnedChain = Owned<VkSwapchainKHR, &vkDestroySwapchainKHR>;
+    using Semaphore = relamp::gpu::Owned<VkSemaphore>;
 
-    const Device& device_;
+    const WindowDevice& device_;
     bool waits_;
     VkExtent2D size_{};
-    OwnedChain chain_;
+    relamp::gpu::Owned<VkSwapchainKHR> chain_;
     std::vector<VkImage> images_;
-    OwnedCommandPool pool_;
-    VkCommandBuffer commands_ = nullptr;
-    OwnedSemaphore acquired_;
-    std::vector<OwnedSemaphore> drawn_; // one an image
-    OwnedFence done_;
+    Semaphore acquired_;
+    std::vector<Semaphore> drawn_; // one an image
 };

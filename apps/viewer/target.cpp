@@ -1,8 +1,13 @@
 #include "target.h"
 
+#include "gpu/buffer.h"
+#include "gpu/commands.h"
+
 #include <algorithm>
 #include <array>
 #include <cstring>
+
+namespace gpu = relamp::gpu;
 
 namespace
 {
@@ -65,7 +70,7 @@ std::array<VkSubpassDependency2, 2> dependencies()
     return both;
 }
 
-OwnedRenderPass renderPass(const Device& device, VkFormat colour)
+gpu::Owned<VkRenderPass> renderPass(const WindowDevice& device, VkFormat colour)
 {
     const VkSampleCountFlagBits samples = device.samples();
     const bool resolves = samples != VK_SAMPLE_COUNT_1_BIT;
@@ -95,12 +100,12 @@ OwnedRenderPass renderPass(const Device& device, VkFormat colour)
     info.pSubpasses = &subpass;
     info.dependencyCount = static_cast<uint32_t>(between.size());
     info.pDependencies = between.data();
-    VkRenderPass made = nullptr;
-    check(vkCreateRenderPass2(device.get(), &info, nullptr, &made), "making a render pass");
-    return {device.get(), made};
+    return gpu::owned(device.handle(), vkCreateRenderPass2, vkDestroyRenderPass, info,
+                      "making a render pass");
 }
 
-DeviceImage image(const Device& device, Attachment attachment, VkFormat colour, VkExtent2D size)
+DeviceImage image(const WindowDevice& device, Attachment attachment, VkFormat colour,
+                  VkExtent2D size)
 {
     const VkAttachmentDescription2 described = description(attachment, colour, device.samples());
     const bool isKept = attachment == kColour || attachment == kDepth;
@@ -115,13 +120,13 @@ DeviceImage image(const Device& device, Attachment attachment, VkFormat colour, 
                                      : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
     info.usage |=
         isKept ? VK_IMAGE_USAGE_TRANSFER_SRC_BIT : VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT;
-    return {device, info,
+    return {device.gpu(), info,
             isDepth(attachment) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT};
 }
 
 } // namespace
 
-Target::Target(const Device& device, VkFormat colour, uint32_t width, uint32_t height)
+Target::Target(const WindowDevice& device, VkFormat colour, uint32_t width, uint32_t height)
     : device_(device), format_(colour), pass_(renderPass(device, colour))
 {
     resize(width, height);
@@ -146,9 +151,8 @@ void Target::resize(uint32_t width, uint32_t height)
     info.width = size_.width;
     info.height = size_.height;
     info.layers = 1;
-    VkFramebuffer made = nullptr;
-    check(vkCreateFramebuffer(device_.get(), &info, nullptr, &made), "making a framebuffer");
-    framebuffer_ = {device_.get(), made};
+    framebuffer_ = gpu::owned(device_.handle(), vkCreateFramebuffer, vkDestroyFramebuffer, info,
+                              "making a framebuffer");
 }
 
 void Target::begin(VkCommandBuffer commands, const std::array<float, 4>& clear) const
@@ -169,31 +173,33 @@ void Target::begin(VkCommandBuffer commands, const std::array<float, 4>& clear) 
 
 std::vector<std::byte> Target::pixels(size_t bytesAPixel) const
 {
-    const Buffer read(device_, bytesAPixel * size_.width * size_.height,
-                      VK_BUFFER_USAGE_TRANSFER_DST_BIT);
-    device_.run([&](VkCommandBuffer commands) {
-        VkBufferImageCopy copy{};
-        copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-        copy.imageExtent = {size_.width, size_.height, 1};
-        vkCmdCopyImageToBuffer(commands, colour_.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                               read.get(), 1, &copy);
-    });
-    return {read.mapped(), read.mapped() + read.bytes()};
+    VkBufferImageCopy all{};
+    all.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    all.imageExtent = {size_.width, size_.height, 1};
+    return read(colour_, all, bytesAPixel);
 }
 
 float Target::depthAt(uint32_t x, uint32_t y) const
 {
     if (x >= size_.width || y >= size_.height) return 1.0f;
-    const Buffer read(device_, sizeof(float), VK_BUFFER_USAGE_TRANSFER_DST_BIT);
-    device_.run([&](VkCommandBuffer commands) {
-        VkBufferImageCopy copy{};
-        copy.imageSubresource = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 0, 1};
-        copy.imageOffset = {static_cast<int32_t>(x), static_cast<int32_t>(y), 0};
-        copy.imageExtent = {1, 1, 1};
-        vkCmdCopyImageToBuffer(commands, depth_.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                               read.get(), 1, &copy);
-    });
+    VkBufferImageCopy pixel{};
+    pixel.imageSubresource = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 0, 1};
+    pixel.imageOffset = {static_cast<int32_t>(x), static_cast<int32_t>(y), 0};
+    pixel.imageExtent = {1, 1, 1};
     float depth = 1.0f;
-    std::memcpy(&depth, read.mapped(), sizeof(depth));
+    std::memcpy(&depth, read(depth_, pixel, sizeof(depth)).data(), sizeof(depth));
     return depth;
+}
+
+std::vector<std::byte> Target::read(const DeviceImage& image, const VkBufferImageCopy& part,
+                                    size_t bytesAPixel) const
+{
+    const gpu::Buffer pixels(device_.gpu(),
+                             bytesAPixel * part.imageExtent.width * part.imageExtent.height,
+                             gpu::Place::host, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+    gpu::Commands commands(device_.gpu());
+    vkCmdCopyImageToBuffer(commands.handle(), image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                           pixels.handle(), 1, &part);
+    commands.run();
+    return {pixels.bytes().begin(), pixels.bytes().end()};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "resources.h"
+#include "device_image.h"
+#include "window_device.h"
 
 #include <array>
 #include <cstdint>
@@ -11,7 +12,7 @@
 class Target
 {
 public:
-    Target(const Device& device, VkFormat colour, uint32_t width, uint32_t height);
+    Target(const WindowDevice& device, VkFormat colour, uint32_t width, uint32_t height);
 
     [[nodiscard]] VkRenderPass pass() const { return pass_.get(); }
     [[nodiscard]] VkExtent2D size() const { return size_; }
@@ -29,13 +30,16 @@ public:
     [[nodiscard]] float depthAt(uint32_t x, uint32_t y) const;
 
 private:
-    const Device& device_;
+    [[nodiscard]] std::vector<std::byte>
+    read(const DeviceImage& image, const VkBufferImageCopy& part, size_t bytesAPixel) const;
+
+    const WindowDevice& device_;
     VkFormat format_;
     VkExtent2D size_{};
-    OwnedRenderPass pass_;
+    relamp::gpu::Owned<VkRenderPass> pass_;
     DeviceImage colourSamples_; // what is drawn into, where pixels have several
     DeviceImage depthSamples_;
     DeviceImage colour_; // their mean
     DeviceImage depth_;  // of one of them
-    OwnedFramebuffer framebuffer_;
+    relamp::gpu::Owned<VkFramebuffer> framebuffer_;
 };

@@ -109,7 +109,7 @@ void Viewer::run()
         drawFrame();
         framesToDraw_ = std::max(framesToDraw_ - 1, 0);
     }
-    device_.wait();
+    device_.gpu().wait();
 }
 
 /// What is named on the command line and cannot be read ends the program, as it does any other.
@@ -136,7 +136,7 @@ void Viewer::resizeIfNeeded()
     const VkExtent2D size{static_cast<uint32_t>(pixels.x), static_cast<uint32_t>(pixels.y)};
     if (size.width == 0 || size.height == 0) return;
     if (size.width == target_.size().width && size.height == target_.size().height) return;
-    device_.wait();
+    device_.gpu().wait();
     target_.resize(size.width, size.height);
     swapchain_.resize(size);
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "device.h"
 #include "gizmo.h"
 #include "panel_drawing.h"
 #include "room_drawing.h"
@@ -9,6 +8,7 @@
 #include "swapchain.h"
 #include "target.h"
 #include "window.h"
+#include "window_device.h"
 
 #include "relamp/image.h"
 
@@ -81,7 +81,7 @@ public:
     [[nodiscard]] Gizmo::Eye eye() const;
     [[nodiscard]] glm::vec2 inFrame(glm::vec2 pixel) const; // of the window
     [[nodiscard]] float scale() const { return scale_; }
-    [[nodiscard]] const Device& device() const { return device_; }
+    [[nodiscard]] const WindowDevice& device() const { return device_; }
     [[nodiscard]] Window& window() { return window_; }
     [[nodiscard]] bool isHeld(int key) const { return heldKeys_.contains(key); }
     [[nodiscard]] size_t framesDrawn() const { return framesDrawn_; }
@@ -98,7 +98,7 @@ public:
 
 private:
     Window window_;
-    Device device_;
+    WindowDevice device_;
     Target target_;
     Swapchain swapchain_;
     PanelDrawing panels_;
@@ -130,6 +130,7 @@ private:
     [[nodiscard]] bool isMoving() const;
     [[nodiscard]] glm::mat4 clip() const;
     void drawView(VkCommandBuffer commands, VkRenderPass pass, const VkRect2D& frame, bool linear);
+    void drawWindow(VkCommandBuffer commands, bool withPanels);
     [[nodiscard]] relamp::Image lightOfView();
     [[nodiscard]] relamp::Image pictureOf(bool onlyView);
 

@@ -1,5 +1,6 @@
 #include "viewer.h"
 
+#include "gpu/commands.h"
 #include "relamp/error.h"
 
 #include <array>
@@ -40,15 +41,18 @@ void Viewer::drawView(VkCommandBuffer commands, VkRenderPass pass, const VkRect2
     drawing_.draw(commands, pass, scene);
 }
 
+void Viewer::drawWindow(VkCommandBuffer commands, bool withPanels)
+{
+    target_.begin(commands, kGround);
+    drawView(commands, target_.pass(), frame(), false);
+    if (withPanels) PanelDrawing::draw(commands);
+    Target::end(commands);
+}
+
 void Viewer::drawFrame()
 {
     if (window_.pixels().x == 0) return;
-    const auto draw = [this](VkCommandBuffer commands) {
-        target_.begin(commands, kGround);
-        drawView(commands, target_.pass(), frame(), false);
-        PanelDrawing::draw(commands);
-        Target::end(commands);
-    };
+    const auto draw = [this](VkCommandBuffer commands) { drawWindow(commands, true); };
     if (!swapchain_.show(draw, target_.colour(), target_.size())) {
         const glm::ivec2 pixels = window_.pixels();
         swapchain_.resize({static_cast<uint32_t>(pixels.x), static_cast<uint32_t>(pixels.y)});
@@ -64,11 +68,11 @@ relamp::Image Viewer::lightOfView()
         still_ = std::make_unique<Target>(device_, kHalves, size.width, size.height);
     else
         still_->resize(size.width, size.height);
-    device_.run([&](VkCommandBuffer commands) {
-        still_->begin(commands, {0.0f, 0.0f, 0.0f, 1.0f});
-        drawView(commands, still_->pass(), {{0, 0}, size}, true);
-        Target::end(commands);
-    });
+    relamp::gpu::Commands commands(device_.gpu());
+    still_->begin(commands.handle(), {0.0f, 0.0f, 0.0f, 1.0f});
+    drawView(commands.handle(), still_->pass(), {{0, 0}, size}, true);
+    Target::end(commands.handle());
+    commands.run();
     const std::vector<std::byte> pixels = still_->pixels(8);
     relamp::Image image;
     image.width = static_cast<int>(size.width);
@@ -84,12 +88,9 @@ relamp::Image Viewer::lightOfView()
 relamp::Image Viewer::pictureOf(bool onlyView)
 {
     const VkRect2D part = onlyView ? frame() : VkRect2D{{0, 0}, target_.size()};
-    device_.run([&](VkCommandBuffer commands) {
-        target_.begin(commands, kGround);
-        drawView(commands, target_.pass(), frame(), false);
-        if (!onlyView) PanelDrawing::draw(commands);
-        Target::end(commands);
-    });
+    relamp::gpu::Commands commands(device_.gpu());
+    drawWindow(commands.handle(), !onlyView);
+    commands.run();
     const std::vector<std::byte> pixels = target_.pixels(4);
     relamp::Image image;
     image.width = static_cast<int>(part.extent.width);

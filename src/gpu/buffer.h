@@ -2,7 +2,10 @@
 
 #include "gpu/compute.h"
 #include "gpu/device.h"
+#include "gpu/memory.h"
+#include "gpu/owned.h"
 #include "gpu/vulkan.h"
+#include "relamp/api.h"
 
 #include <algorithm>
 #include <cassert>
@@ -13,38 +16,38 @@
 namespace relamp::gpu
 {
 
-/// Bytes that programs read and write, by address.
-class Buffer
+/// Bytes on a device.
+class RELAMP_API Buffer
 {
 public:
-    enum class Place {
-        device, // where programs reach it fastest
-        host    // where this program reaches it, too: bytes()
-    };
+    using Place = gpu::Place;
+    /// What programs read and write, by address().
+    static constexpr VkBufferUsageFlags kOfPrograms =
+        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+        VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
 
+    Buffer() = default; // none at all
     /// `size` > 0. Throws Error(device) where there is no room for it.
-    Buffer(const Device& device, size_t size, Place place = Place::device);
-    ~Buffer();
-    Buffer(Buffer&& other) noexcept;
-    Buffer& operator=(Buffer&& other) noexcept;
+    Buffer(const Device& device, size_t size, Place place = Place::device,
+           VkBufferUsageFlags usage = kOfPrograms);
 
-    [[nodiscard]] VkBuffer handle() const { return buffer_; }
+    [[nodiscard]] VkBuffer handle() const { return buffer_.get(); }
     [[nodiscard]] size_t size() const { return size_; }
     [[nodiscard]] uint64_t address() const { return address_; }
+    /// In Place::host.
     [[nodiscard]] std::span<std::byte> bytes() const { return {mapped_, size_}; }
     [[nodiscard]] const Device& device() const { return *device_; }
 
-    /// Copies to and from the start of the buffer; each waits until it is done.
+    /// Copies to and from the start of a buffer in Place::device that may be copied to or from;
+    /// each waits until it is done.
     void upload(std::span<const std::byte> from);
     void download(std::span<std::byte> to) const;
 
 private:
-    void release();
-
-    const Device* device_;
-    size_t size_;
-    VkBuffer buffer_ = VK_NULL_HANDLE;
-    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+    const Device* device_ = nullptr;
+    size_t size_ = 0;
+    Owned<VkDeviceMemory> memory_;
+    Owned<VkBuffer> buffer_;
     uint64_t address_ = 0;
     std::byte* mapped_ = nullptr;
 };

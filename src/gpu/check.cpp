@@ -9,15 +9,13 @@ namespace relamp::gpu
 namespace
 {
 
-constexpr const char* kWayOut = "--engine cpu does the same without it";
-
 std::string reasonOf(VkResult result)
 {
     switch (result) {
     case VK_ERROR_DEVICE_LOST:
         return "the device was lost: its driver was restarted, or it took too long";
     case VK_ERROR_OUT_OF_DEVICE_MEMORY:
-        return "the device has not enough memory left";
+        return "the device has not enough memory left; smaller textures take less";
     case VK_ERROR_OUT_OF_HOST_MEMORY:
         return "this machine has not enough memory left";
     default:
@@ -30,7 +28,9 @@ std::string reasonOf(VkResult result)
 void check(VkResult result, std::string_view what)
 {
     if (result >= 0) return;
-    throw Error(ErrorCode::device, fmt::format("GPU, {}: {}; {}", what, reasonOf(result), kWayOut));
+    // In the viewer, too, which draws on the device all the same.
+    throw Error(ErrorCode::device, fmt::format("GPU, {}: {}; --engine cpu computes without it",
+                                               what, reasonOf(result)));
 }
 
 } // namespace relamp::gpu

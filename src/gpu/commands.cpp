@@ -10,6 +10,8 @@ namespace relamp::gpu
 
 Commands::Commands(const Device& device) : device_(device)
 {
+    const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+    ended_ = owned(device.handle(), vkCreateFence, vkDestroyFence, fence, "writing commands");
     VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
     allocate.commandPool = device.commandPool();
     allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
@@ -23,7 +25,6 @@ Commands::Commands(const Device& device) : device_(device)
 Commands::~Commands()
 {
     vkFreeCommandBuffers(device_.handle(), device_.commandPool(), 1, &commands_);
-    vkDestroyQueryPool(device_.handle(), stamps_, nullptr);
 }
 
 void Commands::dispatch(const Program& program, size_t threads,
@@ -68,12 +69,13 @@ void Commands::barrier()
 void Commands::mark(const std::string& name)
 {
     assert(marks_.size() + 1 < kMostMarks);
-    if (stamps_ == VK_NULL_HANDLE) {
+    if (!stamps_) {
         VkQueryPoolCreateInfo create{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
         create.queryType = VK_QUERY_TYPE_TIMESTAMP;
         create.queryCount = kMostMarks;
-        check(vkCreateQueryPool(device_.handle(), &create, nullptr, &stamps_), "measuring time");
-        vkResetQueryPool(device_.handle(), stamps_, 0, kMostMarks);
+        stamps_ = owned(device_.handle(), vkCreateQueryPool, vkDestroyQueryPool, create,
+                        "measuring time");
+        vkResetQueryPool(device_.handle(), stamps_.get(), 0, kMostMarks);
     }
     marks_.push_back(name);
     stamp();
@@ -81,10 +83,17 @@ void Commands::mark(const std::string& name)
 
 void Commands::stamp()
 {
-    vkCmdWriteTimestamp(commands_, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, stamps_, stampCount_++);
+    vkCmdWriteTimestamp(commands_, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, stamps_.get(),
+                        stampCount_++);
 }
 
 void Commands::run()
+{
+    start();
+    wait();
+}
+
+void Commands::start(VkSemaphore ready, VkSemaphore done)
 {
     if (!marks_.empty()) stamp();
     // What the host reads next, it must see.
@@ -94,18 +103,29 @@ void Commands::run()
     vkCmdPipelineBarrier(commands_, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0,
                          1, &barrier, 0, nullptr, 0, nullptr);
     check(vkEndCommandBuffer(commands_), "writing commands");
+    const VkPipelineStageFlags copies = VK_PIPELINE_STAGE_TRANSFER_BIT;
     VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
+    submit.waitSemaphoreCount = ready != VK_NULL_HANDLE ? 1 : 0;
+    submit.pWaitSemaphores = &ready;
+    submit.pWaitDstStageMask = &copies;
     submit.commandBufferCount = 1;
     submit.pCommandBuffers = &commands_;
-    check(vkQueueSubmit(device_.queue(), 1, &submit, VK_NULL_HANDLE), "computing");
-    check(vkQueueWaitIdle(device_.queue()), "computing");
+    submit.signalSemaphoreCount = done != VK_NULL_HANDLE ? 1 : 0;
+    submit.pSignalSemaphores = &done;
+    check(vkQueueSubmit(device_.queue(), 1, &submit, ended_.get()), "running commands");
+}
+
+void Commands::wait()
+{
+    const VkFence ended = ended_.get();
+    check(vkWaitForFences(device_.handle(), 1, &ended, VK_TRUE, ~0ull), "running commands");
 }
 
 std::vector<Timing> Commands::timings() const
 {
     if (marks_.empty()) return {};
     std::vector<uint64_t> ticks(stampCount_);
-    check(vkGetQueryPoolResults(device_.handle(), stamps_, 0, stampCount_,
+    check(vkGetQueryPoolResults(device_.handle(), stamps_.get(), 0, stampCount_,
                                 ticks.size() * sizeof(uint64_t), ticks.data(), sizeof(uint64_t),
                                 VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
           "measuring time");

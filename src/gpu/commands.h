@@ -2,8 +2,10 @@
 
 #include "gpu/buffer.h"
 #include "gpu/device.h"
+#include "gpu/owned.h"
 #include "gpu/program.h"
 #include "gpu/vulkan.h"
+#include "relamp/api.h"
 
 #include <string>
 #include <vector>
@@ -19,13 +21,16 @@ struct Timing
 };
 
 /// Work for a device, written down first and then run at once.
-class Commands
+class RELAMP_API Commands
 {
 public:
     explicit Commands(const Device& device);
     ~Commands();
     Commands(const Commands&) = delete;
     Commands& operator=(const Commands&) = delete;
+
+    /// To be written to by Vulkan's own calls.
+    [[nodiscard]] VkCommandBuffer handle() const { return commands_; }
 
     /// `threads` threads of a program; `arguments` is the struct that the shader declares by the
     /// same name. Nothing happens for no threads.
@@ -44,6 +49,9 @@ public:
 
     /// Runs everything and waits; once. Throws Error(device) where the device gives up.
     void run();
+    /// The same in two steps. What is copied waits for `ready`, and `done` is signalled in the end.
+    void start(VkSemaphore ready = VK_NULL_HANDLE, VkSemaphore done = VK_NULL_HANDLE);
+    void wait();
     /// Of the marks, in their order, after run(). Parts of one name are added up.
     [[nodiscard]] std::vector<Timing> timings() const;
 
@@ -55,7 +63,8 @@ private:
 
     const Device& device_;
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
-    VkQueryPool stamps_ = VK_NULL_HANDLE; // made with the first mark
+    Owned<VkFence> ended_;
+    Owned<VkQueryPool> stamps_; // made with the first mark
     std::vector<std::string> marks_;
     uint32_t stampCount_ = 0;
 };

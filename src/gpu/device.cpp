@@ -4,6 +4,7 @@
 #include "relamp/error.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -23,21 +24,26 @@ auto foundForEngine(const Find& find)
     }
 }
 
-VkDevice makeDevice(const Instance::Candidate& chosen)
+/// What programs are written for, as Instance::candidates() looks for it.
+constexpr VkPhysicalDeviceVulkan12Features kForPrograms{
+    .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES,
+    .scalarBlockLayout = VK_TRUE,
+    .hostQueryReset = VK_TRUE,
+    .bufferDeviceAddress = VK_TRUE};
+
+VkDevice opened(const Instance::Candidate& chosen, const void* features,
+                std::span<const char* const> extensions)
 {
     const float priority = 1.0f;
     VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
     queue.queueFamilyIndex = chosen.queueFamily;
     queue.queueCount = 1;
     queue.pQueuePriorities = &priority;
-    VkPhysicalDeviceVulkan12Features features{
-        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
-    features.bufferDeviceAddress = VK_TRUE;
-    features.scalarBlockLayout = VK_TRUE;
-    features.hostQueryReset = VK_TRUE;
-    VkDeviceCreateInfo create{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features};
+    VkDeviceCreateInfo create{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, features};
     create.queueCreateInfoCount = 1;
     create.pQueueCreateInfos = &queue;
+    create.enabledExtensionCount = static_cast<uint32_t>(extensions.size());
+    create.ppEnabledExtensionNames = extensions.data();
     VkDevice device = VK_NULL_HANDLE;
     check(vkCreateDevice(chosen.handle, &create, nullptr, &device), "opening the device");
     return device;
@@ -45,30 +51,54 @@ VkDevice makeDevice(const Instance::Candidate& chosen)
 
 } // namespace
 
-Device::Device(const std::string& wish, Validation validation)
-    : instance_(foundForEngine([&] { return Instance(validation); })),
-      chosen_(foundForEngine([&] { return instance_.choose(wish); })), device_(makeDevice(chosen_))
+Device::Device(std::shared_ptr<const Instance> instance, Instance::Candidate chosen,
+               const void* features, std::span<const char* const> extensions)
+    : instance_(std::move(instance)), chosen_(std::move(chosen)),
+      device_(opened(chosen_, features, extensions))
 {
-    vkGetDeviceQueue(device_, chosen_.queueFamily, 0, &queue_);
+    vkGetDeviceQueue(handle(), chosen_.queueFamily, 0, &queue_);
 
     VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
     pool.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
     pool.queueFamilyIndex = chosen_.queueFamily;
-    check(vkCreateCommandPool(device_, &pool, nullptr, &commandPool_), "opening the device");
+    commandPool_ =
+        owned(handle(), vkCreateCommandPool, vkDestroyCommandPool, pool, "opening the device");
 
     const VkPushConstantRange arguments{VK_SHADER_STAGE_COMPUTE_BIT, 0, kArgumentBytes};
     VkPipelineLayoutCreateInfo layout{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
     layout.pushConstantRangeCount = 1;
     layout.pPushConstantRanges = &arguments;
-    check(vkCreatePipelineLayout(device_, &layout, nullptr, &pipelineLayout_),
-          "opening the device");
+    pipelineLayout_ = owned(handle(), vkCreatePipelineLayout, vkDestroyPipelineLayout, layout,
+                            "opening the device");
 }
 
-Device::~Device()
+Device::Device(const std::shared_ptr<const Instance>& instance, const std::string& wish)
+    : Device(instance, foundForEngine([&] { return instance->choose(wish); }), &kForPrograms, {})
+{}
+
+Device::Device(const std::string& wish, Validation validation)
+    : Device(foundForEngine([&] { return std::make_shared<const Instance>(validation); }), wish)
+{}
+
+Device::~Device() = default;
+
+void Device::Close::operator()(VkDevice device) const
 {
-    vkDestroyPipelineLayout(device_, pipelineLayout_, nullptr);
-    vkDestroyCommandPool(device_, commandPool_, nullptr);
-    vkDestroyDevice(device_, nullptr);
+    vkDestroyDevice(device, nullptr);
+}
+
+uint64_t Device::largestAllocation() const
+{
+    VkPhysicalDeviceMaintenance3Properties limits{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES};
+    VkPhysicalDeviceProperties2 all{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &limits};
+    vkGetPhysicalDeviceProperties2(physical(), &all);
+    return limits.maxMemoryAllocationSize;
+}
+
+void Device::wait() const
+{
+    vkDeviceWaitIdle(handle());
 }
 
 std::unique_ptr<Device> deviceFor(const EngineOptions& options)

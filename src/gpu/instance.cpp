@@ -92,12 +92,23 @@ GpuDevice describe(VkPhysicalDevice device)
             std::to_array(id.deviceUUID)};
 }
 
-/// What the programs are written for beside Vulkan 1.2 itself; any desktop driver since 2020.
-bool hasFeatures(VkPhysicalDevice device)
+/// volk's pointers are of the instance made last, which need not have the extension.
+template<class Function>
+Function extension(VkInstance instance, const char* name)
+{
+    return reinterpret_cast<Function>(vkGetInstanceProcAddr(instance, name));
+}
+
+bool hasVulkan12(VkPhysicalDevice device)
 {
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(device, &properties);
-    if (properties.apiVersion < VK_API_VERSION_1_2) return false;
+    return properties.apiVersion >= VK_API_VERSION_1_2;
+}
+
+/// What the programs are written for beside Vulkan 1.2 itself; any desktop driver since 2020.
+bool hasFeatures(VkPhysicalDevice device)
+{
     VkPhysicalDeviceVulkan12Features features{
         VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
     VkPhysicalDeviceFeatures2 all{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features};
@@ -106,18 +117,37 @@ bool hasFeatures(VkPhysicalDevice device)
            features.hostQueryReset != 0;
 }
 
-/// A family of queues that computes; one that draws too, where there is one.
-std::optional<uint32_t> queueFamilyOf(VkPhysicalDevice device)
+std::vector<VkQueueFamilyProperties> queueFamiliesOf(VkPhysicalDevice device)
 {
-    const auto families =
-        listed<VkQueueFamilyProperties>([&](uint32_t* count, VkQueueFamilyProperties* items) {
-            vkGetPhysicalDeviceQueueFamilyProperties(device, count, items);
-        });
+    return listed<VkQueueFamilyProperties>([&](uint32_t* count, VkQueueFamilyProperties* items) {
+        vkGetPhysicalDeviceQueueFamilyProperties(device, count, items);
+    });
+}
+
+/// A family of queues that computes; one that draws too, where there is one.
+std::optional<uint32_t> computingFamilyOf(VkPhysicalDevice device)
+{
+    const std::vector<VkQueueFamilyProperties> families = queueFamiliesOf(device);
     for (const VkQueueFlags wanted : {VkQueueFlags{VK_QUEUE_COMPUTE_BIT | VK_QUEUE_GRAPHICS_BIT},
                                       VkQueueFlags{VK_QUEUE_COMPUTE_BIT}})
         for (uint32_t i = 0; i < families.size(); ++i)
             if ((families[i].queueFlags & wanted) == wanted && families[i].timestampValidBits > 0)
                 return i;
+    return std::nullopt;
+}
+
+/// A family of queues that draws, and shows it in the window.
+std::optional<uint32_t> drawingFamilyOf(VkInstance instance, VkPhysicalDevice device,
+                                        VkSurfaceKHR window)
+{
+    const auto asked = extension<PFN_vkGetPhysicalDeviceSurfaceSupportKHR>(
+        instance, "vkGetPhysicalDeviceSurfaceSupportKHR");
+    const std::vector<VkQueueFamilyProperties> families = queueFamiliesOf(device);
+    for (uint32_t i = 0; i < families.size(); ++i) {
+        VkBool32 shows = VK_FALSE;
+        asked(device, i, window, &shows);
+        if (shows == VK_TRUE && (families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0) return i;
+    }
     return std::nullopt;
 }
 
@@ -135,22 +165,23 @@ bool isNumber(const std::string& text)
 
 } // namespace
 
-Instance::Instance(Validation validation)
+Instance::Instance(Validation validation, std::span<const char* const> extensions)
 {
     if (volkInitialize() != VK_SUCCESS) noDevice("this machine has no Vulkan loader (libvulkan1)");
     const bool validates = validation == Validation::on;
     if (validates && !hasValidationLayer())
         noDevice("there is no validation layer (vulkan-validationlayers)");
+    std::vector<const char*> wanted(extensions.begin(), extensions.end());
+    if (validates) wanted.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
     application.pApplicationName = "relamp";
     application.apiVersion = VK_API_VERSION_1_2;
-    const char* extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
     VkInstanceCreateInfo create{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
     create.pApplicationInfo = &application;
     create.enabledLayerCount = validates ? 1 : 0;
     create.ppEnabledLayerNames = &kValidationLayer;
-    create.enabledExtensionCount = validates ? 1 : 0;
-    create.ppEnabledExtensionNames = &extension;
+    create.enabledExtensionCount = static_cast<uint32_t>(wanted.size());
+    create.ppEnabledExtensionNames = wanted.data();
     if (vkCreateInstance(&create, nullptr, &instance_) != VK_SUCCESS)
         noDevice("this machine has no Vulkan driver (install the one of your graphics card, or "
                  "mesa-vulkan-drivers)");
@@ -161,8 +192,8 @@ Instance::Instance(Validation validation)
 Instance::~Instance()
 {
     if (messenger_ != VK_NULL_HANDLE)
-        extension<PFN_vkDestroyDebugUtilsMessengerEXT>("vkDestroyDebugUtilsMessengerEXT")(
-            instance_, messenger_, nullptr);
+        extension<PFN_vkDestroyDebugUtilsMessengerEXT>(
+            instance_, "vkDestroyDebugUtilsMessengerEXT")(instance_, messenger_, nullptr);
     vkDestroyInstance(instance_, nullptr);
 }
 
@@ -176,20 +207,48 @@ void Instance::listen()
                          VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
     create.pfnUserCallback = complain;
     create.pUserData = &complaints_;
-    check(extension<PFN_vkCreateDebugUtilsMessengerEXT>("vkCreateDebugUtilsMessengerEXT")(
-              instance_, &create, nullptr, &messenger_),
-          "listening to the validation layer");
+    check(
+        extension<PFN_vkCreateDebugUtilsMessengerEXT>(instance_, "vkCreateDebugUtilsMessengerEXT")(
+            instance_, &create, nullptr, &messenger_),
+        "listening to the validation layer");
+}
+
+std::vector<VkPhysicalDevice> Instance::physicalDevices() const
+{
+    auto devices = listed<VkPhysicalDevice>(
+        [&](auto... list) { return vkEnumeratePhysicalDevices(instance_, list...); });
+    std::erase_if(devices, [](VkPhysicalDevice device) { return !hasVulkan12(device); });
+    return devices;
 }
 
 std::vector<Instance::Candidate> Instance::candidates() const
 {
     std::vector<Candidate> found;
-    for (VkPhysicalDevice device : listed<VkPhysicalDevice>(
-             [&](auto... list) { return vkEnumeratePhysicalDevices(instance_, list...); })) {
-        const std::optional<uint32_t> family = queueFamilyOf(device);
-        if (family && hasFeatures(device)) found.push_back({device, *family, describe(device)});
-    }
+    for (VkPhysicalDevice device : physicalDevices())
+        if (const auto family = computingFamilyOf(device); family && hasFeatures(device))
+            found.push_back({device, *family, describe(device)});
     return found;
+}
+
+std::vector<Instance::Candidate> Instance::candidatesFor(VkSurfaceKHR window) const
+{
+    std::vector<Candidate> found;
+    for (VkPhysicalDevice device : physicalDevices())
+        if (const auto family = drawingFamilyOf(instance_, device, window))
+            found.push_back({device, *family, describe(device)});
+    return found;
+}
+
+Instance::Candidate Instance::best(const std::vector<Candidate>& candidates)
+{
+    return *std::max_element(candidates.begin(), candidates.end(),
+                             [](const Candidate& a, const Candidate& b) {
+                                 const auto rank = [](const GpuDevice& d) {
+                                     const bool ofItsOwn = d.type == GpuDevice::Type::discrete;
+                                     return std::tuple(d.isReal(), ofItsOwn, d.memory);
+                                 };
+                                 return rank(a.description) < rank(b.description);
+                             });
 }
 
 Instance::Candidate Instance::choose(const std::string& wish) const
@@ -202,14 +261,7 @@ Instance::Candidate Instance::choose(const std::string& wish) const
     });
     if (found.empty())
         noDevice(fmt::format("no device is called \"{}\" (relamp devices lists them)", wish));
-    return *std::max_element(found.begin(), found.end(),
-                             [](const Candidate& a, const Candidate& b) {
-                                 const auto rank = [](const GpuDevice& d) {
-                                     const bool ofItsOwn = d.type == GpuDevice::Type::discrete;
-                                     return std::tuple(d.isReal(), ofItsOwn, d.memory);
-                                 };
-                                 return rank(a.description) < rank(b.description);
-                             });
+    return best(found);
 }
 
 } // namespace relamp::gpu

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "gpu/vulkan.h"
+#include "relamp/api.h"
 #include "relamp/devices.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,11 +15,13 @@ namespace relamp::gpu
 enum class Validation { off, on };
 
 /// A connection to the machine's Vulkan drivers.
-class Instance
+class RELAMP_API Instance
 {
 public:
-    /// Throws Error(device) where there is no loader, no driver, or no layer that was asked for.
-    explicit Instance(Validation validation = Validation::off);
+    /// `extensions` are what a window asks for. Throws Error(device) where there is no loader, no
+    /// driver that has them, or no layer that was asked for.
+    explicit Instance(Validation validation = Validation::off,
+                      std::span<const char* const> extensions = {});
     ~Instance();
     Instance(const Instance&) = delete;
     Instance& operator=(const Instance&) = delete;
@@ -27,13 +31,18 @@ public:
     struct Candidate
     {
         VkPhysicalDevice handle = VK_NULL_HANDLE;
-        uint32_t queueFamily = 0; // that computes
+        uint32_t queueFamily = 0; // that computes, or draws
         GpuDevice description;
     };
     /// Devices that can do what the programs ask for.
     [[nodiscard]] std::vector<Candidate> candidates() const;
-    /// The one that `wish` names, by index or a part of its name, or else the best: a real one
-    /// before a software one, then by memory. Throws Error(device) where there is none.
+    /// Devices that can draw in `window`, whatever else they can.
+    [[nodiscard]] std::vector<Candidate> candidatesFor(VkSurfaceKHR window) const;
+    /// Of `candidates`, which are some: a real one before a software one, then a graphics card,
+    /// then by memory.
+    [[nodiscard]] static Candidate best(const std::vector<Candidate>& candidates);
+    /// The one that `wish` names, by index or a part of its name, or else the best. Throws
+    /// Error(device) where there is none.
     [[nodiscard]] Candidate choose(const std::string& wish) const;
 
     /// What the validation layer had to say so far.
@@ -41,12 +50,7 @@ public:
 
 private:
     void listen();
-    /// volk's pointers are of the instance made last, which need not have the extension.
-    template<class Function>
-    [[nodiscard]] Function extension(const char* name) const
-    {
-        return reinterpret_cast<Function>(vkGetInstanceProcAddr(instance_, name));
-    }
+    [[nodiscard]] std::vector<VkPhysicalDevice> physicalDevices() const;
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;

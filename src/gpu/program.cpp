@@ -25,30 +25,29 @@ uint32_t groupSizeOf(std::span<const uint32_t> spirv)
 
 } // namespace
 
-Program::Program(const Device& device, std::span<const uint32_t> spirv)
-    : device_(device), groupSize_(groupSizeOf(spirv))
+Owned<VkShaderModule> shaderOf(const Device& device, std::span<const uint32_t> spirv)
 {
-    VkShaderModuleCreateInfo code{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-    code.codeSize = spirv.size_bytes();
-    code.pCode = spirv.data();
-    VkShaderModule shader = VK_NULL_HANDLE;
-    check(vkCreateShaderModule(device.handle(), &code, nullptr, &shader), "loading a program");
+    VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+    info.codeSize = spirv.size_bytes();
+    info.pCode = spirv.data();
+    return owned(device.handle(), vkCreateShaderModule, vkDestroyShaderModule, info,
+                 "loading a program");
+}
 
+Program::Program(const Device& device, std::span<const uint32_t> spirv)
+    : groupSize_(groupSizeOf(spirv))
+{
+    const Owned<VkShaderModule> shader = shaderOf(device, spirv);
     VkComputePipelineCreateInfo create{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
     create.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
     create.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-    create.stage.module = shader;
+    create.stage.module = shader.get();
     create.stage.pName = "main";
     create.layout = device.pipelineLayout();
-    const VkResult made =
-        vkCreateComputePipelines(device.handle(), nullptr, 1, &create, nullptr, &pipeline_);
-    vkDestroyShaderModule(device.handle(), shader, nullptr);
-    check(made, "compiling a program");
-}
-
-Program::~Program()
-{
-    vkDestroyPipeline(device_.handle(), pipeline_, nullptr);
+    VkPipeline made = VK_NULL_HANDLE;
+    check(vkCreateComputePipelines(device.handle(), nullptr, 1, &create, nullptr, &made),
+          "compiling a program");
+    pipeline_ = {device.handle(), made, vkDestroyPipeline};
 }
 
 } // namespace relamp::gpu

@@ -1,30 +1,31 @@
 #pragma once
 
 #include "gpu/device.h"
+#include "gpu/owned.h"
 #include "gpu/vulkan.h"
+#include "relamp/api.h"
 
 #include <span>
 
 namespace relamp::gpu
 {
 
+/// A shader as the driver takes it.
+RELAMP_API Owned<VkShaderModule> shaderOf(const Device& device, std::span<const uint32_t> spirv);
+
 /// A compute shader, ready to run.
 class Program
 {
 public:
     Program(const Device& device, std::span<const uint32_t> spirv);
-    ~Program();
-    Program(const Program&) = delete;
-    Program& operator=(const Program&) = delete;
 
-    [[nodiscard]] VkPipeline handle() const { return pipeline_; }
+    [[nodiscard]] VkPipeline handle() const { return pipeline_.get(); }
     /// Threads of a workgroup, as the shader says.
     [[nodiscard]] uint32_t groupSize() const { return groupSize_; }
 
 private:
-    const Device& device_;
     uint32_t groupSize_;
-    VkPipeline pipeline_ = VK_NULL_HANDLE;
+    Owned<VkPipeline> pipeline_;
 };
 
 } // namespace relamp::gpu

@@ -1,0 +1,18 @@
+#include "edit.h"
+
+relamp::DelightOptions Dials::options() const
+{
+    relamp::DelightOptions options;
+    options.solver = solver;
+    options.gather = gather;
+    options.pathtrace = pathtrace;
+    options.thesis = thesis;
+    options.albedo = albedo;
+    return options;
+}
+
+bool Edit::operator==(const Edit& other) const
+{
+    return light == other.light && scanned == other.scanned && dials == other.dials &&
+           view.view == other.view.view && view.exposure == other.view.exposure;
+}
