@@ -243,7 +243,7 @@ FrameTimes measureFrame(const Bench& bench, Progress& progress)
 struct LampRoom
 {
     LampRoom(const Scan& scan, Progress& progress)
-        : scene(scan), texels(rasterizeAtlas(scan, progress, surfelsOf(Quality::standard)))
+        : scene(scan), texels(rasterizeAtlas(scan, progress, surfelsOf(GatherOptions{})))
     {
         separateEnclosed(texels, scene, progress);
         solved = solvedRoom(texels, scene, findRoom(texels, scene, {}, progress));

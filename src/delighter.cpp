@@ -22,7 +22,7 @@ namespace
 /// The thesis filters within surfels, the others look about from each and need them small.
 SurfelOptions surfelsFor(const DelightOptions& options)
 {
-    return options.solver == Solver::thesis ? SurfelOptions{} : surfelsOf(options.gather.quality);
+    return options.solver == Solver::thesis ? SurfelOptions{} : surfelsOf(options.gather);
 }
 
 /// Before long work begins.

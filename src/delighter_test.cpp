@@ -107,6 +107,7 @@ TEST(Delighter, SolvesAsDelightDoesWhateverItSolvedBefore)
     DelightOptions other = draft();
     other.gather.notLights = {scenes::LitRoom::kSheetCentre};
     other.gather.shadowRays = 4;
+    other.gather.seed = 2;
     expectSame(room.delighter.solve(other, room.progress),
                delight(scenes::copyOf(room.scan), other, room.progress));
 

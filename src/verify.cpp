@@ -25,7 +25,7 @@ Verification verify(const std::filesystem::path& folder, const VerifyOptions& op
         result.fixtures.push_back(asThen.lights->nameOf(i));
 
     const RayScene scene(scan);
-    Texels texels = rasterizeAtlas(scan, progress, surfelsOf(run.gather.quality));
+    Texels texels = rasterizeAtlas(scan, progress, surfelsOf(run.gather));
     separateEnclosed(texels, scene, progress);
     const FoundRoom found = findRoom(texels, scene, asThen, progress);
     result.warnings.insert(result.warnings.end(), found.warnings.begin(), found.warnings.end());

@@ -158,6 +158,16 @@ void addGatherParameters(CLI::App& command, DelightArguments& arguments)
         ->check(between(1, 1024))
         ->type_name("N")
         ->group(kGatherGroup);
+    command
+        .add_option_function<uint32_t>(
+            "--seed",
+            [&options = arguments.options](uint32_t seed) {
+                options.gather.seed = options.pathtrace.seed = seed;
+            },
+            "Of where rays start and go, and of the pathtrace solver's random numbers [1]")
+        ->check(between(0, 4294967295.0))
+        ->type_name("N")
+        ->group(kGatherGroup);
 }
 
 void addPathtraceParameters(CLI::App& command, relamp::PathtraceOptions& pathtrace)
@@ -165,10 +175,6 @@ void addPathtraceParameters(CLI::App& command, relamp::PathtraceOptions& pathtra
     const std::string group = "Parameters of the pathtrace solver (and those of the gather solver)";
     command.add_option("--samples", pathtrace.samples, "Paths from every texel [64]")
         ->check(between(1, 65536))
-        ->type_name("N")
-        ->group(group);
-    command.add_option("--seed", pathtrace.seed, "Of its random numbers [1]")
-        ->check(between(0, 4294967295.0))
         ->type_name("N")
         ->group(group);
 }

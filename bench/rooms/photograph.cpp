@@ -69,12 +69,14 @@ Photograph photograph(const Atlas& atlas, const Baked& baked, float burntOut)
     Photograph result;
     result.mask = scored(atlas, baked);
     result.scale = exposed(baked, result.mask, burntOut);
+    result.seen.assign(atlas.pixels(), glm::vec3(0.0f));
     result.encoded.assign(3 * atlas.pixels(), 0);
     for (const Chart& chart : atlas.charts)
         forPixelsOf(atlas, chart, kPadding, [&](size_t pixel, size_t from) {
-            const glm::vec3 seen = glm::clamp(result.scale * baked.radiance(from), 0.0f, 1.0f);
+            result.seen[pixel] = result.scale * baked.radiance(from);
+            const glm::vec3 shown = glm::clamp(result.seen[pixel], 0.0f, 1.0f);
             for (int c = 0; c < 3; ++c)
-                result.encoded[3 * pixel + static_cast<size_t>(c)] = srgbByteFromLinear(seen[c]);
+                result.encoded[3 * pixel + static_cast<size_t>(c)] = srgbByteFromLinear(shown[c]);
         });
     return result;
 }

@@ -15,6 +15,7 @@ namespace relamp::rooms
 struct Photograph
 {
     glm::vec3 scale{1.0f};        // units of the texture a unit of the room's radiance
+    std::vector<glm::vec3> seen;  // linear, before anything burns out; charts go on as in `encoded`
     std::vector<uint8_t> encoded; // 8-bit sRGB, 3 a pixel; charts go on around their edges
     std::vector<uint8_t> mask;    // of pixels: 255 where an estimate is scored, else 0
 };

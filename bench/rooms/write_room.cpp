@@ -171,6 +171,7 @@ void writeRoom(const FinishedRoom& made, const fs::path& folder)
     const std::vector<uint8_t> png = encodePng(made.photo.encoded, sizeOf(made.atlas), 3);
     writeFile(folder / "scan.png", std::as_bytes(std::span(png)));
     writeScan(folder / "scan.glb", mesh, {png, "image/png"});
+    writeLayer(folder / "scan_hdr.exr", made.atlas, made.photo.seen, glm::vec3(1.0f));
     writeTruth(made, made.photo.mask, folder);
     writeFile(folder / "meta.json", metaJson(made, mesh.scan.triangleCount()));
 }
@@ -182,6 +183,7 @@ void writeReconstruction(const FinishedRoom& made, const fs::path& folder)
     const std::vector<uint8_t> jpeg = encodeJpeg(made.photo.encoded, sizeOf(made.atlas));
     writeFile(folder / "scan_recon.jpg", std::as_bytes(std::span(jpeg)));
     writeScan(folder / "scan_recon.glb", mesh, {jpeg, "image/jpeg"});
+    writeLayer(folder / "scan_recon_hdr.exr", made.atlas, made.photo.seen, glm::vec3(1.0f));
     writeTruth(made, maskOn(made, mesh), folder);
     writeFile(folder / "meta.json", metaJson(made, mesh.scan.triangleCount()));
 }

@@ -15,6 +15,12 @@ SHARED_FN float hashedShift(uint index, uint salt)
     return float(h >> 8) * (1.0f / 16777216.0f);
 }
 
+// The same of a seed; seed 1 leaves it as it is.
+SHARED_FN float seededShift(uint seed, uint index, uint salt)
+{
+    return hashedShift(index, salt + 256u * (seed - 1u));
+}
+
 // Point i of the R2 sequence (Roberts 2018), shifted; fills the unit square evenly at any length.
 SHARED_FN vec2 evenPoint(float i, vec2 shift)
 {

@@ -223,18 +223,18 @@ struct Partners
 };
 
 /// The class of a paint among cells whose edges lie elsewhere in each draw.
-uint64_t classOf(const Paint& paint, uint draw)
+uint64_t classOf(const Paint& paint, uint seed, uint draw)
 {
     const auto cell = [&](float value, float width, uint salt) {
         constexpr float kMiddle = 1 << 20; // classes are not negative
-        return static_cast<uint64_t>(value / width + hashedShift(draw, salt) + kMiddle);
+        return static_cast<uint64_t>(value / width + seededShift(seed, draw, salt) + kMiddle);
     };
     return cell(paint.red, kPaintColor, 1) << 42 | cell(paint.blue, kPaintColor, 2) << 21 |
            cell(paint.even, kPaintBrightness, 3);
 }
 
 /// Chains the surfels of each class in a random order, in each draw anew.
-Partners partnersOf(std::span<const Paint> paint)
+Partners partnersOf(std::span<const Paint> paint, uint seed)
 {
     struct Drawn
     {
@@ -248,7 +248,8 @@ Partners partnersOf(std::span<const Paint> paint)
         std::vector<Drawn> drawn;
         for (uint32_t s = 0; s < paint.size(); ++s)
             if (paint[s].belief >= 0.0f)
-                drawn.push_back({classOf(paint[s], draw), hashedShift(s, 10 + draw), s});
+                drawn.push_back(
+                    {classOf(paint[s], seed, draw), seededShift(seed, s, 10 + draw), s});
         std::sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) {
             return std::tie(a.paint, a.order, a.surfel) < std::tie(b.paint, b.order, b.surfel);
         });
@@ -407,7 +408,7 @@ std::vector<float> correctionOf(const Surfels& surfels, const SurfelRadiance& ra
     std::vector<Paint> paint = paintOf(radiance, hits, light);
     const Sheet sheet = sheetOf(surfels, paint);
     clearOfPatterns(surfels, hits, sheet, paint);
-    const Eigen::VectorXf lit = Settling(sheet, partnersOf(paint), paint).run();
+    const Eigen::VectorXf lit = Settling(sheet, partnersOf(paint, surfels.seed), paint).run();
     std::vector<float> shares(surfels.count());
     for (size_t s = 0; s < shares.size(); ++s)
         shares[s] = std::exp(std::min(lit[static_cast<Eigen::Index>(s)], kMostLacking));

@@ -59,7 +59,8 @@ std::vector<MaterialPair> drawPairs(const FitData& data, std::span<const uint32_
     const std::vector<PairPlace> places = placesOf(data, surfels, all);
     const auto count = static_cast<uint32_t>(places.size());
     if (count < 2) return pairs;
-    std::mt19937 random(1); // its raw numbers are the same everywhere; distributions need not be
+    std::mt19937 random(
+        all.seed); // its raw numbers are the same everywhere; distributions need not be
     for (uint32_t p = 0; p < count; ++p) {
         size_t found = 0;
         for (size_t attempt = 0; attempt < kTriesPerPair * perPlace && found < perPlace;

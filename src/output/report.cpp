@@ -79,7 +79,8 @@ ordered_json optionsAsJson(const GatherOptions& gather)
             {"rays", gather.rays},
             {"shadowRays", gather.shadowRays},
             {"lights", placesAsJson(gather.lights)},
-            {"notLights", placesAsJson(gather.notLights)}};
+            {"notLights", placesAsJson(gather.notLights)},
+            {"raySeed", gather.seed}};
 }
 
 ordered_json optionsOfPathtrace(const DelightOptions& options)

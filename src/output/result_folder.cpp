@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -27,6 +28,7 @@ FormerRun runFrom(const JsonItem& report, const std::filesystem::path& folder)
 {
     constexpr std::int64_t kMostTriangles = std::int64_t{1} << 40;
     constexpr int kMostRays = 1024;
+    constexpr std::int64_t kMostSeed = std::numeric_limits<uint32_t>::max();
     constexpr int kLongestPageSide = 1 << 20;
 
     const JsonItem scan = report.objectAt("scan");
@@ -50,6 +52,7 @@ FormerRun runFrom(const JsonItem& report, const std::filesystem::path& folder)
     if (named<Quality>(options.text("quality", "")) == Quality::draft)
         run.gather.quality = Quality::draft;
     run.gather.rays = static_cast<int>(options.whole("rays", 0, kMostRays, run.gather.rays));
+    run.gather.seed = static_cast<uint32_t>(options.whole("raySeed", 0, kMostSeed, 1));
     run.gather.lights = options.vectors("lights");
     run.gather.notLights = options.vectors("notLights");
     return run;

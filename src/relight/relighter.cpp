@@ -65,7 +65,7 @@ Texels checkedTexels(const DelitRoom& room, const RayScene& scene, Progress& pro
 {
     checkSizes(*room.scan, room.albedo, room.confidence);
     checkMaps(room);
-    Texels texels = rasterizeAtlas(*room.scan, progress, surfelsOf(room.gather.quality));
+    Texels texels = rasterizeAtlas(*room.scan, progress, surfelsOf(room.gather));
     checkOverlap(texels);
     separateEnclosed(texels, scene, progress);
     return texels;

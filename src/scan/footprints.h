@@ -14,6 +14,8 @@ public:
 
     /// A place within a texel, `u` in its unit square. A vertex that stands for a texel is a point.
     [[nodiscard]] TexelSite at(size_t texel, glm::vec2 u) const;
+    /// Of the patterns that rays from them follow.
+    [[nodiscard]] uint32_t seed() const { return texels_.surfels.seed; }
 
 private:
     const Texels& texels_;

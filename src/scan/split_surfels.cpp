@@ -180,7 +180,8 @@ void splitSurfels(Texels& texels, const TexelMarks& marks, SurfelPart part)
             partsOf[run.surfel] |= marks[p][i] != 0 ? kGoes : kStays;
     });
     const Surfels before = std::move(texels.surfels);
-    Surfels& surfels = texels.surfels = {.size = before.size, .grid = before.grid};
+    Surfels& surfels =
+        texels.surfels = {.size = before.size, .seed = before.seed, .grid = before.grid};
     std::vector<uint32_t> first(partsOf.size());
     std::vector<uint8_t> isNew;
     for (size_t s = 0; s < partsOf.size(); ++s) {

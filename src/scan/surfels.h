@@ -18,6 +18,7 @@ namespace relamp
 struct Surfels
 {
     float size = 0.0f; // metres; edge of the cells that texels are gathered in
+    uint32_t seed = 1; // of the patterns that rays from surfels, and pairs of them, follow
     SurfelGrid grid;
     SurfelCells cells;
     std::vector<uint64_t> key; // of grid, ascending

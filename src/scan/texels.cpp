@@ -242,6 +242,7 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions&
     }
 
     texels.surfels.size = static_cast<float>(surfelSizeFor(texels, coverages, surfels));
+    texels.surfels.seed = surfels.seed;
     texels.surfels.grid = SurfelGrid(boundsOf(scan).low, texels.surfels.size);
     std::vector<PageKeys> keys(pages);
     std::vector<uint64_t> surfelKeys;
@@ -302,7 +303,8 @@ TexelIndex SurfelSites::texelOf(uint32_t surfel, size_t i) const
 {
     constexpr size_t kStride = 7919; // prime: visits all texels before it repeats
     const Range& range = ranges_[surfel];
-    return {range.page, range.begin + static_cast<uint32_t>(i * kStride % range.count)};
+    const size_t place = i + texels_.surfels.seed - 1;
+    return {range.page, range.begin + static_cast<uint32_t>(place * kStride % range.count)};
 }
 
 TexelLoader::TexelLoader(const Texels& texels, size_t page)

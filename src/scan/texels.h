@@ -71,6 +71,8 @@ public:
     [[nodiscard]] TexelIndex texelOf(uint32_t surfel, size_t i) const;
     /// How many `at` chooses from; the first that many `i` give each of them once.
     [[nodiscard]] size_t countOf(uint32_t surfel) const { return ranges_[surfel].count; }
+    /// Of the patterns that rays from them follow.
+    [[nodiscard]] uint32_t seed() const { return texels_.surfels.seed; }
 
 private:
     struct Range
@@ -91,6 +93,7 @@ struct SurfelOptions
     double largest = 0.12;     // m
     bool layered = false;      // one surfel a layer: see separateLayers
     bool connected = true;     // else separateEnclosed follows and finds their neighbours
+    uint32_t seed = 1; // of the patterns in which surfels and their surroundings are sampled
 
     bool operator==(const SurfelOptions&) const = default;
 };

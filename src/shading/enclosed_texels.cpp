@@ -54,7 +54,8 @@ std::vector<uint8_t> suspects(const Texels& texels, const RayScene& scene)
 bool isCovered(const RayScene& scene, const Footprints& prints, uint32_t texel, glm::vec2 u,
                size_t ray)
 {
-    const glm::vec2 shift(hashedShift(texel, 8), hashedShift(texel, 9));
+    const uint32_t seed = prints.seed();
+    const glm::vec2 shift(seededShift(seed, texel, 8), seededShift(seed, texel, 9));
     const TexelSite site = prints.at(texel, u);
     return meetsBack(scene, {.origin = site.position + kOffSurface * site.normal,
                              .direction = cosineDirection(
@@ -71,7 +72,8 @@ bool isEnclosed(const RayScene& scene, const Footprints& prints, uint32_t texel)
 /// Of a texel whose middle is covered; most of them are all over, which the first few places tell.
 uint8_t openShare(const RayScene& scene, const Footprints& prints, uint32_t texel)
 {
-    const glm::vec2 within(hashedShift(texel, 10), hashedShift(texel, 11));
+    const uint32_t seed = prints.seed();
+    const glm::vec2 within(seededShift(seed, texel, 10), seededShift(seed, texel, 11));
     size_t open = 0;
     for (size_t i = 0; i < kPlacesOfTexel; ++i) {
         if (i == kRaysOfTexel && open == 0) return 0;

@@ -223,7 +223,8 @@ void castSides(const Caster& caster, std::span<const Side> sides, size_t raysOfS
 } // namespace
 
 RaysOfSide::RaysOfSide(const SurfelSites& sites, Side side)
-    : sites_(sites), side_(side), shift_(hashedShift(side.index, 1), hashedShift(side.index, 2)),
+    : sites_(sites), side_(side),
+      shift_(seededShift(sites.seed(), side.index, 1), seededShift(sites.seed(), side.index, 2)),
       count_(sites.countOf(side.surfel()))
 {
     for (size_t i = 0; i < count_ && count_ <= kMost; ++i) site_[i] = sites.at(side.surfel(), i);

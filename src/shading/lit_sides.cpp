@@ -37,11 +37,13 @@ class Lookouts
 public:
     static constexpr size_t kMost = 64;
 
-    void add(const SurfelSites& sites, Side side)
+    explicit Lookouts(const SurfelSites& sites) : sites_(sites) {}
+
+    void add(Side side)
     {
         const size_t first = block_.count;
         for (size_t k = 0; k < (side.isBack() ? kOriginsOfBack : kOrigins); ++k) {
-            TexelSite origin = sites.at(side.surfel(), k);
+            TexelSite origin = sites_.at(side.surfel(), k);
             if (side.isBack()) origin.normal = -origin.normal;
             block_.x[block_.count] = origin.position.x;
             block_.y[block_.count] = origin.position.y;
@@ -61,8 +63,8 @@ public:
     {
         AreaSampler sampler(scene, lamp.light, Geometry::scanned);
         for (size_t i = 0; i < count_; ++i)
-            sampler.add(originsOf(i), lamp.raysPerOrigin, hashedShift(sides_[i].side.index, 0),
-                        seen[i]);
+            sampler.add(originsOf(i), lamp.raysPerOrigin,
+                        seededShift(sites_.seed(), sides_[i].side.index, 0), seen[i]);
         sampler.finish();
         float open[TexelBlock::kPadded];
         openIrradiance(block_, patches, Geometry::scanned, open);
@@ -88,6 +90,7 @@ private:
         return {origins_ + sides_[i].first, origins_ + sides_[i + 1].first};
     }
 
+    const SurfelSites& sites_;
     TexelBlock block_; // of all origins
     TexelSite origins_[kMost * kOrigins];
     Looking sides_[kMost + 1]; // and one more
@@ -161,9 +164,9 @@ std::vector<std::vector<AreaSample>> directOfLists(const Texels& texels, const R
     for (const SoughtLamp& lamp : lamps) patches.emplace_back(lamp.light);
     std::vector<std::vector<AreaSample>> direct(lamps.size(), std::vector<AreaSample>(count));
     forEachChunk(count, Lookouts::kMost, [&](size_t begin, size_t end) {
-        Lookouts lookouts;
+        Lookouts lookouts(sites);
         for (size_t i = begin; i < end; ++i)
-            lookouts.add(sites, hits.sideOfList[lists.empty() ? i : lists[i]]);
+            lookouts.add(hits.sideOfList[lists.empty() ? i : lists[i]]);
         for (size_t l = 0; l < lamps.size(); ++l)
             lookouts.look(scene, lamps[l], patches[l],
                           std::span(direct[l]).subspan(begin, end - begin));

@@ -134,7 +134,7 @@ std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const See
             if (states[s] != Seen::some) continue;
             for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {
                 const TexelSite site = sites_.at(s, probe - firstProbe_[s]);
-                sampler.add({&site, 1}, rays[s], hashedShift(probe, 0),
+                sampler.add({&site, 1}, rays[s], seededShift(sites_.seed(), probe, 0),
                             samples[probe - firstProbe]);
             }
         }

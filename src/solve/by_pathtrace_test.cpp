@@ -31,7 +31,7 @@ struct PaperRoom
 {
     explicit PaperRoom(glm::vec3 radiance)
         : scan(scenes::room(kSize, 40, paper)), scene(scan),
-          texels(rasterizeAtlas(scan, progress, surfelsOf(Quality::standard)))
+          texels(rasterizeAtlas(scan, progress, surfelsOf(GatherOptions{})))
     {
         separateEnclosed(texels, scene, progress);
         const TracedRoom room = roomWith(radiance);

@@ -192,10 +192,12 @@ FoundLamps litOf(const FoundRoom& room, bool withSunlit)
 
 } // namespace
 
-SurfelOptions surfelsOf(Quality quality)
+SurfelOptions surfelsOf(const GatherOptions& options)
 {
-    return {
-        .texelsAcross = quality == Quality::draft ? 4.0 : 2.0, .layered = true, .connected = false};
+    return {.texelsAcross = options.quality == Quality::draft ? 4.0 : 2.0,
+            .layered = true,
+            .connected = false,
+            .seed = options.seed};
 }
 
 FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOptions& options,

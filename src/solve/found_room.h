@@ -20,7 +20,7 @@ namespace relamp
 {
 
 /// As fine as light changes on walls; coarse for a draft. separateEnclosed has to follow.
-SurfelOptions surfelsOf(Quality quality);
+SurfelOptions surfelsOf(const GatherOptions& options);
 
 /// The sun, and what it does to a room.
 struct SunOnRoom

@@ -12,7 +12,7 @@ namespace
 Texels texelsOf(const Scan& scan, const RayScene& scene)
 {
     Progress progress;
-    Texels texels = rasterizeAtlas(scan, progress, surfelsOf(Quality::draft));
+    Texels texels = rasterizeAtlas(scan, progress, surfelsOf({.quality = Quality::draft}));
     separateEnclosed(texels, scene, progress);
     return texels;
 }
