@@ -1,6 +1,6 @@
 #include "edit.h"
 
-relamp::DelightOptions Dials::options() const
+relamp::DelightOptions SolverParameters::options() const
 {
     relamp::DelightOptions options;
     options.solver = solver;
@@ -13,6 +13,6 @@ relamp::DelightOptions Dials::options() const
 
 bool Edit::operator==(const Edit& other) const
 {
-    return light == other.light && scanned == other.scanned && dials == other.dials &&
+    return light == other.light && scanned == other.scanned && parameters == other.parameters &&
            view.view == other.view.view && view.exposure == other.view.exposure;
 }

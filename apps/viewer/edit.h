@@ -7,8 +7,8 @@
 
 #include <cstddef>
 
-/// The solver and its dials, as far as the viewer has them.
-struct Dials
+/// The solver and its parameters, as far as the viewer has them.
+struct SolverParameters
 {
     relamp::Solver solver = relamp::Solver::gather;
     relamp::GatherOptions gather;
@@ -16,7 +16,7 @@ struct Dials
     relamp::ThesisOptions thesis;
     relamp::AlbedoOptions albedo;
 
-    bool operator==(const Dials& other) const = default;
+    bool operator==(const SolverParameters& other) const = default;
     [[nodiscard]] relamp::DelightOptions options() const;
 };
 
@@ -26,7 +26,7 @@ struct Edit
     LightDocument light;  // how it shall shine now
     ScannedItems scanned; // how it was on the day of the scan
     relamp::ViewOptions view;
-    Dials dials;
+    SolverParameters parameters;
 
     bool operator==(const Edit& other) const;
 };

@@ -176,15 +176,9 @@ bool ScriptRunner::isThere(const std::string& what, const Viewer& viewer) const
     const Stage stage = viewer.studio.stage();
     if (what == "scan") return stage >= Stage::scanned;
     if (what == "draft") return stage >= Stage::drafted;
-<<<<<<< HEAD
     if (what == "solve") return stage == Stage::solved && !viewer.studio.reevaluates();
-    if (what == "glance") return viewer.studio.isGlanced();
-    if (what == "relit") return viewer.studio.isRelit();
-=======
-    if (what == "solve") return stage == Stage::solved && !viewer.studio.resolves();
     if (what == "glance") return viewer.studio.light().isGlanced();
     if (what == "relit") return viewer.studio.light().isRelit();
->>>>>>> f9eea98772763ae505793aee9f146a4ce5d07605
     if (what == "rest") return viewer.studio.rests();
     wrongCommand(
         fmt::format("\"{}\" never comes; one can wait for scan, draft, solve, glance, relit, rest "
@@ -207,13 +201,8 @@ void ScriptRunner::end(const ScriptCommand& command, Viewer& viewer)
                    1000.0 * busy / std::max(frames, 1.0));
         if (viewer.studio.light().isGlanced())
             fmt::print("{:.0f} ms for the last glance at the light\n",
-<<<<<<< HEAD
-                       viewer.studio.glanceMilliseconds());
-        if (const auto milliseconds = viewer.studio.reevaluateMilliseconds())
-=======
                        viewer.studio.light().glanceMilliseconds());
-        if (const auto milliseconds = viewer.studio.resolveMilliseconds())
->>>>>>> f9eea98772763ae505793aee9f146a4ce5d07605
+        if (const auto milliseconds = viewer.studio.reevaluateMilliseconds())
             fmt::print("{:.0f} ms until the albedo followed a lamp of the scan\n", *milliseconds);
         std::fflush(stdout);
     }

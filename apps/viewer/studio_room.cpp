@@ -12,14 +12,14 @@ constexpr auto kPatience = std::chrono::seconds(1);
 
 void Studio::open(const std::filesystem::path& path, const relamp::ScanOptions& options)
 {
-    opening_ = Opening{++openings_, edit.dials, resolving_.has_value()};
-    opening_->dials.gather.lights.clear(); // places in another room
-    opening_->dials.gather.notLights.clear();
+    opening_ = Opening{++openings_, edit.parameters, reevaluating_.has_value()};
+    opening_->parameters.gather.lights.clear(); // places in another room
+    opening_->parameters.gather.notLights.clear();
     hasFailed_ = false;
-    resolving_.reset();
+    reevaluating_.reset();
     isCameraUntouched = true;
     solver_.start([this, path, options, number = opening_->number, limits = drawing_.limits(),
-                   dials = optionsOf(opening_->dials)](relamp::Progress& progress) {
+                   parameters = optionsOf(opening_->parameters)](relamp::Progress& progress) {
         try {
             const auto read =
                 std::make_shared<const ReadRoom>(readRoom(path, options, limits, progress));
@@ -31,7 +31,7 @@ void Studio::open(const std::filesystem::path& path, const relamp::ScanOptions& 
                 if (room_.scan == read->scan) look(around);
             });
             if (read->solver)
-                read->solver->solve(dials, {}, sendTo(&Studio::adoptSolved, read->solver),
+                read->solver->solve(parameters, {}, sendTo(&Studio::adoptSolved, read->solver),
                                     progress);
         } catch (const std::exception&) { // of which the worker tells
             mailbox_.post([this, number] { goOn(number); });
@@ -46,13 +46,13 @@ void Studio::adopt(const ReadRoom& read)
              .scan = read.scan,
              .mesh = read.mesh,
              .solver = read.solver,
-             .solvedBy = std::exchange(opening_, std::nullopt)->dials,
+             .solvedBy = std::exchange(opening_, std::nullopt)->parameters,
              .stage = Stage::scanned,
              .lightsFolder = folderOf(read.path)};
     edit.light = {};
     edit.scanned = {};
-    edit.dials.gather.lights.clear();
-    edit.dials.gather.notLights.clear();
+    edit.parameters.gather.lights.clear();
+    edit.parameters.gather.notLights.clear();
     selection = {}; // may be of the room before
     applied_ = edit;
     history_ = History<Edit>(edit);
@@ -68,7 +68,8 @@ void Studio::adopt(const ReadRoom& read)
     camera.setRoom(nullptr);
     for (const std::string& warning : room_.scan->warnings) say(warning);
     if (read.solved) adoptSolved(*read.solved);
-    if (read.solver && edit.dials != room_.solvedBy) solveAgain(); // they were turned meanwhile
+    if (read.solver && edit.parameters != room_.solvedBy)
+        solveAgain(); // they were turned meanwhile
 }
 
 void Studio::look(const Surroundings& around)
@@ -83,15 +84,15 @@ void Studio::goOn(size_t failed)
 {
     if (!opening_ || opening_->number != failed) return;
     const Opening opening = *std::exchange(opening_, std::nullopt);
-    if (room_.scan && (room_.stage != Stage::solved || edit.dials != room_.solvedBy))
+    if (room_.scan && (room_.stage != Stage::solved || edit.parameters != room_.solvedBy))
         solveAgain();
-    else if (opening.resolved && canResolve())
-        resolve();
+    else if (opening.reevaluated && canReevaluate())
+        reevaluate();
 }
 
-relamp::DelightOptions Studio::optionsOf(const Dials& dials) const
+relamp::DelightOptions Studio::optionsOf(const SolverParameters& parameters) const
 {
-    relamp::DelightOptions options = dials.options();
+    relamp::DelightOptions options = parameters.options();
     if (options.solver != relamp::Solver::pathtrace) options.engine = engine_; // that has none
     return options;
 }
@@ -117,18 +118,19 @@ void Studio::solveAgain()
 {
     if (!room_.scan || opening_) return;
     hasFailed_ = false;
-    resolving_.reset();
+    reevaluating_.reset();
     room_.stage = Stage::scanned;
-    room_.solvedBy = edit.dials;
+    room_.solvedBy = edit.parameters;
     if (!room_.solver) room_.solver = std::make_shared<RoomSolver>(room_.scan, drawing_.limits());
-    solver_.start([solver = room_.solver, dials = optionsOf(edit.dials), scanned = scannedLight(),
+    solver_.start([solver = room_.solver, parameters = optionsOf(edit.parameters),
+                   scanned = scannedLight(),
                    found = sendTo(&Studio::adoptSolved, room_.solver)](relamp::Progress& progress) {
-        solver->solve(dials, scanned, found, progress);
+        solver->solve(parameters, scanned, found, progress);
     });
 }
 
 /// Whether more of the room is kept than its pictures.
-bool Studio::canResolve() const
+bool Studio::canReevaluate() const
 {
     return !opening_ && room_.stage == Stage::solved && room_.solver && room_.decomposition &&
            room_.decomposition->optionsInForce().solver == relamp::Solver::gather;
@@ -136,22 +138,22 @@ bool Studio::canResolve() const
 
 /// What runs and is soon over is shown first, or nothing would be while a slider is drawn; the
 /// newest wish follows when it is adopted.
-void Studio::resolve()
+void Studio::reevaluate()
 {
     const auto now = std::chrono::steady_clock::now();
-    if (resolving_ && now - *resolving_ < kPatience) return;
+    if (reevaluating_ && now - *reevaluating_ < kPatience) return;
     hasFailed_ = false;
-    resolving_ = now;
+    reevaluating_ = now;
     solver_.start(
-        [solver = room_.solver, albedo = edit.dials.albedo, scanned = scannedLight(),
-         found = sendTo(&Studio::adoptResolved, room_.solver)](relamp::Progress& progress) {
-            solver->resolve(albedo, scanned, found, progress);
+        [solver = room_.solver, albedo = edit.parameters.albedo, scanned = scannedLight(),
+         found = sendTo(&Studio::adoptReevaluated, room_.solver)](relamp::Progress& progress) {
+            solver->reevaluate(albedo, scanned, found, progress);
         });
 }
 
 void Studio::stopSolving()
 {
-    resolving_.reset();
+    reevaluating_.reset();
     opening_.reset();
     solver_.cancel();
 }
@@ -167,25 +169,25 @@ void Studio::adoptSolved(const Solved& solved)
     room_.decomposition = solved.decomposition;
     room_.notes.clear();
     tell(solved.notes);
-    if (canResolve() && edit.scanned != solved.scanned) resolve(); // it was said meanwhile
+    if (canReevaluate() && edit.scanned != solved.scanned) reevaluate(); // it was said meanwhile
 }
 
 /// The same room with another albedo.
-void Studio::adoptResolved(const Solved& solved)
+void Studio::adoptReevaluated(const Solved& solved)
 {
-    if (!resolving_) return; // it was broken off
+    if (!reevaluating_) return; // it was broken off
     adoptTextures(solved);
     if (solved.isDraft) return;
     const std::chrono::duration<double, std::milli> took =
-        std::chrono::steady_clock::now() - *resolving_;
-    room_.resolveMilliseconds = took.count();
-    resolving_.reset();
+        std::chrono::steady_clock::now() - *reevaluating_;
+    room_.reevaluateMilliseconds = took.count();
+    reevaluating_.reset();
     room_.captured = solved.captured;
     light_.repaint(solved.paint);
     sendLight();
     room_.decomposition = solved.decomposition;
     tell(solved.notes);
-    if (edit.scanned != solved.scanned || edit.dials.albedo != solved.albedo) resolve();
+    if (edit.scanned != solved.scanned || edit.parameters.albedo != solved.albedo) reevaluate();
 }
 
 void Studio::adoptTextures(const Solved& solved)

@@ -4,25 +4,28 @@
 #include "fit/pairs.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace relamp
 {
+double knob(const char* name, double otherwise);
 namespace
 {
 
 constexpr size_t kEvidencePlaces = 6000;
 constexpr size_t kPlacesOfDraft = 2000;
-constexpr size_t kPlacesBurntOut = 150;
-constexpr float kAllBurntOut = 0.9f; // of a surfel's area
+constexpr size_t kLooks = 12;        // from a piece, at the others
 constexpr float kAround = 1.6f;      // surfel sizes
 
-std::vector<SoughtLamp> soughtOf(std::span<const Suspect> suspects, size_t raysPerOrigin)
+std::vector<SoughtLamp> soughtOf(std::span<const Piece> pieces, size_t raysPerOrigin)
 {
     std::vector<SoughtLamp> lamps;
-    for (const Suspect& suspect : suspects)
-        lamps.push_back({AreaLight(suspect.candidate.patches), raysPerOrigin * suspect.rays()});
+    for (const Piece& piece : pieces)
+    {
+        static const float kPerRay = static_cast<float>(knob("K_PERRAY", 0.05));
+        const size_t more = raysPerOrigin > 1 ? raysPerOrigin : static_cast<size_t>(std::clamp(piece.candidate.area / kPerRay, 1.0f, 6.0f));
+        lamps.push_back({AreaLight(piece.candidate.patches), more * piece.rays()});
+    }
     return lamps;
 }
 
@@ -36,6 +39,18 @@ void forEachAround(const Surfels& surfels, uint32_t place, const Visit& visit)
     }
 }
 
+/// Fronts of some of a piece's surfels, evenly.
+std::vector<uint32_t> looksFrom(const Piece& piece)
+{
+    std::vector<uint32_t> lists;
+    for (const ClippedPatch& patch : piece.candidate.patches)
+        if (patch.surfel != Surfels::kNone) lists.push_back(patch.surfel);
+    const size_t looks = std::min(kLooks, lists.size());
+    for (size_t k = 0; k < looks; ++k) lists[k] = lists[k * lists.size() / looks];
+    lists.resize(looks);
+    return lists;
+}
+
 } // namespace
 
 LampEvidence::LampEvidence(const Texels& texels, const RayScene& scene, const HitLists& hits,
@@ -43,7 +58,6 @@ LampEvidence::LampEvidence(const Texels& texels, const RayScene& scene, const Hi
     : texels_(texels), scene_(scene), hits_(hits), radiance_(radiance), field_(fieldOf(radiance))
 {
     choosePlaces(quality == Quality::draft ? kPlacesOfDraft : kEvidencePlaces);
-    if (tells()) chooseBurntOut();
     findAround();
 }
 
@@ -57,19 +71,6 @@ void LampEvidence::choosePlaces(size_t most)
             good.push_back(s);
     const size_t count = std::min(most, good.size());
     for (size_t i = 0; i < count; ++i) places_.push_back(good[i * good.size() / count]);
-}
-
-/// Burnt-out walls that bound the lamps from below; lamps are left out as long as they are some.
-void LampEvidence::chooseBurntOut()
-{
-    std::vector<ClippedPatch> whole;
-    for (const ClippedPatch& patch : radiance_.clipped)
-        if (patch.area > kAllBurntOut * texels_.surfels.area[patch.surfel]) whole.push_back(patch);
-    const size_t count = std::min(kPlacesBurntOut, whole.size());
-    for (size_t i = 0; i < count; ++i) {
-        burntOut_.push_back(whole[i * whole.size() / count]);
-        places_.push_back(burntOut_.back().surfel);
-    }
 }
 
 void LampEvidence::findAround()
@@ -88,10 +89,10 @@ void LampEvidence::findAround()
 
 void LampEvidence::drawAllPairs()
 {
-    FitData seen;
-    for (size_t i = 0; i < measured(); ++i) seen.radiance.push_back(radiance_.plain[places_[i]]);
-    for (const size_t perPlace : {kPairsFirst, kPairsOfTrial, kPairs})
-        pairs_[perPlace] = drawPairs(seen, places_, texels_.surfels, perPlace);
+    std::vector<glm::vec3> shown;
+    for (const uint32_t place : places_) shown.push_back(radiance_.plain[place]);
+    for (const size_t perPlace : {kPairsFirst, kPairs})
+        pairs_[perPlace] = drawPairs(shown, places_, texels_.surfels, perPlace);
 }
 
 std::span<const MaterialPair> LampEvidence::pairs(size_t perPlace) const
@@ -99,71 +100,90 @@ std::span<const MaterialPair> LampEvidence::pairs(size_t perPlace) const
     return pairs_.at(perPlace);
 }
 
-void LampEvidence::look(std::span<Suspect> suspects, size_t raysPerOrigin) const
+void LampEvidence::look(std::span<Piece> pieces, size_t raysPerOrigin) const
 {
     const auto samples =
-        directOfLists(texels_, scene_, hits_, soughtOf(suspects, raysPerOrigin), places_);
-    for (size_t f = 0; f < suspects.size(); ++f) {
-        suspects[f].direct.clear();
-        for (const AreaSample& sample : samples[f]) suspects[f].direct.push_back(sample.visible);
+        directOfLists(texels_, scene_, hits_, soughtOf(pieces, raysPerOrigin), places_);
+    for (size_t f = 0; f < pieces.size(); ++f) {
+        pieces[f].direct.clear();
+        for (const AreaSample& sample : samples[f]) pieces[f].direct.push_back(sample.visible);
     }
 }
 
-void LampEvidence::letShine(std::span<const Suspect> suspects)
+LightModel LampEvidence::modelOf(std::span<const Piece> pieces)
 {
     std::fill(field_.shines.begin(), field_.shines.end(), uint8_t{0});
-    for (const Suspect& suspect : suspects)
-        for (const ClippedPatch& patch : suspect.candidate.patches)
+    for (const Piece& piece : pieces)
+        for (const ClippedPatch& patch : piece.candidate.patches)
             if (patch.surfel != Surfels::kNone) field_.shines[patch.surfel] = 1;
-}
-
-/// Mean over the surfels around a place: bounce light changes slowly, its few rays are noisy.
-void LampEvidence::addGathered(const Gathered& gathered, uint32_t place, size_t at,
-                               FitData& data) const
-{
-    float count = 0.0f;
-    forEachAround(texels_.surfels, place, [&](uint32_t n) {
-        data.gathered[at] += gathered.irradiance[placeInAround_[n]];
-        data.missed[at] += gathered.missed[placeInAround_[n]];
-        count += 1.0f;
-    });
-    data.gathered[at] /= count;
-    data.missed[at] /= count;
-}
-
-FitData LampEvidence::dataOf(std::span<const Suspect> suspects) const
-{
-    FitData data{.lamps = suspects.size()};
-    std::vector<size_t> taken(measured());
-    std::iota(taken.begin(), taken.end(), size_t{0});
-    for (const size_t i : taken) data.radiance.push_back(radiance_.plain[places_[i]]);
-    for (size_t i = 0; i < burntOut_.size(); ++i) {
-        if (field_.shines[burntOut_[i].surfel] != 0) continue;
-        taken.push_back(measured() + i);
-        data.radiance.push_back(burntOut_[i].radiance);
-        ++data.burntOut;
-    }
-    data.gathered.resize(taken.size(), glm::vec3(0.0f));
-    data.missed.resize(taken.size(), 0.0f);
-    data.direct.resize(taken.size() * data.lamps);
+    LightModel model{.pieces = pieces.size()};
+    const size_t rows = places_.size() + pieces.size();
+    model.shown.resize(rows, glm::vec3(0.0f));
+    model.gathered.resize(rows, glm::vec3(0.0f));
+    model.missed.resize(rows, 0.0f);
+    model.direct.resize(rows * pieces.size(), 0.0f);
     const Gathered gathered = settling_.gather(field_);
-    forEach(taken.size(), [&](size_t at) {
-        addGathered(gathered, places_[taken[at]], at, data);
-        for (size_t f = 0; f < data.lamps; ++f)
-            data.direct[at * data.lamps + f] = suspects[f].direct[taken[at]];
+    forEach(places_.size(), [&](size_t i) {
+        float count = 0.0f; // around it: bounce light changes slowly, its few rays are noisy
+        forEachAround(texels_.surfels, places_[i], [&](uint32_t n) {
+            model.gathered[i] += gathered.irradiance[placeInAround_[n]];
+            model.missed[i] += gathered.missed[placeInAround_[n]];
+            count += 1.0f;
+        });
+        model.gathered[i] /= count;
+        model.missed[i] /= count;
+        model.shown[i] = radiance_.plain[places_[i]];
+        for (size_t f = 0; f < pieces.size(); ++f)
+            model.direct[i * pieces.size() + f] = pieces[f].direct[i];
     });
-    return data;
+    addLightOnPieces(pieces, model);
+    return model;
 }
 
-void LampEvidence::settle(std::span<Suspect> suspects, glm::vec3 ambient)
+/// Means over some looks from each piece.
+void LampEvidence::addLightOnPieces(std::span<const Piece> pieces, LightModel& model) const
+{
+    std::vector<uint32_t> lists;
+    std::vector<size_t> first{0};
+    for (const Piece& piece : pieces) {
+        const std::vector<uint32_t> looks = looksFrom(piece);
+        lists.insert(lists.end(), looks.begin(), looks.end());
+        first.push_back(lists.size());
+    }
+    model.area.assign(pieces.size(), 0.0f);
+    if (lists.empty()) return;
+    const auto light = directOfLists(texels_, scene_, hits_, soughtOf(pieces, 1), lists);
+    const Gathered gathered = gather(hits_, field_, lists);
+    for (size_t f = 0; f < pieces.size(); ++f) {
+        const size_t place = model.placeOf(f);
+        for (const ClippedPatch& patch : pieces[f].candidate.patches)
+            model.shown[place] += patch.area * patch.radiance;
+        model.shown[place] /= pieces[f].candidate.area;
+        if (first[f + 1] == first[f]) continue;
+        model.area[f] = pieces[f].candidate.area;
+        const auto per = 1.0f / static_cast<float>(first[f + 1] - first[f]);
+        for (size_t k = first[f]; k < first[f + 1]; ++k) {
+            model.gathered[place] += per * gathered.irradiance[k];
+            model.missed[place] += per * gathered.missed[k];
+            for (size_t other = 0; other < pieces.size(); ++other)
+                if (pieces[other].body != pieces[f].body)
+                    model.direct[place * model.pieces + other] += per * light[other][k].visible;
+        }
+    }
+}
+
+void LampEvidence::settle(std::span<Piece> lamps, glm::vec3 ambient)
 {
     std::vector<glm::vec3> direct(hits_.sideOfList.size(), glm::vec3(0.0f));
-    auto onSides = directOfLists(texels_, scene_, hits_, soughtOf(suspects, 1));
-    for (size_t f = 0; f < suspects.size(); ++f) {
-        suspects[f].onSides = std::move(onSides[f]);
-        addDirect(suspects[f].onSides, suspects[f].radiance, direct);
+    std::vector<uint8_t> shines(field_.shines.size(), 0);
+    auto onSides = directOfLists(texels_, scene_, hits_, soughtOf(lamps, 1));
+    for (size_t f = 0; f < lamps.size(); ++f) {
+        lamps[f].onSides = std::move(onSides[f]);
+        addDirect(lamps[f].onSides, lamps[f].radiance, direct);
+        for (const ClippedPatch& patch : lamps[f].candidate.patches)
+            if (patch.surfel != Surfels::kNone) shines[patch.surfel] = 1;
     }
-    field_ = lightSides(texels_, hits_, radiance_, std::move(direct), field_.shines, ambient).field;
+    field_ = lightSides(texels_, hits_, radiance_, std::move(direct), shines, ambient).field;
 }
 
 } // namespace relamp

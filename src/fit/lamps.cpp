@@ -1,61 +1,55 @@
 #include "fit/lamps.h"
 
 #include "base/call_all.h"
+#include "base/parallel.h"
 #include "base/radiometry.shared.h"
-#include "fit/bright_walls.h"
-#include "fit/gained.h"
 #include "fit/lamp_evidence.h"
 #include "fit/lamp_groups.h"
-#include "fit/lit_powers.h"
-#include "fit/missed.h"
-#include "fit/powers.h"
-#include "fit/suspects.h"
+#include "fit/light_fit.h"
+#include "fit/pieces.h"
 #include "lights/lamp_body.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <map>
-#include <set>
+#include <cstdlib>
+#include <numeric>
+#include <optional>
+#include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace relamp
 {
+double knob(const char* name, double otherwise);
 namespace
 {
 
-constexpr size_t kMostCandidates = 96;
-constexpr size_t kSearchSteps = 4;       // of the search, as progress tells
-constexpr double kToleranceFirst = 1e-4; // of a fit that only tells what is worth looking at
-constexpr size_t kRaysPerOrigin = 6; // at a place, to those that remain: noise would make them weak
-constexpr float kHardlyWhite = 1.05f;   // luminance at the first look, which few rays make dim
-constexpr float kAboutWhite = 1.2f;     // below, it lights its surroundings as a wall would
-constexpr float kHardlyShare = 0.001f;  // of the light at places
-constexpr float kLeastShare = 0.0015f;  // below, a lamp does not matter
-constexpr float kLeastReach = 0.02f;    // of places that see it; else it is in a pocket of the scan
-constexpr float kExplainedWhite = 0.8f; // of white
-constexpr float kHardlyBrighter = 0.7f; // log radiance over that of a wall in its place
-constexpr float kErrorsBrighter = 0.13f;  // standard errors more
-constexpr float kPieceMissed = 0.008f;    // rise of the fit's loss; it lights 1 % of the pairs
-constexpr float kWallPieceMissed = 0.03f; // of what would be burnt out anyway
-constexpr float kWallMissed = 0.04f;      // of that, once pieces are joined to lamps
-constexpr float kSmallWallMissed = 2.5f;  // times that, of pieces of less than kLarge
-constexpr float kFadingMissed = 1.5f;     // times that, of what fades as walls do
-constexpr float kGreyWall = 0.5f;         // radiance
-constexpr float kDarkWall = 0.2f;         // what the room hardly lights hardly lights the room
-constexpr float kGreyMissed = 0.003f;     // of what is small
-constexpr float kLarge = 100.0f;          // surfels
-constexpr float kSmallLamp = 10.0f;       // surfels
-constexpr float kSpeck = 1.0f;            // surfels
-constexpr float kHardlyMissed = 0.15f;    // of these
-constexpr float kBright = 500.0f;         // few lamps are brighter
-constexpr float kBrightMissed = 0.01f;    // of those, a factor of e beyond
-constexpr float kGained = 0.004f;         // fall of the fit's loss; a wall's piece gains less
-constexpr size_t kMostRegained = 8;       // at a time
-constexpr int kMostRegains = 4;
-constexpr float kTold = 0.5f; // of the prior's variance; beyond, data decide
+constexpr size_t kMostPieces = 96;
+constexpr size_t kSearchSteps = 4;   // of the search, as progress tells
+constexpr size_t kRaysPerOrigin = 6; // at a place, to what emits: noise would make it weak
+const double kLampNats = knob("K_LAMPNATS", 1.5);   // that it takes to believe in a lamp
+const double kModelNats = knob("K_MODELNATS", 0.75);  // where one of its model is there
+constexpr double kFirstWidth = 6.0;  // times the noise: what the first loss forgives
+constexpr size_t kTries = 4;         // of the most promising pieces, each time one is added
+constexpr int kChoices = 4;           // of taking away and adding, at most
+constexpr double kUnknown = 0.7;     // standard error of log radiance: about a factor of two
+constexpr double kColourSpread = 0.5; // log: of a lamp's channels about its luminance
+constexpr double kColourWidth = 2.0; // times the noise: where the loss for a channel begins
+
+std::string unknownAt(glm::vec3 place, size_t lamps)
+{
+    if (lamps > 1)
+        return fmt::format("the scan does not tell how bright the {} lights around {:.2f}, {:.2f}, "
+                           "{:.2f} are, for they light little that can be seen; their radiance is "
+                           "a guess. Set it in lights.json and pass that with --lights",
+                           lamps, place.x, place.y, place.z);
+    return fmt::format("the scan does not tell how bright the light at {:.2f}, {:.2f}, {:.2f} is, "
+                       "for it lights little that can be seen; its radiance is a guess. Set it in "
+                       "lights.json and pass that with --lights",
+                       place.x, place.y, place.z);
+}
 
 class LampSearch
 {
@@ -66,49 +60,60 @@ public:
     FoundLamps run();
 
 private:
-    void takeCandidates(const GatherOptions& options);
-    void addSuspects(LampGroup group);
-    void fit(size_t pairsPerPlace, bool oneChannel);
-    size_t passOver(std::span<const uint8_t> gone);
-    size_t dropWalls(float leastRadiance, float leastShare, float leastReach);
-    size_t dropExplained();
-    void dropUnlikely();
-    void dropNeedless(float missedIfWall);
-    [[nodiscard]] std::vector<Suspect> worthAnotherLook() const;
-    void regain();
-    [[nodiscard]] std::vector<float> rises();
-    [[nodiscard]] std::vector<float> needs(float missedIfWall);
-    [[nodiscard]] BrightWalls walls() const;
-    [[nodiscard]] float brightnessOfWall(const BrightWalls& walls, size_t suspect) const;
-    [[nodiscard]] bool isExplained(const BrightWalls& walls, size_t suspect) const;
+    void takeCandidates(const GatherOptions& options, const SurfelRadiance& radiance);
+    void addPieces(LampGroup group);
+    void observe();
+    [[nodiscard]] LightFit fitOf(size_t pairs) const;
+    [[nodiscard]] double costOf(uint32_t piece, std::span<const uint8_t> emitting) const;
+    [[nodiscard]] Removal removalOf(uint32_t piece) const;
+    void choose(size_t pairs);
+    bool prune(const LightFit& fit);
+    struct Addition
+    {
+        uint32_t piece = 0;
+        double gain = 0.0; // nats
+        double log = 0.0;  // radiance to start from
+        LightEstimate estimate{};
+    };
+    [[nodiscard]] std::optional<Addition> bestAddition(const LightFit& fit,
+                                                       std::span<const uint8_t> emits,
+                                                       const LightEstimate& estimate,
+                                                       const Removal& refused) const;
+    bool drop(const LightFit& fit);
+    bool grow(const LightFit& fit);
+    bool exchange(const LightFit& fit);
+    void lookCloser();
+    void join();
+    void findColors();
+    [[nodiscard]] std::vector<Piece> lamps() const;
+    FoundLamps result();
+    void dump(const char* title) const;
 
     const Texels& texels_;
     const RayScene& scene_;
-    const HitLists& hits_;
-    const SurfelRadiance& radiance_;
     Progress::Stage stage_;
     LampEvidence evidence_;
-    std::vector<Suspect> suspects_;
-    std::vector<Suspect> passedOver_; // as they were looked at last
-    std::set<size_t> triedAgain_;     // bodies
+    std::vector<Piece> pieces_;
+    std::vector<uint8_t> emits_; // of pieces
+    LightModel model_;
+    Kinship kin_;
+    LightEstimate estimate_;
+    glm::vec3 ambient_{0.0f};
     std::vector<std::string> warnings_;
-    Powers powers_;
-    bool isFitted_ = false;
 };
 
 LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
                        const SurfelRadiance& radiance, const GatherOptions& options,
                        Progress& progress)
-    : texels_(texels), scene_(scene), hits_(hits), radiance_(radiance),
-      stage_(progress, "lamps", kSearchSteps),
+    : texels_(texels), scene_(scene), stage_(progress, "lamps", kSearchSteps),
       evidence_(texels, scene, hits, radiance, options.quality)
 {
-    callAll([&] { takeCandidates(options); }, [&] { evidence_.drawAllPairs(); });
+    callAll([&] { takeCandidates(options, radiance); }, [&] { evidence_.drawAllPairs(); });
 }
 
-void LampSearch::takeCandidates(const GatherOptions& options)
+void LampSearch::takeCandidates(const GatherOptions& options, const SurfelRadiance& radiance)
 {
-    std::vector<Candidate> candidates = findCandidates(texels_, radiance_);
+    std::vector<Candidate> candidates = findCandidates(texels_, radiance);
     std::vector<uint8_t> isGiven(candidates.size() + 1, 0);
     std::vector<uint8_t> isRefused(candidates.size() + 1, 0);
     const auto mark = [&](glm::vec3 place, std::vector<uint8_t>& marks) {
@@ -126,309 +131,367 @@ void LampSearch::takeCandidates(const GatherOptions& options)
     std::erase_if(isGiven, [&](uint8_t) { return isRefused[c++] != 0; });
     c = 0;
     std::erase_if(candidates, [&](const Candidate&) { return isRefused[c++] != 0; });
-    LampGroups lamps = groupLamps(std::move(candidates), isGiven, kMostCandidates);
+    LampGroups lamps = groupLamps(std::move(candidates), isGiven, kMostPieces);
     if (lamps.leftOut > 0)
         warnings_.push_back(fmt::format("{} burnt-out pieces, {:.2f} m^2 together, are more than "
                                         "the {} largest and were taken for no lights; point at "
                                         "those that are with --light",
-                                        lamps.leftOut, lamps.areaLeftOut, kMostCandidates));
-    for (LampGroup& group : lamps.groups) addSuspects(std::move(group));
-    evidence_.look(suspects_, 1);
+                                        lamps.leftOut, lamps.areaLeftOut, kMostPieces));
+    for (LampGroup& group : lamps.groups) addPieces(std::move(group));
+    emits_.assign(pieces_.size(), 1);
+    evidence_.look(pieces_, 1);
     stage_.advance();
 }
 
 /// A group is flat and so has no far side.
-void LampSearch::addSuspects(LampGroup group)
+void LampSearch::addPieces(LampGroup group)
 {
-    const size_t body = suspects_.size();
-    Suspect suspect{.candidate = std::move(group.whole),
-                    .isGiven = group.isGiven,
-                    .body = body,
-                    .ends = std::move(group.ends)};
+    const size_t body = pieces_.size();
+    Piece piece{.candidate = std::move(group.whole),
+                .ends = std::move(group.ends),
+                .isGiven = group.isGiven,
+                .body = body};
     Candidate unseen;
-    if (suspect.ends.empty()) unseen = unseenSideOf(suspect.candidate, texels_, scene_);
-    suspects_.push_back(std::move(suspect));
+    if (piece.ends.empty()) unseen = unseenSideOf(piece.candidate, texels_, scene_);
+    pieces_.push_back(std::move(piece));
     if (unseen.patches.empty()) return;
-    suspects_.push_back({.candidate = std::move(unseen), .body = body, .isUnseen = true});
+    pieces_.push_back({.candidate = std::move(unseen), .body = body, .isUnseen = true});
 }
 
-void LampSearch::fit(size_t pairsPerPlace, bool oneChannel)
+void LampSearch::observe()
 {
-    evidence_.letShine(suspects_);
-    const FitData data = evidence_.dataOf(suspects_);
-    const std::span pairs = evidence_.pairs(pairsPerPlace);
-    PowersOptions options{.oneChannel = oneChannel, .alike = alikesOf(suspects_)};
-    if (isFitted_) { // most of it is known; a narrower loss finds the rest
-        options.firstScale = 2.0 * options.lastScale;
-        for (const Suspect& suspect : suspects_) options.start.push_back(suspect.radiance);
-        options.start.push_back(powers_.ambient);
-    } else {
-        options.tolerance = kToleranceFirst;
-    }
-    isFitted_ = true;
-    std::vector<float> areas;
-    for (const Suspect& suspect : suspects_) areas.push_back(suspect.candidate.area);
-    powers_ = oneChannel ? fitPowers(data, pairs, options)
-                         : fitLitPowers(data, pairs, areas, std::move(options));
-    for (size_t f = 0; f < suspects_.size(); ++f) {
-        suspects_[f].radiance = powers_.radiance[f];
-        suspects_[f].logError = powers_.logError[f];
-        suspects_[f].told = powers_.told[f];
-    }
-    findShares(data, powers_.ambient, suspects_);
-    stage_.advance(0);
+    model_ = evidence_.modelOf(pieces_);
+    kin_ = kinshipOf(pieces_);
 }
 
-/// One flag a suspect; returns how many went.
-size_t LampSearch::passOver(std::span<const uint8_t> gone)
+LightFit LampSearch::fitOf(size_t pairs) const
 {
-    size_t kept = 0;
-    for (size_t f = 0; f < suspects_.size(); ++f) {
-        if (gone[f] != 0) passedOver_.push_back(suspects_[f]);
-        if (gone[f] == 0) std::swap(suspects_[kept++], suspects_[f]);
-    }
-    const size_t dropped = suspects_.size() - kept;
-    suspects_.resize(kept);
-    return dropped;
+    return {model_, evidence_.pairs(pairs), kin_.alike};
 }
 
-size_t LampSearch::dropWalls(float leastRadiance, float leastShare, float leastReach)
+/// Nats that it takes to believe that a piece emits; fewer where one like it does, none for a part
+/// of one.
+double LampSearch::costOf(uint32_t piece, std::span<const uint8_t> emitting) const
 {
-    std::vector<uint8_t> gone;
-    for (const Suspect& suspect : suspects_)
-        gone.push_back(!suspect.isGiven &&
-                       (luminance(suspect.radiance) < leastRadiance || suspect.share < leastShare ||
-                        suspect.reach() < leastReach));
-    return passOver(gone) + dropHalves(suspects_);
+    const auto emits = [&](uint32_t other) { return emitting[other] != 0; };
+    const auto anyOf = [&](const std::vector<uint32_t>& others) {
+        return std::any_of(others.begin(), others.end(), emits);
+    };
+    if (pieces_[piece].isUnseen) return 0.0;
+    return anyOf(kin_.model[piece]) || anyOf(kin_.leansOn[piece]) ? kModelNats : kLampNats;
 }
 
-BrightWalls LampSearch::walls() const
+/// A piece with all that leans on nothing else.
+Removal LampSearch::removalOf(uint32_t piece) const
 {
-    std::vector<std::span<const ClippedPatch>> lamps;
-    for (const Suspect& suspect : suspects_) lamps.emplace_back(suspect.candidate.patches);
-    return {texels_, scene_, hits_, lamps};
-}
-
-float LampSearch::brightnessOfWall(const BrightWalls& walls, size_t f) const
-{
-    std::vector<glm::vec3> radiances;
-    for (const Suspect& suspect : suspects_) radiances.push_back(suspect.radiance);
-    return walls.insteadOf(f, evidence_.field(), powers_.ambient, radiances);
-}
-
-/// Whether a wall in its place would be burnt out, and it is hardly brighter than that wall.
-bool LampSearch::isExplained(const BrightWalls& walls, size_t f) const
-{
-    const float wall = brightnessOfWall(walls, f);
-    const float above = std::log(luminance(suspects_[f].radiance) / std::max(wall, 1.0f));
-    return wall > kExplainedWhite &&
-           above < kHardlyBrighter + kErrorsBrighter * suspects_[f].logError.g;
-}
-
-/// The weakest that is explained goes first: what it was thought to do falls to the others.
-size_t LampSearch::dropExplained()
-{
-    std::vector<size_t> order(suspects_.size());
-    for (size_t f = 0; f < order.size(); ++f) order[f] = f;
-    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
-        return suspects_[a].power() < suspects_[b].power();
-    });
-    std::vector<uint8_t> gone(suspects_.size(), 0);
-    const BrightWalls ofAll = walls();
-    for (const size_t f : order) {
-        if (suspects_[f].isGiven || suspects_[f].isUnseen || !isExplained(ofAll, f)) continue;
-        gone[f] = 1;
-        suspects_[f].radiance = glm::vec3(0.0f); // it explains nobody any more
-    }
-    return passOver(gone);
-}
-
-/// How much worse the pairs agree without one lamp, the others free to take its part.
-std::vector<float> LampSearch::rises()
-{
-    const FitData data = evidence_.dataOf(suspects_);
-    PowersOptions options{.firstScale = PowersOptions{}.lastScale, .oneChannel = true};
-    options.alike = alikesOf(suspects_);
-    options.start = powers_.radiance;
-    options.start.push_back(powers_.ambient);
-    std::vector<std::vector<uint8_t>> gone(suspects_.size());
-    for (size_t f = 0; f < gone.size(); ++f) gone[f] = goneWith(suspects_, f);
-    return missed(data, evidence_.pairs(LampEvidence::kPairsOfTrial), options, gone);
-}
-
-/// How much a lamp of `surfels` must be missed to stay that ends sharply. Where a wall would be
-/// burnt out, much, and what is small there, which are many, most; where it would be grey, hardly
-/// or not at all: something has to make it bright. Where it would be dark, the room does not light
-/// it, and it does not light the room: what is bright there, and what is small, is mostly a flaw of
-/// the texture.
-float missedAtLeast(float brightnessOfWall, float surfels, float ifWall)
-{
-    if (brightnessOfWall > kExplainedWhite)
-        return surfels < kLarge ? kSmallWallMissed * ifWall : ifWall;
-    if (surfels < kSpeck) return kWallMissed;
-    if (brightnessOfWall < kDarkWall)
-        return std::lerp(kWallPieceMissed, kGreyMissed, brightnessOfWall / kDarkWall);
-    const float aboveGrey = (brightnessOfWall - kGreyWall) / (kExplainedWhite - kGreyWall);
-    return std::max(surfels < kSmallLamp ? kGreyMissed : 0.0f, kPieceMissed * aboveGrey);
-}
-
-/// How much more a lamp of that radiance must be missed: a speck can be anything to the fit.
-float missedIfBright(float radiance)
-{
-    return kBrightMissed * std::max(std::log(radiance / kBright), 0.0f);
-}
-
-/// By how much more than needed for it to stay each suspect is missed, as a ratio. One model is
-/// missed as a whole, and a pane where a wall would be grey as much as the one beside it.
-std::vector<float> LampSearch::needs(float missedIfWall)
-{
-    const float areaOfSurfel = texels_.surfels.size * texels_.surfels.size;
-    const std::vector<float> rise = rises();
-    const BrightWalls ofAll = walls();
-    std::vector<float> need(rise.size(), std::numeric_limits<float>::max());
-    std::vector<uint8_t> mayBePane(rise.size(), 0);
-    for (uint32_t f = 0; f < need.size(); ++f) {
-        const Suspect& suspect = suspects_[f];
-        const bool likeWall = !suspect.isUnseen && fades(texels_, radiance_, suspect.candidate);
-        const float wall = likeWall || suspect.isUnseen ? 1.0f : brightnessOfWall(ofAll, f);
-        float surfels = 0.0f;
-        float risen = 0.0f;
-        for (const uint32_t member : familyOf(suspects_, f)) {
-            surfels += suspects_[member].candidate.area / areaOfSurfel;
-            risen += rise[member];
+    std::vector<uint8_t> isGone(pieces_.size(), 0);
+    isGone[piece] = 1;
+    Removal removal{{piece}, costOf(piece, emits_)};
+    for (size_t k = 0; k < removal.pieces.size(); ++k)
+        for (uint32_t f = 0; f < pieces_.size(); ++f) {
+            if (emits_[f] == 0 || isGone[f] != 0 || pieces_[f].isGiven) continue;
+            const std::vector<uint32_t>& on = kin_.leansOn[f];
+            const auto isLeft = [&](uint32_t other) {
+                return emits_[other] != 0 && isGone[other] == 0;
+            };
+            if (std::find(on.begin(), on.end(), removal.pieces[k]) == on.end() ||
+                std::any_of(on.begin(), on.end(), isLeft))
+                continue;
+            isGone[f] = 1;
+            removal.pieces.push_back(f);
         }
-        const float ifWall = likeWall ? kFadingMissed * missedIfWall : missedIfWall;
-        const float least =
-            missedAtLeast(wall, surfels, ifWall) + missedIfBright(luminance(suspect.radiance));
-        if (!suspect.isGiven && least > 0.0f) need[f] = risen / least;
-        mayBePane[f] = wall < kExplainedWhite && surfels >= kSmallLamp;
-    }
-    for (size_t f = 0; f < need.size(); ++f)
-        for (size_t other = 0; other < need.size() && mayBePane[f] != 0; ++other)
-            if (need[other] > 1.0f && need[f] <= 1.0f &&
-                arePanesOfOne(suspects_[f], suspects_[other]))
-                need[f] = need[other];
-    return need;
+    return removal;
 }
 
-/// The least missed go first, and those that are hardly missed all at once.
-void LampSearch::dropNeedless(float missedIfWall)
+void LampSearch::dump(const char* title) const
 {
-    while (suspects_.size() > 1) {
-        const std::vector<float> need = needs(missedIfWall);
-        const float least = *std::min_element(need.begin(), need.end());
-        if (least > 1.0f) break;
-        const float limit = std::max(least, kHardlyMissed);
-        std::vector<uint8_t> gone;
-        for (const float n : need) gone.push_back(n <= limit);
-        passOver(gone);
-        dropHalves(suspects_);
-        fit(LampEvidence::kPairs, true);
+    if (std::getenv("K_DUMP") == nullptr) return;
+    const LightFit fit = fitOf(LampEvidence::kPairsFirst);
+    double total = estimate_.nats;
+    for (uint32_t f = 0; f < pieces_.size(); ++f)
+        if (emits_[f]) total += costOf(f, emits_);
+    fmt::print(stderr, "-- {} TOTAL {:.2f} nats {:.2f} residual {:.3f} outside {:.3f}\n", title, total, estimate_.nats,
+               estimate_.residual, std::exp(estimate_.log.back()));
+    for (uint32_t f = 0; f < pieces_.size(); ++f) {
+        if (emits_[f] == 0) continue;
+        const Piece& p = pieces_[f];
+        fmt::print(stderr,
+                   "{:3} {} {:6.4f} m2 at {:.2f} {:.2f} {:.2f}{} r {:8.2f} err {:.2f} wall {:.2f} cost {:.0f}\n",
+                   f, emits_[f] ? "LAMP" : "wall", p.candidate.area, p.candidate.centre.x,
+                   p.candidate.centre.y, p.candidate.centre.z, p.isUnseen ? " far" : "",
+                   std::exp(estimate_.log[f]), estimate_.error[f], 
+                   std::exp(fit.reflected(f, estimate_.log)), costOf(f, emits_));
     }
 }
 
-/// Candidates that were passed over and would do much for the fit as it is: the light of a window
-/// can fall to the crumbs along its frame before these are known for what they are. Not what is
-/// small: it can be anything to the fit.
-std::vector<Suspect> LampSearch::worthAnotherLook() const
+/// Lets no piece emit that the rest explains; false where all are needed.
+bool LampSearch::prune(const LightFit& fit)
 {
-    const float small = kSmallLamp * texels_.surfels.size * texels_.surfels.size;
-    std::vector<const Suspect*> passed;
-    std::vector<std::span<const float>> direct;
-    for (const Suspect& suspect : passedOver_) {
-        if (suspect.isUnseen || suspect.candidate.area < small) continue;
-        if (triedAgain_.contains(suspect.body)) continue;
-        passed.push_back(&suspect);
-        direct.emplace_back(suspect.direct);
+    bool isAny = false;
+    for (;;) {
+        std::vector<Removal> removals;
+        for (uint32_t f = 0; f < pieces_.size(); ++f)
+            if (emits_[f] != 0 && !pieces_[f].isGiven) removals.push_back(removalOf(f));
+        const std::vector<uint8_t> gone = fit.needless(estimate_, emits_, removals);
+        bool isOne = false;
+        for (size_t k = 0; k < removals.size(); ++k) {
+            if (gone[k] == 0) continue;
+            isOne = true;
+            emits_[removals[k].pieces.front()] = 0;
+        }
+        if (!isOne) return isAny;
+        isAny = true;
+        estimate_ = fit.solve(emits_, estimate_.log, 1.0);
+        dump("pruned");
     }
-    const std::vector<Gain> gains = gained(
-        evidence_.dataOf(suspects_), evidence_.pairs(LampEvidence::kPairsFirst), powers_, direct);
-    std::multimap<float, size_t, std::greater<>> byGain;
-    for (size_t i = 0; i < gains.size(); ++i)
-        if (gains[i].loss > kGained) byGain.emplace(gains[i].loss, i);
-    std::vector<Suspect> found;
-    for (const auto& [gain, i] : byGain) {
-        if (found.size() == kMostRegained) break;
-        found.push_back(*passed[i]);
-        found.back().radiance = glm::vec3(gains[i].radiance);
+}
+
+/// The same by fits without each of them; the least needed goes first.
+bool LampSearch::drop(const LightFit& fit)
+{
+    struct Trial
+    {
+        std::vector<uint8_t> emits;
+        LightEstimate estimate{};
+        double lost = 0.0; // nats
+    };
+    for (bool isAny = false;; isAny = true) {
+        std::vector<Trial> trials;
+        for (uint32_t f = 0; f < pieces_.size(); ++f) {
+            if (emits_[f] == 0 || pieces_[f].isGiven) continue;
+            const Removal removal = removalOf(f);
+            trials.push_back({emits_});
+            for (const uint32_t piece : removal.pieces) trials.back().emits[piece] = 0;
+            trials.back().lost = -removal.cost;
+        }
+        forEach(trials.size(), [&](size_t k) {
+            trials[k].estimate = fit.solve(trials[k].emits, estimate_.log, 1.0);
+            trials[k].lost += trials[k].estimate.nats - estimate_.nats;
+        });
+        const auto least =
+            std::min_element(trials.begin(), trials.end(),
+                             [](const Trial& a, const Trial& b) { return a.lost < b.lost; });
+        if (least == trials.end() || least->lost >= 0.0) return isAny;
+        if (std::getenv("K_DUMP")) fmt::print(stderr, "drop {} lost {:.1f}\n", least - trials.begin(), least->lost);
+        emits_ = std::move(least->emits);
+        estimate_ = std::move(least->estimate);
     }
+}
+
+/// The piece whose emission gains most beside those of `emits`; none where nothing gains.
+std::optional<LampSearch::Addition> LampSearch::bestAddition(const LightFit& fit,
+                                                             std::span<const uint8_t> emits,
+                                                             const LightEstimate& estimate,
+                                                             const Removal& refused) const
+{
+    std::vector<Addition> additions;
+    for (uint32_t f = 0; f < pieces_.size(); ++f) {
+        const auto& no = refused.pieces;
+        if (emits[f] == 0 && !pieces_[f].isUnseen && model_.area[f] > 0.0f &&
+            std::find(no.begin(), no.end(), f) == no.end())
+            additions.push_back({f});
+    }
+    forEach(additions.size(), [&](size_t k) {
+        Addition& a = additions[k];
+        a.gain = fit.gain(estimate, a.piece, a.log) - costOf(a.piece, emits);
+    });
+    std::stable_sort(additions.begin(), additions.end(),
+                     [](const Addition& a, const Addition& b) { return a.gain > b.gain; });
+    std::erase_if(additions, [](const Addition& a) { return a.log <= 0.0; });
+    additions.resize(std::min(additions.size(), kTries));
+    forEach(additions.size(), [&](size_t k) {
+        Addition& a = additions[k];
+        std::vector<uint8_t> with(emits.begin(), emits.end());
+        with[a.piece] = 1;
+        std::vector<double> start = estimate.log;
+        start[a.piece] = a.log;
+        a.estimate = fit.solve(with, std::move(start), 1.0);
+        a.gain = estimate.nats - a.estimate.nats - costOf(a.piece, emits);
+    });
+    const auto best =
+        std::max_element(additions.begin(), additions.end(),
+                         [](const Addition& a, const Addition& b) { return a.gain < b.gain; });
+    if (best == additions.end() || best->gain <= 0.0) return std::nullopt;
+    return std::move(*best);
+}
+
+/// Lets the piece emit that the light of the room asks for most, again and again; false where none
+/// is asked for.
+bool LampSearch::grow(const LightFit& fit)
+{
+    for (bool isAny = false;; isAny = true) {
+        std::optional<Addition> best = bestAddition(fit, emits_, estimate_, {});
+        if (!best) return isAny;
+        if (std::getenv("K_DUMP")) fmt::print(stderr, "add {} gain {:.1f} r {:.2f}\n", best->piece, best->gain, std::exp(best->estimate.log[best->piece]));
+        emits_[best->piece] = 1;
+        estimate_ = std::move(best->estimate);
+    }
+}
+
+/// Lets another piece emit in the place of one, or none, where that is likelier; false where it is
+/// not: a lamp and the wall that it burns out do much the same.
+bool LampSearch::exchange(const LightFit& fit)
+{
+    bool isAny = false;
+    for (uint32_t f = 0; f < pieces_.size(); ++f) {
+        if (emits_[f] == 0 || pieces_[f].isGiven) continue;
+        const Removal removal = removalOf(f);
+        std::vector<uint8_t> emits = emits_;
+        for (const uint32_t piece : removal.pieces) emits[piece] = 0;
+        LightEstimate less = fit.solve(emits, estimate_.log, 1.0);
+        const double lost = less.nats - estimate_.nats - removal.cost;
+        std::optional<Addition> best = bestAddition(fit, emits, less, removal);
+        if ((best ? best->gain : 0.0) <= lost) continue;
+        if (std::getenv("K_DUMP")) fmt::print(stderr, "exchange {} lost {:.1f} for {} gain {:.1f}\n", f, lost, best?(int)best->piece:-1, best?best->gain:0.0);
+        isAny = true;
+        emits_ = std::move(emits);
+        if (best) emits_[best->piece] = 1;
+        estimate_ = best ? std::move(best->estimate) : std::move(less);
+    }
+    return isAny;
+}
+
+/// Decides which pieces emit, from an estimate where more or fewer do.
+void LampSearch::choose(size_t pairs)
+{
+    LightFit fit = fitOf(pairs);
+    fit.expectLeaks(estimate_.log);
+    estimate_ = fit.solve(emits_, estimate_.log, 1.0);
+    dump("choose");
+    for (int round = 0; round < kChoices; ++round) {
+        prune(fit);
+        drop(fit);
+        const bool isMore = grow(fit);
+        if ((knob("K_EXCHANGE", 0) == 0.0 || !exchange(fit)) && !isMore) return;
+    }
+}
+
+std::vector<Piece> LampSearch::lamps() const
+{
+    std::vector<Piece> lamps;
+    for (size_t f = 0; f < pieces_.size(); ++f)
+        if (emits_[f] != 0) lamps.push_back(pieces_[f]);
+    return lamps;
+}
+
+/// One ray an origin is noise, which makes the light of a lamp seem weaker than it is.
+void LampSearch::lookCloser()
+{
+    std::vector<Piece> lamps = this->lamps();
+    evidence_.look(lamps, kRaysPerOrigin);
+    auto next = lamps.begin();
+    for (size_t f = 0; f < pieces_.size(); ++f)
+        if (emits_[f] != 0) pieces_[f] = std::move(*next++);
+    observe();
+}
+
+void LampSearch::join()
+{
+    for (size_t f = 0; f < pieces_.size(); ++f)
+        pieces_[f].radiance = glm::vec3(static_cast<float>(std::exp(estimate_.log[f])));
+    std::vector<Piece> lamps = this->lamps();
+    joinPieces(lamps);
+    const size_t count = lamps.size();
+    for (size_t f = 0; f < pieces_.size(); ++f)
+        if (emits_[f] == 0 && !pieces_[f].isUnseen) lamps.push_back(std::move(pieces_[f]));
+    pieces_ = std::move(lamps);
+    emits_.assign(pieces_.size(), 0);
+    std::fill_n(emits_.begin(), count, uint8_t{1});
+    const double outside = estimate_.log.back();
+    estimate_.log.clear();
+    for (const Piece& piece : pieces_)
+        estimate_.log.push_back(std::log(static_cast<double>(luminance(piece.radiance))));
+    estimate_.log.push_back(outside);
+    observe();
+}
+
+/// Each channel by itself, near the luminance; burnt-out walls and backs settle in that light, and
+/// once more.
+void LampSearch::findColors()
+{
+    for (int round = 0; round < 2; ++round) {
+        LightFit fit = fitOf(LampEvidence::kPairs);
+        fit.expectLeaks(estimate_.log);
+        estimate_ = fit.solve(emits_, estimate_.log, 1.0);
+        std::array<LightEstimate, 3> colors;
+        forEach(3, [&](size_t c) {
+            LightFit channel(model_, evidence_.pairs(LampEvidence::kPairs), kin_.alike,
+                             static_cast<int>(c));
+            channel.expectLeaks(estimate_.log);
+            colors[c] = channel.solve(emits_, estimate_.log, kColourWidth,
+                                      {estimate_.log, kColourSpread});
+        });
+        const auto radianceOf = [&](size_t f) {
+            glm::vec3 rgb;
+            for (size_t c = 0; c < 3; ++c)
+                rgb[static_cast<int>(c)] = static_cast<float>(std::exp(colors[c].log[f]));
+            return rgb * static_cast<float>(std::exp(estimate_.log[f])) / luminance(rgb);
+        };
+        for (size_t f = 0; f < pieces_.size(); ++f) {
+            pieces_[f].radiance = radianceOf(f);
+            pieces_[f].error = static_cast<float>(estimate_.error[f]);
+        }
+        ambient_ = radianceOf(pieces_.size());
+        if (round > 0) return;
+        std::vector<Piece> lamps = this->lamps();
+        evidence_.settle(lamps, ambient_);
+        auto next = lamps.begin();
+        for (size_t f = 0; f < pieces_.size(); ++f)
+            if (emits_[f] != 0) pieces_[f] = std::move(*next++);
+        observe();
+    }
+}
+
+FoundLamps LampSearch::result()
+{
+    FoundLamps found{.ambient = ambient_,
+                     .residual = static_cast<float>(estimate_.residual),
+                     .warnings = std::move(warnings_)};
+    std::vector<Piece> lamps = this->lamps();
+    const auto power = [](const Piece& lamp) {
+        return lamp.candidate.area * luminance(lamp.radiance);
+    };
+    std::stable_sort(lamps.begin(), lamps.end(),
+                     [&](const Piece& a, const Piece& b) { return power(a) > power(b); });
+    for (Piece& lamp : lamps) {
+        const bool isDetermined = static_cast<double>(lamp.error) < kUnknown;
+        if (!isDetermined)
+            found.warnings.push_back(unknownAt(lamp.candidate.centre, lamp.ends.size()));
+        found.lamps.push_back({std::move(lamp.candidate.patches), lamp.radiance,
+                               glm::vec3(lamp.error), std::move(lamp.onSides), false, isDetermined,
+                               std::move(lamp.ends)});
+    }
+    stage_.advance();
     return found;
-}
-
-/// Looks again at what was passed over, until that makes the pairs agree no better.
-void LampSearch::regain()
-{
-    for (int round = 0; round < kMostRegains; ++round) {
-        std::vector<Suspect> again = worthAnotherLook();
-        if (again.empty()) return;
-        const std::vector<Suspect> before = suspects_;
-        const Powers powersBefore = powers_;
-        for (const Suspect& suspect : again) triedAgain_.insert(suspect.body);
-        evidence_.look(again, kRaysPerOrigin);
-        suspects_.insert(suspects_.end(), again.begin(), again.end());
-        dropUnlikely();
-        dropNeedless(kWallPieceMissed);
-        if (powers_.loss < powersBefore.loss - kGained) continue;
-        suspects_ = before;
-        powers_ = powersBefore;
-        return;
-    }
-}
-
-std::string unknownAt(glm::vec3 place, size_t lamps)
-{
-    if (lamps > 1)
-        return fmt::format("the scan does not tell how bright the {} lights around {:.2f}, {:.2f}, "
-                           "{:.2f} are, for they light little that can be seen; their radiance is "
-                           "a guess. Set it in lights.json and pass that with --lights",
-                           lamps, place.x, place.y, place.z);
-    return fmt::format("the scan does not tell how bright the light at {:.2f}, {:.2f}, {:.2f} is, "
-                       "for it lights little that can be seen; its radiance is a guess. Set it in "
-                       "lights.json and pass that with --lights",
-                       place.x, place.y, place.z);
-}
-
-/// Fits until no suspect is a wall, or could be one.
-void LampSearch::dropUnlikely()
-{
-    do fit(LampEvidence::kPairs, true);
-    while (dropWalls(kAboutWhite, kLeastShare, kLeastReach) + dropExplained() > 0);
 }
 
 FoundLamps LampSearch::run()
 {
-    FoundLamps found;
-    found.warnings = std::move(warnings_);
-    if (!evidence_.tells()) return found;
-    fit(LampEvidence::kPairsFirst, true);
-    dropWalls(kHardlyWhite, kHardlyShare, 0.0f);
-    evidence_.look(suspects_, kRaysPerOrigin);
-    stage_.advance();
-    dropUnlikely();
-    dropNeedless(kWallPieceMissed);
-    regain();
-    joinPieces(suspects_);
-    fit(LampEvidence::kPairs, true);
-    dropNeedless(kWallMissed);
-    fit(LampEvidence::kPairs, false);
-    stage_.advance();
-    evidence_.settle(suspects_, powers_.ambient);
-    fit(LampEvidence::kPairs, false);
-    dropWalls(kAboutWhite, kLeastShare, kLeastReach);
-    std::stable_sort(suspects_.begin(), suspects_.end(),
-                     [](const Suspect& a, const Suspect& b) { return a.power() > b.power(); });
-    for (Suspect& suspect : suspects_) {
-        const bool isDetermined = suspect.told >= kTold;
-        if (!isDetermined)
-            found.warnings.push_back(unknownAt(suspect.candidate.centre, suspect.ends.size()));
-        found.lamps.push_back({std::move(suspect.candidate.patches), suspect.radiance,
-                               suspect.logError, std::move(suspect.onSides), false, isDetermined,
-                               std::move(suspect.ends)});
+    if (!evidence_.tells()) return {.warnings = std::move(warnings_)};
+    observe();
+    const LightFit all = fitOf(LampEvidence::kPairsFirst);
+    estimate_ = all.solve(emits_, all.beginning(), kFirstWidth);
+    if (const char* fix = std::getenv("K_FIX")) {
+        std::stringstream in(fix);
+        emits_.assign(pieces_.size(), 0);
+        for (std::string n; std::getline(in, n, ',');) emits_[std::stoul(n)] = 1;
+        LightFit fit = fitOf(LampEvidence::kPairsFirst);
+        fit.expectLeaks(estimate_.log);
+        estimate_ = fit.solve(emits_, estimate_.log, 1.0);
+        dump("fixed");
+        estimate_ = fit.solve(emits_, fit.beginning(), kFirstWidth);
+        dump("fixed from wide");
     }
-    found.ambient = powers_.ambient;
-    found.residual = powers_.residual;
+    choose(LampEvidence::kPairsFirst);
     stage_.advance();
-    return found;
+    lookCloser();
+    choose(LampEvidence::kPairsFirst);
+    join();
+    choose(LampEvidence::kPairsFirst);
+    stage_.advance();
+    findColors();
+    dump("final");
+    return result();
 }
 
 } // namespace

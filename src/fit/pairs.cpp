@@ -32,14 +32,14 @@ struct PairPlace
     bool isDark;
 };
 
-std::vector<PairPlace> placesOf(const FitData& data, std::span<const uint32_t> surfels,
+std::vector<PairPlace> placesOf(std::span<const glm::vec3> shown, std::span<const uint32_t> surfels,
                                 const Surfels& all)
 {
     std::vector<PairPlace> places;
-    for (size_t i = 0; i < data.places(); ++i)
+    for (size_t i = 0; i < shown.size(); ++i)
         places.push_back({all.position[surfels[i]], all.normal[surfels[i]],
-                          chromaOf(data.radiance[i]),
-                          luminance(data.radiance[i]) < kDarkestPaired});
+                          chromaOf(shown[i]),
+                          luminance(shown[i]) < kDarkestPaired});
     return places;
 }
 
@@ -52,11 +52,11 @@ bool couldBeOneMaterial(const PairPlace& p, const PairPlace& q)
 
 } // namespace
 
-std::vector<MaterialPair> drawPairs(const FitData& data, std::span<const uint32_t> surfels,
+std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown, std::span<const uint32_t> surfels,
                                     const Surfels& all, size_t perPlace)
 {
     std::vector<MaterialPair> pairs;
-    const std::vector<PairPlace> places = placesOf(data, surfels, all);
+    const std::vector<PairPlace> places = placesOf(shown, surfels, all);
     const auto count = static_cast<uint32_t>(places.size());
     if (count < 2) return pairs;
     std::mt19937 random(

@@ -2,7 +2,7 @@
 
 #include "base/instruction_set.h"
 #include "base/lanes.h"
-#include "fit/fit_data.h"
+#include "fit/light_model.h"
 
 #include <cstddef>
 #include <span>

@@ -1,0 +1,597 @@
+#include "fit/light_fit.h"
+
+#include "base/parallel.h"
+#include "base/radiometry.shared.h"
+#include "fit/squares.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+
+#include <Eigen/Cholesky>
+
+namespace relamp
+{
+double knob(const char* name, double otherwise)
+{
+    const char* v = std::getenv(name);
+    return v != nullptr ? std::atof(v) : otherwise;
+}
+namespace
+{
+
+const double kNoise = knob("K_NOISE", 0.08);          // log: between two places of one paint
+const double kEffectivePairs = knob("K_NEFF", 75.0); // that all pairs are worth: places near each other err alike
+const double kLeak = knob("K_LEAK", 0.03);           // of a room's median light that may leak to a place
+const double kWhiteNats = knob("K_WHITEN", 0.1);       // weight of the prior that a burnt-out piece is about white
+const double kWhiteSpread = knob("K_WHITES", 1.0);     // log: how far about
+constexpr double kOutside = 0.3;           // of the median radiance: what scanners miss lies in shade
+const double kOutsideSpread = knob("K_OUTS", 2.0);     // log
+const double kAlikeSpread = knob("K_ALIKE", 0.6);       // log: of lamps of one model
+constexpr double kMeanAlbedo = 0.35;       // of a room, mean of logarithms
+const double kAlbedoSpread = knob("K_LEVEL", 0.4);      // log: of that mean
+constexpr double kBrightestPaper = 0.9;    // albedo
+constexpr double kBurntOutPaper = 0.75;       // albedo of what burns out first
+const double kPaperSpread = knob("K_PAPER", 0.8);      // log: of that, and of the light on it
+const double kWhiterSpread = knob("K_WHITER", 0.4);
+const double kLeastFree = knob("K_FREE", 0.003); // of the light at places, that a wall sends: less, and its paint does not matter
+constexpr double kBoundNoise = 0.6;        // log: of the light on a wall that is burnt out
+const double kFlaw = knob("K_FLAW", 0.3); // chance that a burnt-out wall has not the light for it: a highlight, or a texel that mixes
+constexpr double kLeastIrradiance = 1e-3;  // what no place falls below
+constexpr double kConverged = 0.0025;        // nats
+constexpr int kMostSteps = 30;
+constexpr double kLongestStep = 2.0; // log
+constexpr double kDark = 1e-4;       // radiance
+
+double medianOfAll(std::vector<double> values)
+{
+    if (values.empty()) return 0.0;
+    const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+std::vector<double> exponentials(std::span<const double> log)
+{
+    std::vector<double> values;
+    for (const double l : log) values.push_back(std::exp(l));
+    return values;
+}
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+} // namespace
+
+/// One search for the unknowns of a LightFit, with the light that the last of them give.
+class LightFitSearch
+{
+public:
+    LightFitSearch(const LightFit& fit, std::span<const uint8_t> emits, const EmissionPrior& prior,
+                   std::vector<double> start);
+
+    void run(double widest);
+    [[nodiscard]] LightEstimate result() const;
+    [[nodiscard]] std::vector<uint8_t> needless(std::span<const Removal> removals) const;
+
+private:
+    struct Point // of the unknowns, at which the light is known
+    {
+        std::vector<double> log; // of pieces, then of what lies outside
+        std::vector<double> reflected; // log radiance that pieces have if they only reflect
+        std::vector<double> logIrradiance;
+        double nats = 0.0;
+    };
+    struct Normal
+    {
+        Eigen::MatrixXd matrix;
+        Eigen::VectorXd slope;
+    };
+
+    void light(Point& at) const;
+    void reflect(Point& at) const;
+    [[nodiscard]] double residual(const Point& at, MaterialPair pair) const;
+    [[nodiscard]] double costOf(const Point& at) const;
+    [[nodiscard]] double costOfPriors(const Point& at) const;
+    [[nodiscard]] PlaceTable sharesOf(const Point& at) const;
+    [[nodiscard]] Normal normalAt(const Point& at) const;
+    void addPriors(const Point& at, Normal& normal) const;
+    void addLevel(const Point& at, const PlaceTable& shares, Normal& normal) const;
+    [[nodiscard]] double level(const Point& at) const;
+    bool step();
+
+    [[nodiscard]] size_t count() const { return pieceOf_.size() + 1; } // of unknowns
+    [[nodiscard]] size_t at(size_t unknown) const                     // its place in logs
+    {
+        return unknown < pieceOf_.size() ? pieceOf_[unknown] : model_.pieces;
+    }
+    struct Prior
+    {
+        double cost;
+        double weight; // of a squared step
+        double slope;
+    };
+    [[nodiscard]] Prior priorOf(size_t unknown, const Point& point) const;
+
+    const LightFit& fit_;
+    const LightModel& model_;
+    std::span<const uint8_t> emits_;
+    const EmissionPrior& prior_;
+    std::vector<size_t> pieceOf_; // of unknowns but the last
+    std::vector<int> unknownOf_;  // of pieces; < 0: it reflects as its paint is expected to
+    double wider_ = 1.0;
+    double damping_ = 1e-3;
+    Point here_;
+};
+
+LightFitSearch::LightFitSearch(const LightFit& fit, std::span<const uint8_t> emits,
+                               const EmissionPrior& prior, std::vector<double> start)
+    : fit_(fit), model_(fit.model_), emits_(emits), prior_(prior), unknownOf_(emits.size(), -1)
+{
+    for (size_t f = 0; f < emits.size(); ++f) {
+        if (emits[f] == 0 && (!prior.log.empty() || fit.whiteShare_[f] < kLeastFree)) continue;
+        unknownOf_[f] = static_cast<int>(pieceOf_.size());
+        pieceOf_.push_back(f);
+    }
+    here_.log = std::move(start);
+}
+
+/// Normal about what is known; else Cauchy about white: a burnt-out piece is a wall or a lamp of
+/// whatever brightness, and a pull that grew with the distance would hold lamps back.
+LightFitSearch::Prior LightFitSearch::priorOf(size_t unknown, const Point& point) const
+{
+    const bool isOutside = unknown == pieceOf_.size();
+    const double log = point.log[at(unknown)];
+    if (!isOutside && emits_[pieceOf_[unknown]] == 0) {
+        const double off = log - point.reflected[pieceOf_[unknown]];
+        const double paper = off > 0.0 ? kWhiterSpread : kPaperSpread;
+        const double weight = 1.0 / (paper * paper);
+        return {0.5 * weight * off * off, weight, weight * off};
+    }
+    if (!isOutside && prior_.log.empty()) {
+        const double off = log / kWhiteSpread;
+        const double weight =
+            2.0 * kWhiteNats / (kWhiteSpread * kWhiteSpread * (1.0 + off * off));
+        return {kWhiteNats * std::log1p(off * off), weight, weight * log};
+    }
+    const double spread = isOutside ? kOutsideSpread : prior_.spread;
+    const double off = log - (isOutside ? fit_.outside_ : prior_.log[pieceOf_[unknown]]);
+    const double weight = 1.0 / (spread * spread);
+    return {0.5 * weight * off * off, weight, weight * off};
+}
+
+/// What reflects, and is no unknown, sends what the light before makes of it, a bounce at a time.
+void LightFitSearch::reflect(Point& at) const
+{
+    at.reflected.resize(model_.pieces);
+    for (int bounce = 0; bounce < 3; ++bounce) {
+        const std::vector<double> radiance = exponentials(at.log);
+        for (size_t f = 0; f < model_.pieces; ++f) {
+            at.reflected[f] = fit_.reflectedIn(f, radiance);
+            if (unknownOf_[f] < 0) at.log[f] = at.reflected[f];
+        }
+    }
+}
+
+void LightFitSearch::light(Point& at) const
+{
+    reflect(at);
+    const std::vector<double> radiance = exponentials(at.log);
+    at.logIrradiance.resize(model_.shown.size());
+    forEachChunk(at.logIrradiance.size(), 256, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i)
+            at.logIrradiance[i] = std::log(fit_.irradiance(i, radiance));
+    });
+    at.nats = costOf(at);
+}
+
+double LightFitSearch::residual(const Point& at, MaterialPair pair) const
+{
+    return fit_.logShown_[pair.p] - fit_.logShown_[pair.q] - at.logIrradiance[pair.p] +
+           at.logIrradiance[pair.q];
+}
+
+/// How far the mean log albedo of all places is from a room's.
+double LightFitSearch::level(const Point& at) const
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < model_.places(); ++i) sum += fit_.logShown_[i] - at.logIrradiance[i];
+    return sum / static_cast<double>(model_.places()) +
+           std::log(static_cast<double>(kPi) / kMeanAlbedo);
+}
+
+double LightFitSearch::costOf(const Point& at) const
+{
+    constexpr size_t kChunk = 2048;
+    const size_t pairs = fit_.pairs_.size();
+    std::vector<double> sums((pairs + kChunk - 1) / kChunk, 0.0);
+    forEachChunk(pairs, kChunk, [&](size_t begin, size_t end) {
+        for (size_t k = begin; k < end; ++k) {
+            const double r = residual(at, fit_.pairs_[k]);
+            const double off = r / (wider_ * fit_.noiseOf(k, r));
+            sums[begin / kChunk] += std::log1p(off * off);
+        }
+    });
+    return fit_.perPair() * std::accumulate(sums.begin(), sums.end(), 0.0) + costOfPriors(at);
+}
+
+double LightFitSearch::costOfPriors(const Point& at) const
+{
+    double nats = 0.0;
+    for (size_t f = 0; f < model_.pieces; ++f)
+        if (emits_[f] == 0) nats += fit_.boundCost(f, at.logIrradiance[model_.placeOf(f)]);
+    for (size_t u = 0; u < count(); ++u) nats += priorOf(u, at).cost;
+    for (const auto& [a, b] : fit_.alike_) {
+        if (emits_[a] == 0 || emits_[b] == 0) continue;
+        const double off = (at.log[a] - at.log[b]) / kAlikeSpread;
+        nats += 0.5 * off * off;
+    }
+    const double off = level(at) / kAlbedoSpread;
+    if (getenv("K_PARTS")) {
+        double b = 0, pr = 0;
+        for (size_t f = 0; f < model_.pieces; ++f)
+            if (emits_[f] == 0) b += fit_.boundCost(f, at.logIrradiance[model_.placeOf(f)]);
+        for (size_t u = 0; u < count(); ++u) pr += priorOf(u, at).cost;
+        fprintf(stderr, "bounds %.1f priors %.1f alike %.1f level %.2f (%.1f nats)\n", b, pr, nats - b - pr, level(at), 0.5*off*off);
+    }
+    return nats + 0.5 * off * off;
+}
+
+/// Of the irradiance at each place, by unknowns: d log E / d log; and a row of zeros.
+PlaceTable LightFitSearch::sharesOf(const Point& at) const
+{
+    const size_t rows = model_.shown.size();
+    PlaceTable shares(rows + 1, count());
+    const std::vector<double> radiance = exponentials(at.log);
+    forEachChunk(rows, 256, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            float* share = shares.row(i);
+            const std::span<const float> direct = model_.directAt(i);
+            const double per = std::exp(-at.logIrradiance[i]);
+            for (size_t u = 0; u < pieceOf_.size(); ++u)
+                share[u] = static_cast<float>(per * radiance[pieceOf_[u]]) * direct[pieceOf_[u]];
+            share[pieceOf_.size()] = static_cast<float>(per * radiance.back()) * model_.missed[i];
+        }
+    });
+    return shares;
+}
+
+LightFitSearch::Normal LightFitSearch::normalAt(const Point& at) const
+{
+    const size_t rows = model_.shown.size();
+    const PlaceTable shares = sharesOf(at);
+    std::vector<PairResidual> weighed(fit_.pairs_.size());
+    forEachChunk(weighed.size(), 2048, [&](size_t begin, size_t end) {
+        for (size_t k = begin; k < end; ++k) {
+            const double r = residual(at, fit_.pairs_[k]);
+            const double noise = wider_ * fit_.noiseOf(k, r);
+            const double slope = std::sqrt(2.0 * fit_.perPair() / (noise * noise + r * r));
+            weighed[k] = {fit_.pairs_[k], static_cast<float>(slope), static_cast<float>(slope * r)};
+        }
+    });
+    for (size_t f = 0; f < model_.pieces; ++f) {
+        if (emits_[f] != 0) continue;
+        const size_t place = model_.placeOf(f);
+        const double lack = fit_.lack(f, at.logIrradiance[place]);
+        if (lack <= 0.0) continue;
+        const double flaw = fit_.flawChance(f);
+        const double off = lack / kBoundNoise;
+        const double wall = (1.0 - flaw) * std::exp(-0.5 * off * off);
+        const double slope = std::sqrt(wall / (wall + flaw)) / kBoundNoise;
+        weighed.push_back({{static_cast<uint32_t>(place), static_cast<uint32_t>(rows)},
+                           static_cast<float>(slope),
+                           static_cast<float>(slope * lack)});
+    }
+    const auto n = static_cast<Eigen::Index>(count());
+    const std::vector<double> squares = squaresOf(shares, weighed);
+    const Eigen::Map<const RowMajor> all(squares.data(), n + 1, n + 1);
+    Normal normal{all.topLeftCorner(n, n), all.bottomLeftCorner(1, n).transpose()};
+    addPriors(at, normal);
+    addLevel(at, shares, normal);
+    return normal;
+}
+
+void LightFitSearch::addPriors(const Point& at, Normal& normal) const
+{
+    for (size_t u = 0; u < count(); ++u) {
+        const auto i = static_cast<Eigen::Index>(u);
+        const Prior prior = priorOf(u, at);
+        normal.matrix(i, i) += prior.weight;
+        normal.slope[i] += prior.slope;
+    }
+    for (const auto& [a, b] : fit_.alike_) {
+        if (emits_[a] == 0 || emits_[b] == 0) continue;
+        const double weight = 1.0 / (kAlikeSpread * kAlikeSpread);
+        const Eigen::Index i = unknownOf_[a];
+        const Eigen::Index j = unknownOf_[b];
+        const double off = at.log[a] - at.log[b];
+        normal.matrix(i, i) += weight;
+        normal.matrix(j, j) += weight;
+        normal.matrix(i, j) -= weight;
+        normal.matrix(j, i) -= weight;
+        normal.slope[i] += weight * off;
+        normal.slope[j] -= weight * off;
+    }
+}
+
+void LightFitSearch::addLevel(const Point& at, const PlaceTable& shares, Normal& normal) const
+{
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(normal.slope.size());
+    for (size_t i = 0; i < model_.places(); ++i)
+        for (size_t u = 0; u < count(); ++u)
+            row[static_cast<Eigen::Index>(u)] -= static_cast<double>(shares.row(i)[u]);
+    row /= static_cast<double>(model_.places()) * kAlbedoSpread;
+    normal.matrix += row * row.transpose();
+    normal.slope += level(at) / kAlbedoSpread * row;
+}
+
+/// False where nothing near is better.
+bool LightFitSearch::step()
+{
+    constexpr int kAttempts = 6;
+    const Normal normal = normalAt(here_);
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        Eigen::MatrixXd damped = normal.matrix;
+        damped.diagonal() *= 1.0 + damping_;
+        const Eigen::VectorXd way = -damped.llt().solve(normal.slope);
+        Point there = here_;
+        for (size_t u = 0; u < count(); ++u)
+            there.log[at(u)] +=
+                std::clamp(way[static_cast<Eigen::Index>(u)], -kLongestStep, kLongestStep);
+        light(there);
+        const double gain = here_.nats - there.nats;
+        if (gain > 0.0) {
+            here_ = std::move(there);
+            damping_ = std::max(damping_ * 0.2, 1e-6);
+            return gain > kConverged;
+        }
+        damping_ *= 10.0;
+    }
+    return false;
+}
+
+void LightFitSearch::run(double widest)
+{
+    for (wider_ = widest;; wider_ = std::max(0.5 * wider_, 1.0)) {
+        damping_ = 1e-3;
+        light(here_);
+        for (int i = 0; i < kMostSteps && step(); ++i) {}
+        if (wider_ <= 1.0) return;
+    }
+}
+
+LightEstimate LightFitSearch::result() const
+{
+    LightEstimate estimate{.log = here_.log, .nats = here_.nats};
+    estimate.error.assign(here_.log.size(), 0.0);
+    const Normal normal = normalAt(here_);
+    const auto n = static_cast<Eigen::Index>(count());
+    const Eigen::MatrixXd covariance = normal.matrix.llt().solve(Eigen::MatrixXd::Identity(n, n));
+    for (Eigen::Index u = 0; u < n; ++u)
+        estimate.error[at(static_cast<size_t>(u))] = std::sqrt(covariance(u, u));
+    std::vector<double> sizes;
+    for (const MaterialPair pair : fit_.pairs_) sizes.push_back(std::abs(residual(here_, pair)));
+    estimate.residual = medianOfAll(std::move(sizes));
+    return estimate;
+}
+
+/// Unknowns are shares of radiance here: what goes dark keeps what it reflects. Of a set that goes,
+/// the cost is d^T (C_ss)^-1 d / 2 for the change d; then the others move by C_rs (C_ss)^-1 d.
+std::vector<uint8_t> LightFitSearch::needless(std::span<const Removal> removals) const
+{
+    const auto n = static_cast<Eigen::Index>(count());
+    Eigen::MatrixXd covariance =
+        normalAt(here_).matrix.llt().solve(Eigen::MatrixXd::Identity(n, n));
+    Eigen::VectorXd change(n); // that each must still make to go
+    for (size_t u = 0; u < pieceOf_.size(); ++u) {
+        const double left = here_.reflected[pieceOf_[u]] - here_.log[pieceOf_[u]];
+        change[static_cast<Eigen::Index>(u)] = std::min(std::exp(left), 1.0) - 1.0;
+    }
+    change[n - 1] = 0.0;
+    std::vector<uint8_t> isGone(pieceOf_.size(), 0);
+    std::vector<uint8_t> gone(removals.size(), 0);
+    for (;;) {
+        double least = 0.0;
+        size_t best = removals.size();
+        Eigen::MatrixXd bestMove; // C_.s (C_ss)^-1
+        std::vector<Eigen::Index> bestSet;
+        for (size_t k = 0; k < removals.size(); ++k) {
+            std::vector<Eigen::Index> set;
+            for (const uint32_t piece : removals[k].pieces)
+                if (const int u = unknownOf_[piece]; u >= 0 && isGone[static_cast<size_t>(u)] == 0)
+                    set.push_back(u);
+            if (set.empty()) {
+                gone[k] = 1;
+                continue;
+            }
+            const Eigen::MatrixXd own = covariance(set, set);
+            const Eigen::VectorXd d = change(set);
+            const Eigen::LDLT<Eigen::MatrixXd> solver(own);
+            const double nats = 0.5 * d.dot(solver.solve(d)) - removals[k].cost;
+            if (nats >= least) continue;
+            least = nats;
+            best = k;
+            bestSet = set;
+            bestMove = solver.solve(covariance(set, Eigen::all)).transpose();
+        }
+        if (best == removals.size()) return gone;
+        const Eigen::VectorXd moved = bestMove * change(bestSet);
+        change -= moved;
+        covariance -= bestMove * covariance(bestSet, Eigen::all);
+        for (const Eigen::Index u : bestSet) isGone[static_cast<size_t>(u)] = 1;
+        gone[best] = 1;
+    }
+}
+
+LightFit::LightFit(const LightModel& model, std::span<const MaterialPair> pairs,
+                   std::span<const AlikePieces> alike, int channel)
+    : model_(model), pairs_(pairs), alike_(alike), channel_(channel),
+      noiseAbove_(pairs.size(), kNoise), noiseBelow_(pairs.size(), kNoise)
+{
+    for (size_t i = 0; i < model.shown.size(); ++i) {
+        logShown_.push_back(std::log(std::max(pick(model.shown[i]), kDark)));
+        gathered_.push_back(pick(model.gathered[i]));
+    }
+    static const double kColour = knob("K_COLOUR", 0.0);
+    for (size_t k = 0; k < pairs.size(); ++k) {
+        const auto chroma = [&](uint32_t i) {
+            const glm::vec3 c = glm::max(model.shown[i], glm::vec3(1e-4f));
+            return glm::log(c / luminance(c));
+        };
+        const auto d = static_cast<double>(glm::length(chroma(pairs[k].p) - chroma(pairs[k].q)));
+        noiseAbove_[k] = noiseBelow_[k] = std::hypot(kNoise, kColour * d);
+    }
+    base_ = noiseAbove_;
+    whiteShare_.assign(model.pieces, 0.0);
+    for (size_t i = 0; i < model.places(); ++i)
+        for (size_t f = 0; f < model.pieces; ++f)
+            whiteShare_[f] += static_cast<double>(model.directAt(i)[f]) /
+                              std::max(static_cast<double>(kPi) * std::exp(logShown_[i]), kLeastIrradiance) /
+                              static_cast<double>(model.places());
+    const auto end = logShown_.begin() + static_cast<ptrdiff_t>(model.places());
+    outside_ = medianOfAll({logShown_.begin(), end}) + std::log(kOutside);
+}
+
+double LightFit::pick(glm::vec3 rgb) const
+{
+    return static_cast<double>(channel_ < 0 ? luminance(rgb) : rgb[channel_]);
+}
+
+double LightFit::perPair() const
+{
+    return kEffectivePairs / static_cast<double>(std::max<size_t>(pairs_.size(), 1));
+}
+
+double LightFit::irradiance(size_t place, std::span<const double> radiance) const
+{
+    double sum = gathered_[place] + radiance[model_.pieces] * static_cast<double>(model_.missed[place]) +
+                 kLeastIrradiance;
+    const std::span<const float> direct = model_.directAt(place);
+    for (size_t f = 0; f < model_.pieces; ++f) sum += radiance[f] * static_cast<double>(direct[f]);
+    return sum;
+}
+
+/// How much too dark a piece is that only reflects, even as the brightest paper, >= 0.
+double LightFit::lack(size_t piece, double logIrradiance) const
+{
+    if (model_.area[piece] <= 0.0f) return 0.0;
+    const double least = logShown_[model_.placeOf(piece)] +
+                         std::log(static_cast<double>(kPi) / kBrightestPaper);
+    return std::max(least - logIrradiance, 0.0);
+}
+
+/// That a piece is burnt out though it has too little light for it, by a flaw of the texture.
+double LightFit::flawChance(size_t piece) const
+{
+    return kFlaw + 0.0 * static_cast<double>(model_.area[piece]);
+}
+
+double LightFit::boundCost(size_t piece, double logIrradiance) const
+{
+    const double off = lack(piece, logIrradiance) / kBoundNoise;
+    if (off <= 0.0) return 0.0;
+    const double flaw = flawChance(piece);
+    return -std::log((1.0 - flaw) * std::exp(-0.5 * off * off) + flaw);
+}
+
+std::vector<double> LightFit::beginning() const
+{
+    std::vector<double> log(model_.pieces, 0.0);
+    for (size_t f = 0; f < model_.pieces; ++f) {
+        double gathered = 0.0;
+        double direct = 0.0;
+        for (size_t i = 0; i < model_.places(); ++i) {
+            gathered += gathered_[i];
+            direct += static_cast<double>(model_.directAt(i)[f]);
+        }
+        if (direct > 0.0)
+            log[f] =
+                std::log(std::max(gathered / direct / static_cast<double>(model_.pieces), 1.0));
+    }
+    log.push_back(outside_);
+    return log;
+}
+
+void LightFit::expectLeaks(std::span<const double> log)
+{
+    const std::vector<double> radiance = exponentials(log);
+    std::vector<double> light(model_.places());
+    forEach(light.size(), [&](size_t i) { light[i] = irradiance(i, radiance); });
+    const double leak = kLeak * medianOfAll(light);
+    for (size_t k = 0; k < pairs_.size(); ++k) {
+        noiseAbove_[k] = std::hypot(base_[k], leak / light[pairs_[k].q]); // q seems too dark
+        noiseBelow_[k] = std::hypot(base_[k], leak / light[pairs_[k].p]);
+    }
+}
+
+double LightFit::reflectedIn(size_t piece, std::span<const double> radiance) const
+{
+    if (model_.area[piece] <= 0.0f) return std::log(kDark);
+    const size_t place = model_.placeOf(piece);
+    return std::max(std::log(kBurntOutPaper / static_cast<double>(kPi) * irradiance(place, radiance)),
+                    logShown_[place]);
+}
+
+double LightFit::reflected(size_t piece, std::span<const double> log) const
+{
+    return reflectedIn(piece, exponentials(log));
+}
+
+double LightFit::gain(const LightEstimate& estimate, size_t piece, double& best) const
+{
+    constexpr int kTried = 6; // radiances, each thrice the last
+    std::vector<double> radiance = exponentials(estimate.log);
+    const double was = std::exchange(radiance[piece], 0.0);
+    std::vector<double> light(model_.places());
+    double share = 0.0;
+    for (size_t i = 0; i < light.size(); ++i) {
+        light[i] = irradiance(i, radiance);
+        share += static_cast<double>(model_.directAt(i)[piece]) / light[i];
+    }
+    if (share <= 0.0) return 0.0;
+    std::vector<double> logAlbedo(light.size());
+    const auto nats = [&](double r) {
+        for (size_t i = 0; i < light.size(); ++i)
+            logAlbedo[i] = logShown_[i] -
+                           std::log(light[i] + r * static_cast<double>(model_.directAt(i)[piece]));
+        double sum = 0.0;
+        for (size_t k = 0; k < pairs_.size(); ++k) {
+            const double r2 = logAlbedo[pairs_[k].p] - logAlbedo[pairs_[k].q];
+            const double off = r2 / noiseOf(k, r2);
+            sum += std::log1p(off * off);
+        }
+        return perPair() * sum;
+    };
+    const double without = nats(was);
+    double most = 0.0;
+    double r = 0.01 * static_cast<double>(light.size()) / share; // 1 % of the light at places
+    for (int tried = 0; tried < kTried; ++tried, r *= 3.0) {
+        if (r < was) continue;
+        const double gained = without - nats(r);
+        if (gained > most) {
+            most = gained;
+            best = std::log(r);
+        }
+    }
+    return most + boundCost(piece, std::log(irradiance(model_.placeOf(piece), radiance)));
+}
+
+LightEstimate LightFit::solve(std::span<const uint8_t> emits, std::vector<double> start,
+                              double widest, const EmissionPrior& prior) const
+{
+    LightFitSearch search(*this, emits, prior, std::move(start));
+    search.run(widest);
+    return search.result();
+}
+
+std::vector<uint8_t> LightFit::needless(const LightEstimate& estimate,
+                                        std::span<const uint8_t> emits,
+                                        std::span<const Removal> removals) const
+{
+    const EmissionPrior prior;
+    LightFitSearch search(*this, emits, prior, estimate.log);
+    search.run(1.0);
+    return search.needless(removals);
+}
+
+} // namespace relamp

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "fit/light_model.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace relamp
+{
+
+/// How bright everything is that the light of a room comes from, in luminance or in one channel: in
+/// logarithms of radiance, 1 = the texture's white.
+struct LightEstimate
+{
+    std::vector<double> log;   // of pieces, what they emit or reflect; then of what lies outside
+    std::vector<double> error; // standard errors of these; 0 of what reflects
+    double nats = 0.0;         // of data and priors: the less, the likelier
+    double residual = 0.0;     // median absolute deviation of a pair
+};
+
+/// What is believed of pieces that emit before a look at the pairs.
+struct EmissionPrior
+{
+    std::vector<double> log; // of pieces, within `spread`; empty: about white, and seldom much more
+    double spread = 0.0;
+};
+
+/// A piece that emits, with those that would go dark with it.
+struct Removal
+{
+    std::vector<uint32_t> pieces;
+    double cost = 0.0; // nats that are saved
+};
+
+/// Radiances that give places of one paint one albedo (method.md 6), as a maximum a posteriori
+/// estimate by Levenberg and Marquardt's method.
+///
+/// A piece that emits has a radiance of its own. One that does not sends what it reflects of all
+/// the others' light, and no less than it shows: light for that it must get, which is a one-sided
+/// bound. Unknowns are logarithms, so nothing is negative.
+class LightFit
+{
+public:
+    /// All must outlive this. `channel` < 0: luminance.
+    LightFit(const LightModel& model, std::span<const MaterialPair> pairs,
+             std::span<const AlikePieces> alike, int channel = -1);
+
+    /// Pieces so bright that each brings its share of what is gathered, and outside what is in
+    /// shade.
+    [[nodiscard]] std::vector<double> beginning() const;
+    /// From now on dark places count less, by what may leak to them beside this light.
+    void expectLeaks(std::span<const double> log);
+    /// `emits`: one flag a piece. `start`: as LightEstimate::log. `widest`: how many times wider
+    /// than its noise the first loss is: the more, the farther off the start may be.
+    [[nodiscard]] LightEstimate solve(std::span<const uint8_t> emits, std::vector<double> start,
+                                      double widest, const EmissionPrior& prior = {}) const;
+    /// Which of `removals` the rest explains, by the quadratic form of the cost at the estimate:
+    /// the least needed goes, all others take its part, and so on. One flag each.
+    [[nodiscard]] std::vector<uint8_t> needless(const LightEstimate& estimate,
+                                                std::span<const uint8_t> emits,
+                                                std::span<const Removal> removals) const;
+    /// What a piece gains, in nats, that did not emit and now does, all else as it is: by the best
+    /// of a few radiances, which `log` receives.
+    [[nodiscard]] double gain(const LightEstimate& estimate, size_t piece, double& log) const;
+    /// Log radiance of a piece if it only reflects, in this light.
+    [[nodiscard]] double reflected(size_t piece, std::span<const double> log) const;
+
+private:
+    friend class LightFitSearch;
+    [[nodiscard]] double pick(glm::vec3 rgb) const;
+    [[nodiscard]] double irradiance(size_t place, std::span<const double> radiance) const;
+    [[nodiscard]] double reflectedIn(size_t piece, std::span<const double> radiance) const;
+    [[nodiscard]] double boundCost(size_t piece, double logIrradiance) const;
+    [[nodiscard]] double lack(size_t piece, double logIrradiance) const;
+    [[nodiscard]] double flawChance(size_t piece) const;
+    [[nodiscard]] double noiseOf(size_t pair, double residual) const
+    {
+        return residual > 0.0 ? noiseAbove_[pair] : noiseBelow_[pair];
+    }
+    [[nodiscard]] double perPair() const;
+
+    const LightModel& model_;
+    std::span<const MaterialPair> pairs_;
+    std::span<const AlikePieces> alike_;
+    int channel_;
+    std::vector<double> logShown_;   // of places, and then of pieces
+    std::vector<double> gathered_;   // likewise
+    std::vector<double> noiseAbove_; // of pairs, where p's albedo is above q's
+    std::vector<double> noiseBelow_;
+    std::vector<double> base_;
+    std::vector<double> whiteShare_; // of pieces: of the light at places, were they white
+    double outside_ = 0.0; // log radiance that is expected there
+};
+
+} // namespace relamp

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "base/radiometry.shared.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace relamp
+{
+
+/// What is fixed of a room's light once rays are cast. At places of the scan, and on the pieces
+/// themselves, the irradiance is
+///     E = gathered + outside * missed + sum over pieces of radiance * direct.
+/// Places that are measured come first; behind them comes one for each piece: the light on itself.
+struct LightModel
+{
+    size_t pieces = 0;
+    std::vector<glm::vec3> shown;    // radiance that the texture has there, > 0
+    std::vector<glm::vec3> gathered; // irradiance by way of all surfaces that are no piece
+    std::vector<float> missed;       // irradiance of directions that leave the scan, at radiance 1
+    std::vector<float> direct;       // [place * pieces + piece]: irradiance of it at radiance 1
+    std::vector<float> area;         // of pieces, m^2; 0: nothing of it was seen
+
+    [[nodiscard]] size_t places() const { return shown.size() - pieces; } // that are measured
+    [[nodiscard]] size_t placeOf(size_t piece) const { return places() + piece; }
+    [[nodiscard]] std::span<const float> directAt(size_t place) const
+    {
+        return {direct.data() + place * pieces, pieces};
+    }
+};
+
+/// Two places that are likely of one material.
+struct MaterialPair
+{
+    uint32_t p;
+    uint32_t q;
+};
+
+/// Two pieces that look like one model of lamp, or are parts of one.
+struct AlikePieces
+{
+    uint32_t a;
+    uint32_t b;
+};
+
+} // namespace relamp

@@ -1,0 +1,118 @@
+#include "fit/pieces.h"
+
+#include "base/disjoint_sets.h"
+#include "base/radiometry.shared.h"
+#include "fit/lamp_groups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace relamp
+{
+double knob(const char* name, double otherwise);
+namespace
+{
+
+constexpr float kTouching = 0.12f;  // m between pieces of one lamp
+constexpr float kAboutEqual = 3.0f; // ratio of their radiances
+constexpr float kOneFacing = 0.9f;  // cosine, of mean normals
+const float kOneLevel = static_cast<float>(knob("K_LEVELP", 0.02));  // m; of a scan's worst 5 %
+constexpr float kLeastModel = 0.003f; // m^2; the shape of less says nothing
+constexpr float kWhole = 0.3f;    // length of a mean normal; what is shorter faces all around
+constexpr float kSameBody = 1.3f; // ratio of areas
+constexpr float kSliver = 0.02f;  // ratio of areas; too small beside a lamp to be one of its own
+
+bool areOneLamp(const Piece& a, const Piece& b)
+{
+    if (!a.ends.empty() || !b.ends.empty()) return false;
+    if (a.body == b.body) return true;
+    const float ratio = luminance(a.radiance) / luminance(b.radiance);
+    const bool isEqual = ratio < kAboutEqual && ratio > 1.0f / kAboutEqual;
+    const auto [less, more] = std::minmax(a.candidate.area, b.candidate.area);
+    return (isEqual || less < kSliver * more) && areWithin(a.candidate, b.candidate, kTouching);
+}
+
+void add(const Piece& piece, Piece& whole)
+{
+    whole.isGiven |= piece.isGiven;
+    std::vector<ClippedPatch> patches = std::move(whole.candidate.patches);
+    patches.insert(patches.end(), piece.candidate.patches.begin(), piece.candidate.patches.end());
+    whole.candidate = candidateOf(std::move(patches));
+    for (size_t i = 0; i < whole.direct.size(); ++i) whole.direct[i] += piece.direct[i];
+}
+
+/// Whether two are burnt out all around, and of one size: globes of one model. A wall is burnt out
+/// on one side.
+bool areAlikeBodies(const Candidate& a, const Candidate& b)
+{
+    const float sizes = a.area / b.area;
+    return std::max(glm::length(a.normal), glm::length(b.normal)) < kWhole && sizes < kSameBody &&
+           sizes > 1.0f / kSameBody;
+}
+
+bool areOneModel(const Piece& a, const Piece& b)
+{
+    const Candidate& p = a.candidate;
+    const Candidate& q = b.candidate;
+    return std::min(p.area, q.area) >= kLeastModel && (areAlike(p, q) || areAlikeBodies(p, q));
+}
+
+/// Whether they touch in one plane, as panes of one window do.
+bool areInOnePlane(const Candidate& a, const Candidate& b)
+{
+    return glm::dot(a.normal, b.normal) > kOneFacing &&
+           std::abs(glm::dot(b.centre - a.centre, a.normal)) < kOneLevel &&
+           areWithin(a, b, kTouching);
+}
+
+} // namespace
+
+size_t Piece::rays() const
+{
+    return raysToGroup(std::max<size_t>(ends.size(), 1));
+}
+
+/// Pieces come by falling area, a far side right behind its near one.
+Kinship kinshipOf(const std::vector<Piece>& pieces)
+{
+    Kinship kin{.model = std::vector<std::vector<uint32_t>>(pieces.size()),
+                .leansOn = std::vector<std::vector<uint32_t>>(pieces.size())};
+    for (uint32_t a = 0; a < pieces.size(); ++a)
+        for (uint32_t b = a + 1; b < pieces.size(); ++b) {
+            const bool areOneBody = pieces[a].body == pieces[b].body;
+            const bool lean =
+                areOneBody || areInOnePlane(pieces[a].candidate, pieces[b].candidate);
+            const bool isModel = !areOneBody && !pieces[a].isUnseen && !pieces[b].isUnseen &&
+                                 areOneModel(pieces[a], pieces[b]);
+            if (areOneBody || isModel) kin.alike.push_back({a, b});
+            if (lean && pieces[a].candidate.area >= pieces[b].candidate.area)
+                kin.leansOn[b].push_back(a);
+            else if (lean)
+                kin.leansOn[a].push_back(b);
+            if (!isModel || lean) continue;
+            kin.model[a].push_back(b);
+            kin.model[b].push_back(a);
+        }
+    return kin;
+}
+
+void joinPieces(std::vector<Piece>& pieces)
+{
+    DisjointSets sets(pieces.size());
+    for (uint32_t a = 0; a < pieces.size(); ++a)
+        for (uint32_t b = a + 1; b < pieces.size(); ++b)
+            if (areOneLamp(pieces[a], pieces[b])) sets.join(a, b);
+    std::map<uint32_t, Piece> joined;
+    for (uint32_t f = 0; f < pieces.size(); ++f) {
+        const auto [whole, isNew] = joined.try_emplace(sets.find(f), pieces[f]);
+        if (!isNew) add(pieces[f], whole->second);
+    }
+    pieces.clear();
+    for (auto& [root, piece] : joined) pieces.push_back(std::move(piece));
+}
+
+} // namespace relamp
