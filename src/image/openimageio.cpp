@@ -71,7 +71,11 @@ void read(OtherFormat& other)
     }
     const PictureHeader header = headerFrom(spec);
     other.takeHeader(header);
-    if (!readSamples(*input, header, other.takeSamples)) other.failure = input->geterror();
+    const int before = reader.shortReads(); // what is beside the picture may well be beyond the end
+    if (!readSamples(*input, header, other.takeSamples))
+        other.failure = input->geterror();
+    else if (format == "tiff" && reader.shortReads() > before)
+        other.failure = "it is cut off";
 }
 
 } // namespace

@@ -336,30 +336,43 @@ TEST(ReadImage, LinesBeforeTheFileAreRefused)
     EXPECT_THAT(refusal(bytes), HasSubstr("cannot be decoded"));
 }
 
-/// One tile of RGB, of which next to nothing is there.
-Bytes tiffOfATile(uint16_t side)
+using TiffTags = std::vector<std::array<uint16_t, 2>>;
+
+/// Eight bits of RGB, not packed, of 64 by 64, with more words about where it lies.
+Bytes tiffOf(const TiffTags& more, size_t size)
 {
-    const std::array<std::array<uint16_t, 2>, 10> tags{{{256, 64}, // width, height
-                                                        {257, 64},
-                                                        {258, 8}, // bits a sample
-                                                        {259, 1}, // not packed
-                                                        {262, 2}, // RGB
-                                                        {277, 3}, // samples a pixel
-                                                        {322, side},
-                                                        {323, side},
-                                                        {324, 200}, // where it lies, how long it is
-                                                        {325, 100}}};
+    TiffTags tags{{256, 64}, {257, 64}, {258, 8}, {259, 1}, {262, 2}, {277, 3}};
+    tags.insert(tags.end(), more.begin(), more.end());
+    std::sort(tags.begin(), tags.end());
     Bytes bytes{'I', 'I', '*', 0, 8, 0, 0, 0};
     const auto append = [&bytes](uint16_t word) {
         bytes.push_back(static_cast<uint8_t>(word & 0xff));
         bytes.push_back(static_cast<uint8_t>(word >> 8));
     };
-    append(tags.size());
+    append(static_cast<uint16_t>(tags.size()));
     for (const auto& [tag, value] : tags)
         for (const int word : {int{tag}, 3, 1, 0, int{value}, 0})
             append(static_cast<uint16_t>(word));
-    bytes.resize(300);
+    bytes.resize(size);
     return bytes;
+}
+
+/// One tile, of which next to nothing is there.
+Bytes tiffOfATile(uint16_t side)
+{
+    return tiffOf({{322, side}, {323, side}, {324, 200}, {325, 100}}, 300);
+}
+
+// libtiff warns and OpenImageIO goes on: without a word, the rest was black.
+TEST(ReadImage, TiffsThatAreNotPackedAreRefusedWhereverTheyEnd)
+{
+    constexpr uint16_t kPixels = 64 * 64 * 3;
+    const auto tiff = [](size_t size) {
+        return tiffOf({{273, 200}, {278, 64}, {279, kPixels}}, size); // a strip, its lines, bytes
+    };
+    EXPECT_EQ(read(tiff(200 + kPixels)).encoded(), Bytes(kPixels, 0));
+    for (const size_t missing : {size_t{1}, size_t{100}, size_t{kPixels}})
+        EXPECT_THAT(refusal(tiff(200 + kPixels - missing)), HasSubstr("it is cut off")) << missing;
 }
 
 TEST(ReadImage, TilesThatTheFileCannotHoldAreRefusedBeforeThereIsRoomForThem)
