@@ -77,7 +77,9 @@ std::string formatOf(std::span<const std::byte> bytes, const std::string& name)
     if (startsWith(bytes, "BM"sv)) return "bmp";
     if (startsWith(bytes, "KTX 20"sv, 1))
         fail(ErrorCode::unsupported, name,
-             "is in KTX2 / Basis Universal, which relamp does not read; export it as JPEG or PNG");
+             "is in KTX2 / Basis Universal, which relamp does not read.\nExport it as JPEG or PNG, "
+             "or "
+             "convert it, with KTX-Software: ktx extract in.ktx2 out.png");
     if (name.ends_with(".tga") || name.ends_with(".TGA")) return "targa";
     malformed(name, "is no picture that relamp reads (JPEG, PNG, WebP, TIFF, EXR, HDR, BMP, TGA)");
 }
