@@ -2,15 +2,15 @@
 
 #include "base/fail.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <mutex>
 #include <new>
-#include <optional>
-#include <span>
+#include <vector>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -18,6 +18,9 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#ifdef RELAMP_SANITIZED
+#include <sanitizer/common_interface_defs.h>
+#endif
 
 namespace relamp
 {
@@ -25,20 +28,29 @@ namespace
 {
 
 using Clock = std::chrono::steady_clock;
-using Bytes = std::vector<std::byte>;
 
 constexpr int kOutOfMemory = 3; // exit codes of the copy
 constexpr int kFailed = 4;
+constexpr int kRefused = 5; // and said why
 constexpr int kPollMilliseconds = 50;
 constexpr size_t kPipeSize = size_t{1} << 20;
-constexpr auto kResult = std::byte{0xff}; // first byte of the answer; else the code of an Error
+constexpr const char* kTooLong = "takes far longer to read than a file of its size can need";
+constexpr size_t kLongestRefusal = 4096; // the code of the Error and its sentence; a pipe holds it
 
-/// Address space that this process takes up, in bytes.
-size_t addressSpace()
+/// Held alone while a copy is made. A second one made meanwhile would hold on to the pipes of the
+/// first, which would not seem to end before it.
+std::shared_mutex& copying()
+{
+    static std::shared_mutex mutex;
+    return mutex;
+}
+
+/// Bytes of this process that are its own to write; not all of it has to be there.
+size_t ownMemory()
 {
     unsigned long pages = 0;
     if (std::FILE* statm = std::fopen("/proc/self/statm", "r")) {
-        if (std::fscanf(statm, "%lu", &pages) != 1) pages = 0;
+        if (std::fscanf(statm, "%*u %*u %*u %*u %*u %lu", &pages) != 1) pages = 0;
         std::fclose(statm);
     }
     return pages * static_cast<size_t>(sysconf(_SC_PAGESIZE));
@@ -55,6 +67,9 @@ void setLimit(int resource, rlim_t most)
 void restrain(const ChildLimits& limits)
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+#ifdef RELAMP_SANITIZED
+    __sanitizer_set_death_callback(nullptr); // a fuzzer's, which keeps what it takes for a find
+#endif
     for (const int fatal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU})
         std::signal(fatal, SIG_DFL);
     if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) {
@@ -63,7 +78,7 @@ void restrain(const ChildLimits& limits)
     }
     setLimit(RLIMIT_CORE, 0);
     setLimit(RLIMIT_CPU, static_cast<rlim_t>(limits.seconds) + 1);
-    if (const size_t now = addressSpace(); now > 0) setLimit(RLIMIT_AS, now + limits.memory);
+    if (const size_t now = ownMemory(); now > 0) setLimit(RLIMIT_DATA, now + limits.memory);
 }
 
 void send(int pipe, std::span<const std::byte> bytes)
@@ -75,20 +90,50 @@ void send(int pipe, std::span<const std::byte> bytes)
     }
 }
 
-void answer(int pipe, std::byte kind, std::span<const std::byte> content)
+void refuse(int pipe, const Error& error)
 {
-    send(pipe, {&kind, 1});
-    send(pipe, content);
+    std::string words(1, static_cast<char>(error.code()));
+    words += error.what();
+    send(pipe, std::as_bytes(std::span(words)).first(std::min(words.size(), kLongestRefusal)));
+    _exit(kRefused);
 }
 
-[[noreturn]] void live(const std::function<Bytes()>& work, const ChildLimits& limits, int pipe)
+/// Both ends, closed with it.
+struct Pipe
+{
+    explicit Pipe(const std::string& subject)
+    {
+        int ends[2];
+        if (pipe2(ends, O_CLOEXEC) != 0) fail(ErrorCode::cannotRead, subject, std::strerror(errno));
+        out = ends[0];
+        in = ends[1];
+    }
+    ~Pipe()
+    {
+        close(out);
+        closeIn();
+    }
+    Pipe(const Pipe&) = delete;
+    Pipe& operator=(const Pipe&) = delete;
+
+    void closeIn()
+    {
+        if (in >= 0) close(in);
+        in = -1;
+    }
+
+    int out = -1;
+    int in = -1;
+};
+
+[[noreturn]] void live(const std::function<void(const ByteSink&)>& work, const ChildLimits& limits,
+                       const Pipe& result, const Pipe& words)
 {
     restrain(limits);
     try {
-        answer(pipe, kResult, work());
+        work([&](std::span<const std::byte> bytes) { send(result.in, bytes); });
     } catch (const Error& error) {
-        const std::string sentence = error.what();
-        answer(pipe, static_cast<std::byte>(error.code()), std::as_bytes(std::span(sentence)));
+        refuse(words.in, error);
     } catch (const std::bad_alloc&) {
         _exit(kOutOfMemory);
     } catch (...) {
@@ -101,27 +146,21 @@ void answer(int pipe, std::byte kind, std::span<const std::byte> content)
 class Child
 {
 public:
-    Child(const std::function<Bytes()>& work, const ChildLimits& limits, const std::string& what)
+    Child(const std::function<void(const ByteSink&)>& work, const ChildLimits& limits,
+          const std::string& subject)
+        : alone_(copying()), result_(subject), words_(subject), pid_(fork())
     {
-        int ends[2];
-        if (pipe2(ends, O_CLOEXEC) != 0) fail(ErrorCode::cannotRead, what, std::strerror(errno));
-        pid_ = fork();
-        if (pid_ == 0) {
-            close(ends[0]);
-            live(work, limits, ends[1]);
-        }
-        close(ends[1]);
-        pipe_ = ends[0];
-        if (pid_ < 0) {
-            close(pipe_);
-            fail(ErrorCode::cannotRead, what, std::strerror(errno));
-        }
-        fcntl(pipe_, F_SETPIPE_SZ,
+        if (pid_ == 0) live(work, limits, result_, words_);
+        const int reason = errno;
+        result_.closeIn();
+        words_.closeIn();
+        alone_.unlock();
+        if (pid_ < 0) fail(ErrorCode::cannotRead, subject, std::strerror(reason));
+        fcntl(result_.out, F_SETPIPE_SZ,
               static_cast<int>(kPipeSize)); // fewer turns; refused, it still works
     }
     ~Child()
     {
-        close(pipe_);
         if (pid_ <= 0) return;
         kill(pid_, SIGKILL);
         wait();
@@ -129,15 +168,13 @@ public:
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
-    /// Takes in what has come within a moment; false once all is there.
-    bool listen(Bytes& bytes)
+    /// Passes on what has come within a moment; false once all has.
+    bool listen(const ByteSink& take)
     {
-        pollfd ready{pipe_, POLLIN, 0};
+        pollfd ready{result_.out, POLLIN, 0};
         if (poll(&ready, 1, kPollMilliseconds) <= 0) return true;
-        const size_t before = bytes.size();
-        bytes.resize(before + kPipeSize);
-        const ssize_t count = read(pipe_, bytes.data() + before, kPipeSize);
-        bytes.resize(before + static_cast<size_t>(std::max<ssize_t>(count, 0)));
+        const ssize_t count = read(result_.out, piece_.data(), piece_.size());
+        if (count > 0) take(std::span(piece_).first(static_cast<size_t>(count)));
         return count != 0;
     }
 
@@ -151,49 +188,58 @@ public:
         return status;
     }
 
+    /// Once it has ended, what it refused with.
+    [[nodiscard]] Error refusal() const
+    {
+        std::string words(kLongestRefusal, '\0');
+        const ssize_t count = read(words_.out, words.data(), words.size());
+        words.resize(static_cast<size_t>(std::max<ssize_t>(count, 1)));
+        return {static_cast<ErrorCode>(words.front()), words.substr(1)};
+    }
+
 private:
-    pid_t pid_ = -1;
-    int pipe_ = -1;
+    std::unique_lock<std::shared_mutex> alone_;
+    Pipe result_;
+    Pipe words_;
+    pid_t pid_;
+    std::vector<std::byte> piece_{kPipeSize};
 };
 
-constexpr const char* kWayOut = "The file is damaged; export it again, best as GLB";
-
-[[noreturn]] void failOnStatus(int status, const std::string& what)
+[[noreturn]] void failOnStatus(int status, const ChildSubject& subject)
 {
+    std::string reason = "cannot be read: the library that knows this format fails on it";
     if (WIFEXITED(status) && WEXITSTATUS(status) == kOutOfMemory)
-        malformed(
-            what,
-            fmt::format("asks for far more memory than a file of its size can need.\n{}", kWayOut));
-    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-        malformed(
-            what,
-            fmt::format("takes far longer to read than a file of its size can need.\n{}", kWayOut));
-    malformed(what,
-              fmt::format("cannot be read: the library that knows this format fails on it.\n{}",
-                          kWayOut));
+        reason = "asks for far more memory than a file of its size can need";
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) reason = kTooLong;
+    malformed(subject.name, fmt::format("{}.\n{}", reason, subject.wayOut));
 }
 
 } // namespace
 
-Bytes runInChild(const std::function<Bytes()>& work, const ChildLimits& limits,
-                 const std::string& what, const Progress& progress)
+void runInChild(const std::function<void(const ByteSink& send)>& work, const ByteSink& take,
+                const ChildLimits& limits, const ChildSubject& subject, const Progress& progress)
 {
+#ifdef RELAMP_SANITIZED
+    // Its allocator knows nothing of copies: one made while another thread allocates would find it
+    // locked for ever. At least those that wait here do not.
+    static std::mutex oneAtATime;
+    const std::lock_guard alone(oneAtATime);
+#endif
     const auto deadline = Clock::now() + std::chrono::duration<double>(2.0 * limits.seconds + 1.0);
-    Child child(work, limits, what);
-    Bytes bytes;
-    while (child.listen(bytes)) {
+    Child child(work, limits, subject.name);
+    while (child.listen(take)) {
         progress.check();
         if (Clock::now() > deadline)
-            malformed(what,
-                      fmt::format("takes far longer to read than a file of its size can need.\n{}",
-                                  kWayOut));
+            malformed(subject.name, fmt::format("{}.\n{}", kTooLong, subject.wayOut));
     }
-    if (const int status = child.wait(); status != 0 || bytes.empty()) failOnStatus(status, what);
-    const std::byte kind = bytes.front();
-    bytes.erase(bytes.begin());
-    if (kind == kResult) return bytes;
-    throw Error(static_cast<ErrorCode>(kind),
-                {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    const int status = child.wait();
+    if (WIFEXITED(status) && WEXITSTATUS(status) == kRefused) throw child.refusal();
+    if (status != 0) failOnStatus(status, subject);
+}
+
+std::shared_lock<std::shared_mutex> delayCopies()
+{
+    return std::shared_lock(copying());
 }
 
 } // namespace relamp

@@ -19,68 +19,107 @@ namespace
 {
 
 using Bytes = std::vector<std::byte>;
+using Work = std::function<void(const ByteSink&)>;
 using testing::AnyOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-std::string refusalOf(const std::function<Bytes()>& work, const ChildLimits& limits = {})
+const ChildSubject kSubject{"room.obj", "Export it again"};
+
+Bytes sentBy(const Work& work, const ChildLimits& limits = {})
 {
-    Progress progress;
-    return scenes::refusalOf([&] { runInChild(work, limits, "room.obj", progress); });
+    const Progress progress;
+    Bytes bytes;
+    const auto take = [&](std::span<const std::byte> piece) {
+        bytes.insert(bytes.end(), piece.begin(), piece.end());
+    };
+    runInChild(work, take, limits, kSubject, progress);
+    return bytes;
+}
+
+std::string refusalOf(const Work& work, const ChildLimits& limits = {})
+{
+    return scenes::refusalOf([&] { sentBy(work, limits); });
+}
+
+void sleepLong(const ByteSink& /*send*/)
+{
+    std::this_thread::sleep_for(std::chrono::hours(1));
 }
 
 } // namespace
 
-TEST(ChildProcess, BytesComeBackWhateverTheirNumber)
+TEST(ChildProcess, WhatIsSentComesBackInOrder)
 {
-    Progress progress;
     for (const size_t count : {size_t{0}, size_t{1}, size_t{5'000'000}}) {
-        const Bytes bytes =
-            runInChild([&] { return Bytes(count, std::byte{7}); }, {}, "", progress);
-        EXPECT_EQ(bytes, Bytes(count, std::byte{7}));
+        Bytes all(count, std::byte{7});
+        all.resize(2 * count, std::byte{8});
+        const std::span<const std::byte> halves(all);
+        const auto work = [&](const ByteSink& send) {
+            send(halves.first(count));
+            send(halves.subspan(count));
+        };
+        EXPECT_EQ(sentBy(work), all);
     }
 }
 
 TEST(ChildProcess, WhatTheWorkChangesIsLost)
 {
-    Progress progress;
     int touched = 0;
-    runInChild([&] { return ++touched, Bytes(); }, {}, "", progress);
+    sentBy([&](const ByteSink&) { ++touched; });
     EXPECT_EQ(touched, 0);
 }
 
 TEST(ChildProcess, AnErrorIsThrownHere)
 {
-    EXPECT_EQ(refusalOf([]() -> Bytes { throw Error(ErrorCode::unsupported, "no such thing"); }),
-              "no such thing");
+    EXPECT_EQ(
+        refusalOf([](const ByteSink&) { throw Error(ErrorCode::unsupported, "no such thing"); }),
+        "no such thing");
+    EXPECT_EQ(refusalOf([](const ByteSink& send) {
+                  send(Bytes(5'000'000));
+                  throw Error(ErrorCode::unsupported, "half of it is missing");
+              }),
+              "half of it is missing");
+}
+
+TEST(ChildProcess, WhatTakesItMayRefuseIt)
+{
+    const Progress progress;
+    const auto work = [](const ByteSink& send) {
+        for (;;) send(Bytes(1000));
+    };
+    const auto take = [](std::span<const std::byte>) {
+        throw Error(ErrorCode::malformed, "too much of it");
+    };
+    EXPECT_EQ(scenes::refusalOf([&] { runInChild(work, take, {}, kSubject, progress); }),
+              "too much of it");
 }
 
 TEST(ChildProcess, ACrashIsASentence)
 {
-    EXPECT_THAT(refusalOf([]() -> Bytes { std::abort(); }), StartsWith("room.obj: cannot be read"));
-    EXPECT_THAT(refusalOf([]() -> Bytes { return std::raise(SIGSEGV), Bytes(); }),
-                StartsWith("room.obj: cannot be read"));
-    EXPECT_THAT(refusalOf([]() -> Bytes { throw 7; }), StartsWith("room.obj: cannot be read"));
+    for (const Work& work : {Work([](const ByteSink&) { std::abort(); }),
+                             Work([](const ByteSink&) { std::raise(SIGSEGV); }),
+                             Work([](const ByteSink&) { throw 7; })}) {
+        EXPECT_THAT(refusalOf(work), StartsWith("room.obj: cannot be read"));
+        EXPECT_THAT(refusalOf(work), EndsWith("Export it again"));
+    }
 }
 
 TEST(ChildProcess, AHangIsASentence)
 {
-    const auto hang = []() -> Bytes {
+    const auto hang = [](const ByteSink&) {
         for (std::atomic<int> i = 0;; ++i) {
         }
     };
     EXPECT_THAT(refusalOf(hang, {.seconds = 0.1}), HasSubstr("takes far longer to read"));
-    const auto sleep = []() -> Bytes {
-        std::this_thread::sleep_for(std::chrono::hours(1));
-        return {};
-    };
-    EXPECT_THAT(refusalOf(sleep, {.seconds = 0.0}), HasSubstr("takes far longer to read"));
+    EXPECT_THAT(refusalOf(sleepLong, {.seconds = 0.0}), HasSubstr("takes far longer to read"));
 }
 
 TEST(ChildProcess, GreedIsASentence)
 {
     // Under a sanitizer the allocator itself gives up, which looks like any other crash.
-    EXPECT_THAT(refusalOf([] { return Bytes(size_t{3} << 30); }),
+    EXPECT_THAT(refusalOf([](const ByteSink& send) { send(Bytes(size_t{3} << 30)); }),
                 AnyOf(HasSubstr("asks for far more memory"), HasSubstr("fails on it")));
 }
 
@@ -88,11 +127,45 @@ TEST(ChildProcess, CancelledItDoesNotWait)
 {
     Progress progress;
     progress.cancel();
-    const auto sleep = []() -> Bytes {
-        std::this_thread::sleep_for(std::chrono::hours(1));
-        return {};
-    };
-    EXPECT_THROW(runInChild(sleep, {}, "", progress), Error);
+    EXPECT_THROW(runInChild(
+                     sleepLong, [](std::span<const std::byte>) {}, {}, kSubject, progress),
+                 Error);
+}
+
+#ifndef RELAMP_SANITIZED // there one does
+// Else the pipe of one would stay open as long as another that was made meanwhile.
+TEST(ChildProcess, OneDoesNotWaitForAnother)
+{
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<std::thread> sleepers;
+    for (int i = 0; i < 8; ++i)
+        sleepers.emplace_back([] {
+            sentBy([](const ByteSink&) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+            });
+        });
+    for (int i = 0; i < 20; ++i)
+        EXPECT_EQ(sentBy([](const ByteSink& send) { send(Bytes(1)); }), Bytes(1));
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(1400));
+    for (std::thread& sleeper : sleepers) sleeper.join();
+}
+
+#endif
+
+TEST(ChildProcess, NoneIsMadeWhileSomethingIsHalfway)
+{
+    std::atomic<bool> isHalfway = true;
+    auto delay = delayCopies();
+    bool sawHalfway = true;
+    std::thread other([&] {
+        sawHalfway =
+            sentBy([&](const ByteSink& send) { send(Bytes(isHalfway ? 1 : 0)); }) == Bytes(1);
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    isHalfway = false;
+    delay.unlock();
+    other.join();
+    EXPECT_FALSE(sawHalfway);
 }
 
 } // namespace relamp

@@ -1,5 +1,6 @@
 #include "relamp/threads.h"
 
+#include <algorithm>
 #include <thread>
 
 #include <OpenEXR/ImfThreading.h>
@@ -22,7 +23,8 @@ ThreadLimit::ThreadLimit(int count)
     const size_t threads =
         count > 0 ? static_cast<size_t>(count) : std::thread::hardware_concurrency();
     control_ = std::make_unique<Control>(threads);
-    Imf::setGlobalThreadCount(static_cast<int>(threads));
+    constexpr size_t kMostExrThreads = 256; // image/other_formats.cpp comes with as many
+    Imf::setGlobalThreadCount(static_cast<int>(std::min(threads, kMostExrThreads)));
 }
 
 ThreadLimit::~ThreadLimit() = default;

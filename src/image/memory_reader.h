@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,7 +11,8 @@ namespace relamp
 {
 
 /// A file in memory, for OpenImageIO to read. Its own reader trusts the places that a file names:
-/// a negative one makes it read what lies before the bytes.
+/// a negative one makes it read what lies before the bytes. And it does not tell of a read that
+/// went beyond the end: libtiff's are taken for black.
 class MemoryReader : public OIIO::Filesystem::IOMemReader
 {
 public:
@@ -20,18 +22,35 @@ public:
 
     bool seek(int64_t offset) override
     {
-        return isInside(offset) && OIIO::Filesystem::IOMemReader::seek(offset);
+        const bool isFound = isInside(offset) && OIIO::Filesystem::IOMemReader::seek(offset);
+        shortReads_ += isFound ? 0 : 1;
+        return isFound;
+    }
+    size_t read(void* to, size_t count) override
+    {
+        return noted(OIIO::Filesystem::IOMemReader::read(to, count), count);
     }
     size_t pread(void* to, size_t count, int64_t offset) override
     {
-        return isInside(offset) ? OIIO::Filesystem::IOMemReader::pread(to, count, offset) : 0;
+        if (!isInside(offset)) return noted(0, count);
+        return noted(OIIO::Filesystem::IOMemReader::pread(to, count, offset), count);
     }
 
+    /// How often more was asked for than there is.
+    [[nodiscard]] int shortReads() const { return shortReads_; }
+
 private:
+    size_t noted(size_t read, size_t wanted)
+    {
+        shortReads_ += read < wanted ? 1 : 0;
+        return read;
+    }
     [[nodiscard]] bool isInside(int64_t offset) const
     {
         return offset >= 0 && offset <= static_cast<int64_t>(size());
     }
+
+    std::atomic<int> shortReads_ = 0;
 };
 
 } // namespace relamp

@@ -3,6 +3,9 @@
 #include "image/memory_reader.h"
 #include "image/other_formats.h"
 
+#include <algorithm>
+#include <vector>
+
 #include <OpenImageIO/imageio.h>
 
 namespace relamp
@@ -19,47 +22,69 @@ PictureHeader headerFrom(const OIIO::ImageSpec& spec)
             .channels = spec.nchannels,
             .alphaChannel = spec.alpha_channel,
             .isOfBytes = spec.format.basesize() == 1,
+            .isOfHalves = spec.format == OIIO::TypeHalf && spec.channelformats.empty(),
             .isOfFloats = spec.format.is_floating_point()};
 }
 
-template<class Sample>
-bool readSamples(OIIO::ImageInput& input, Picture& picture)
+OIIO::TypeDesc typeOf(const PictureHeader& header)
 {
-    const PictureHeader& header = picture.header;
+    if (header.isOfBytes) return OIIO::TypeUInt8;
+    return header.isOfHalves ? OIIO::TypeHalf : OIIO::TypeFloat;
+}
+
+/// All rows, as many at a time as a row of tiles has, or as OpenImageIO reads at once.
+bool readSamples(OIIO::ImageInput& input, const PictureHeader& header, const ByteSink& take)
+{
+    constexpr int kLines = 256;
+    const OIIO::ImageSpec& spec = input.spec();
+    const OIIO::TypeDesc type = typeOf(header);
     const int channels = header.channelsToRead();
-    std::vector<Sample> samples(static_cast<size_t>(header.width * header.height * channels));
-    const OIIO::TypeDesc type = OIIO::BaseTypeFromC<Sample>::value;
-    if (!input.read_image(0, 0, 0, channels, type, samples.data())) return false;
-    picture.samples = std::move(samples);
+    const bool hasTiles = spec.tile_width > 0;
+    const int rows = hasTiles ? spec.tile_height : kLines;
+    std::vector<std::byte> samples;
+    for (int y = 0; y < spec.height; y += rows) {
+        const int count = std::min(rows, spec.height - y);
+        const int begin = spec.y + y;
+        samples.resize(type.size() * static_cast<size_t>(header.width * count * channels));
+        const bool isRead =
+            hasTiles ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, begin + count,
+                                        spec.z, spec.z + 1, 0, channels, type, samples.data())
+                     : input.read_scanlines(0, 0, begin, begin + count, spec.z, 0, channels, type,
+                                            samples.data());
+        if (!isRead) return false;
+        take(samples);
+    }
     return true;
 }
 
-void read(OtherFormat& file)
+void read(OtherFormat& other)
 {
-    MemoryReader reader(file.bytes);
+    const std::string& format = other.file.format;
+    MemoryReader reader(other.file.bytes);
     OIIO::ImageSpec hints;
     hints["oiio:UnassociatedAlpha"] = 1;
     OIIO::ImageSpec spec;
-    const auto input = OIIO::ImageInput::create(file.format);
-    if (!input || !input->set_ioproxy(&reader) ||
-        !input->open("memory." + file.format, spec, hints)) {
-        file.failure = input ? input->geterror() : OIIO::geterror();
+    const auto input = OIIO::ImageInput::create(format);
+    if (!input || !input->set_ioproxy(&reader) || !input->open("memory." + format, spec, hints)) {
+        other.failure = input ? input->geterror() : OIIO::geterror();
         return;
     }
-    file.picture.header = headerFrom(spec);
-    file.check(file.picture.header);
-    const bool isRead = file.picture.header.isOfBytes ? readSamples<uint8_t>(*input, file.picture)
-                                                      : readSamples<float>(*input, file.picture);
-    if (!isRead) file.failure = input->geterror();
+    const PictureHeader header = headerFrom(spec);
+    other.takeHeader(header);
+    const int before = reader.shortReads(); // what is beside the picture may well be beyond the end
+    if (!readSamples(*input, header, other.takeSamples))
+        other.failure = input->geterror();
+    else if (format == "tiff" && reader.shortReads() > before)
+        other.failure = "it is cut off";
 }
 
 } // namespace
 } // namespace relamp
 
 extern "C" __attribute__((visibility("default"))) void
-relampReadWithOpenImageIo(relamp::OtherFormat& file)
+relampReadWithOpenImageIo(relamp::OtherFormat& other)
 {
-    OIIO::attribute("threads", file.threads);
-    OIIO::attribute("exr_threads", file.threads);
-    relamp::read(file);
+    OIIO::attribute("threads", other.threads);
+    OIIO::attribute("exr_threads", other.exrThreads);
+    relamp::read(other);
 }

@@ -1,13 +1,31 @@
 #pragma once
 
+#include "base/fail.h"
+
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <variant>
 #include <vector>
 
 namespace relamp
 {
+
+/// A picture as it came, in memory.
+struct PictureFile
+{
+    std::span<const std::byte> bytes;
+    std::string name;   // what to call it in an error
+    std::string format; // OpenImageIO's name of it
+};
+
+[[noreturn]] inline void undecodable(const PictureFile& file, const std::string& reason)
+{
+    malformed(file.name, fmt::format("cannot be decoded as {}: {}", file.format, reason));
+}
 
 /// What a picture file says of itself, before there is room for its pixels.
 struct PictureHeader
@@ -19,6 +37,7 @@ struct PictureHeader
     int channels = 0;         // as decoded
     int alphaChannel = -1;    // -1: none
     bool isOfBytes = true;    // a byte a sample
+    bool isOfHalves = false;  // a half float a sample
     bool isOfFloats = false;  // brighter than white is possible
     bool halvesColor = false; // a JPEG that keeps colour coarser than brightness
 
@@ -31,11 +50,12 @@ struct PictureHeader
 };
 
 /// A picture as its file has it: channelsToRead() samples a pixel, row after row, opacity not
-/// multiplied in. Whole numbers of more than a byte are floats of 0..1.
+/// multiplied in. They are bytes, any half floats, or floats: whole numbers of more than a byte are
+/// floats of 0..1.
 struct Picture
 {
     PictureHeader header;
-    std::variant<std::vector<uint8_t>, std::vector<float>> samples;
+    std::variant<std::vector<uint8_t>, std::vector<uint16_t>, std::vector<float>> samples;
 };
 
 /// Looks at a header before there is room for the pixels, and throws where they are not wanted.

@@ -4,9 +4,7 @@
 #include "base/file.h"
 #include "base/half.h"
 #include "image/chroma.h"
-#include "image/claimed_size.h"
 #include "image/damage.h"
-#include "image/exr_header.h"
 #include "image/jpeg.h"
 #include "image/other_formats.h"
 #include "image/png.h"
@@ -16,6 +14,7 @@
 #include <cmath>
 #include <cstring>
 #include <string_view>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -78,51 +77,45 @@ std::string formatOf(std::span<const std::byte> bytes, const std::string& name)
     if (startsWith(bytes, "BM"sv)) return "bmp";
     if (startsWith(bytes, "KTX 20"sv, 1))
         fail(ErrorCode::unsupported, name,
-             "is in KTX2 / Basis Universal, which relamp does not read; export it as JPEG or PNG");
+             "is in KTX2 / Basis Universal, which relamp does not read.\nExport it as JPEG or PNG, "
+             "or "
+             "convert it, with KTX-Software: ktx extract in.ktx2 out.png");
     if (name.ends_with(".tga") || name.ends_with(".TGA")) return "targa";
     malformed(name, "is no picture that relamp reads (JPEG, PNG, WebP, TIFF, EXR, HDR, BMP, TGA)");
 }
 
-void checkExr(std::span<const std::byte> bytes, const std::string& name)
+void checkWhole(const PictureFile& file)
 {
-    const ExrHeaders headers = readExrHeaders(bytes);
-    if (!headers.isSound)
-        malformed(name, "the header of the EXR is cut off or damaged; copy it again");
-    if (headers.unpacked > static_cast<double>(mayUnpackTo(bytes.size())) ||
-        8.0 * headers.chunks > static_cast<double>(bytes.size()))
-        malformed(name, fmt::format("the header of the EXR claims more than the {} bytes of the "
-                                    "file hold; copy it again",
-                                    bytes.size()));
+    if (file.format == "jpeg" && !isWholeJpeg(file.bytes))
+        malformed(file.name, "the JPEG is cut off; copy it again");
+    if (file.format == "png" && !isWholePng(file.bytes))
+        malformed(file.name, "the PNG is cut off or damaged; copy it again");
 }
 
-void checkWhole(std::span<const std::byte> bytes, const std::string& format,
-                const std::string& name)
+Picture readPicture(const PictureFile& file)
 {
-    if (format == "jpeg" && !isWholeJpeg(bytes))
-        malformed(name, "the JPEG is cut off; copy it again");
-    if (format == "png" && !isWholePng(bytes))
-        malformed(name, "the PNG is cut off or damaged; copy it again");
-    if (format == "openexr") checkExr(bytes, name);
-}
-
-Picture readPicture(std::span<const std::byte> bytes, const std::string& format,
-                    const std::string& name)
-{
-    const auto check = [&](const PictureHeader& header) { checkSize(header, bytes.size(), name); };
+    const size_t size = file.bytes.size();
+    const auto check = [&](const PictureHeader& header) { checkSize(header, size, file.name); };
     try {
-        if (format == "jpeg") return readJpeg(bytes, check);
-        if (format == "png") return readPng(bytes, check);
-        if (const auto claimed = claimedSize(bytes, format)) check(*claimed);
-        return readOtherFormat(bytes, format, check);
+        if (file.format == "jpeg") return readJpeg(file.bytes, check);
+        if (file.format == "png") return readPng(file.bytes, check);
     } catch (const UndecodablePicture& reason) {
-        malformed(name, fmt::format("cannot be decoded as {}: {}", format, reason.what()));
+        undecodable(file, reason.what());
     }
+    constexpr int64_t kLargestPixel = 4 * sizeof(float);
+    return readOtherFormat(file, std::min(mayUnpackTo(size), kMostPixels * kLargestPixel), check);
 }
 
 /// The colour of every pixel, with grey spread over the three channels.
 template<class From, class To, class Convert>
-void takeRgb(const std::vector<From>& from, size_t channels, std::vector<To>& rgb, Convert convert)
+void takeRgb(std::vector<From>&& from, size_t channels, std::vector<To>& rgb, Convert convert)
 {
+    if constexpr (std::is_same_v<From, To>)
+        if (channels == 3) { // in place
+            std::transform(from.begin(), from.end(), from.begin(), convert);
+            rgb = std::move(from);
+            return;
+        }
     const size_t green = channels >= 3 ? 1 : 0;
     const size_t blue = channels >= 3 ? 2 : 0;
     const size_t pixels = from.size() / channels;
@@ -150,45 +143,50 @@ float finiteOrZero(float value)
     return std::isfinite(value) && value > 0.0f ? value : 0.0f;
 }
 
+/// Of a half float. Behind those that are comes infinity, then NaN, then all with a sign.
+float finiteOrZero(uint16_t half)
+{
+    constexpr uint16_t kInfinity = 0x7c00;
+    return half < kInfinity ? floatFromHalf(half) : 0.0f;
+}
+
 void takeSamples(std::vector<uint8_t>&& samples, size_t channels, Transfer transfer, Image& image)
 {
     image.transfer = transfer == Transfer::linear ? Transfer::linear : Transfer::srgb;
     const auto same = [](uint8_t v) { return v; };
     if (channels % 2 == 0) takeAlpha(samples, channels, channels - 1, image.alpha, same);
-    if (channels == 3)
-        image.rgb = std::move(samples);
-    else
-        takeRgb(samples, channels, image.encoded(), same);
+    takeRgb(std::move(samples), channels, image.encoded(), same);
 }
 
-void takeSamples(std::vector<float>&& samples, size_t channels, Transfer transfer, Image& image)
+template<class Finer>
+void takeSamples(std::vector<Finer>&& samples, size_t channels, Transfer transfer, Image& image)
 {
     image.transfer = Transfer::linear;
-    const bool encoded = transfer == Transfer::srgb;
-    image.rgb = std::vector<uint16_t>();
-    takeRgb(samples, channels, image.half(), [&](float value) {
-        const float v = finiteOrZero(value);
-        return halfFromFloat(encoded ? linearFromSrgb(v) : v);
-    });
-    const auto byte = [](float v) {
+    const auto byte = [](Finer v) {
         return static_cast<uint8_t>(std::lround(255.0f * std::min(finiteOrZero(v), 1.0f)));
     };
     if (channels % 2 == 0) takeAlpha(samples, channels, channels - 1, image.alpha, byte);
+    const bool encoded = transfer == Transfer::srgb;
+    image.rgb = std::vector<uint16_t>();
+    takeRgb(std::move(samples), channels, image.half(), [&](Finer value) {
+        const float v = finiteOrZero(value);
+        return halfFromFloat(encoded ? linearFromSrgb(v) : v);
+    });
 }
 
 } // namespace
 
 Image readImage(std::span<const std::byte> bytes, const std::string& name, Transfer transfer)
 {
-    const std::string format = formatOf(bytes, name);
-    checkWhole(bytes, format, name);
-    Picture picture = readPicture(bytes, format, name);
+    const PictureFile file{bytes, name, formatOf(bytes, name)};
+    checkWhole(file);
+    Picture picture = readPicture(file);
     const PictureHeader& header = picture.header;
 
     Image image;
     image.width = static_cast<int>(header.width);
     image.height = static_cast<int>(header.height);
-    image.wasJpeg = format == "jpeg";
+    image.wasJpeg = file.format == "jpeg";
     image.clipsAtWhite = !header.isOfFloats;
     if (transfer == Transfer::automatic)
         transfer = image.clipsAtWhite ? Transfer::srgb : Transfer::linear;

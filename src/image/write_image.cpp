@@ -1,5 +1,6 @@
 #include "image/write_image.h"
 
+#include "base/child_process.h"
 #include "base/fail.h"
 #include "base/file.h"
 
@@ -55,6 +56,7 @@ void encodeExr(std::span<const uint16_t> rgb, Size size, MemoryWriter& writer)
                                          kPixel * static_cast<size_t>(size.width)));
         samples += sizeof(uint16_t);
     }
+    const auto delay = delayCopies(); // which would find OpenEXR's threads gone, with their work
     Imf::OutputFile file(writer, header);
     file.setFrameBuffer(frame);
     file.writePixels(size.height);

@@ -328,8 +328,13 @@ Import importWithAssimp(const std::filesystem::path& file, const ScanOptions& op
     ChildLimits limits;
     limits.memory += kMemoryPerByte * size;
     limits.seconds = 4.0 + kSecondsPerByte * static_cast<double>(size);
-    const std::vector<std::byte> bytes =
-        runInChild([&] { return importAndPack(file, folder); }, limits, file.string(), progress);
+    std::vector<std::byte> bytes;
+    runInChild([&](const ByteSink& send) { send(importAndPack(file, folder)); },
+               [&](std::span<const std::byte> piece) {
+                   bytes.insert(bytes.end(), piece.begin(), piece.end());
+               },
+               limits, {file.string(), "The file is damaged; export it again, best as GLB"},
+               progress);
     Import import;
     std::span<const std::byte> rest(bytes);
     try {

@@ -97,10 +97,11 @@ int imageOfTexture(const tinygltf::Model& model, int texture, const std::string&
         malformed(what, fmt::format("refers to texture {}, which is not there", texture));
     const tinygltf::Texture& found = model.textures[static_cast<size_t>(texture)];
     if (extensionOf(found.extensions, "KHR_texture_basisu") != nullptr)
-        fail(ErrorCode::unsupported, what,
-             "its texture is in KTX2 / Basis Universal, which relamp does not read; export it with "
-             "JPEG or PNG "
-             "textures");
+        fail(
+            ErrorCode::unsupported, what,
+            "its texture is in KTX2 / Basis Universal, which relamp does not read.\nExport it with "
+            "JPEG or PNG textures, or convert it, for which KTX-Software has to be installed:\n"
+            "npx @gltf-transform/cli ktxdecompress in.glb out.glb");
     malformed(what, fmt::format("its texture {} refers to image {}, which is not there", texture,
                                 found.source));
 }

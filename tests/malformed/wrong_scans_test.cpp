@@ -245,6 +245,16 @@ TEST_F(WrongGlb, APictureThatClaimsMoreThanItHoldsIsRefused)
     }
 }
 
+TEST_F(WrongGlb, BasisUniversalIsRefusedWithTheCommandThatConvertsIt)
+{
+    GltfFile file = scenes::texturedSquare();
+    file.document["extensionsUsed"] = file.document["extensionsRequired"] = {"KHR_texture_basisu"};
+    file.document["images"][0]["mimeType"] = "image/ktx2";
+    file.document["textures"][0]["extensions"]["KHR_texture_basisu"]["source"] = 0;
+    file.document["textures"][0].erase("source");
+    expectRefused(file, "npx @gltf-transform/cli ktxdecompress in.glb out.glb");
+}
+
 TEST_F(WrongGlb, JsonWithoutEndIsRefused)
 {
     GltfFile file = scenes::texturedSquare();

@@ -72,10 +72,11 @@ Bytes pngWithPalette(uint32_t width, uint32_t height)
 
 template<class Sample>
 std::vector<uint8_t> pictureFile(const std::string& format, const Pixels<Sample>& pixels,
-                                 const std::string& subsampling)
+                                 const std::string& subsampling, const std::string& fileType)
 {
     const OIIO::TypeDesc type = OIIO::BaseTypeFromC<Sample>::value;
-    OIIO::ImageSpec spec(pixels.width, pixels.height, pixels.channels, type);
+    OIIO::ImageSpec spec(pixels.width, pixels.height, pixels.channels,
+                         fileType.empty() ? type : OIIO::TypeDesc(fileType));
     spec["oiio:UnassociatedAlpha"] = 1;
     spec["compression"] = format == "jpeg" ? "jpeg:100" : "zip";
     spec["jpeg:subsampling"] = subsampling;
@@ -89,11 +90,11 @@ std::vector<uint8_t> pictureFile(const std::string& format, const Pixels<Sample>
 }
 
 template std::vector<uint8_t> pictureFile(const std::string&, const Pixels<uint8_t>&,
-                                          const std::string&);
+                                          const std::string&, const std::string&);
 template std::vector<uint8_t> pictureFile(const std::string&, const Pixels<uint16_t>&,
-                                          const std::string&);
+                                          const std::string&, const std::string&);
 template std::vector<uint8_t> pictureFile(const std::string&, const Pixels<float>&,
-                                          const std::string&);
+                                          const std::string&, const std::string&);
 
 Pixels<uint8_t> fourColors()
 {

@@ -18,10 +18,12 @@ struct Pixels
 };
 
 /// A picture file: "png", "jpeg", "webp", "tiff", "openexr", "hdr", "bmp" or "targa". A JPEG keeps
-/// colour at the resolution that `subsampling` says.
+/// colour at the resolution that `subsampling` says; an EXR or a TIFF may keep the samples as
+/// another type, "half".
 template<class Sample>
 std::vector<uint8_t> pictureFile(const std::string& format, const Pixels<Sample>& pixels,
-                                 const std::string& subsampling = "4:4:4");
+                                 const std::string& subsampling = "4:4:4",
+                                 const std::string& fileType = "");
 
 /// Two by two: red, green, then blue, white.
 Pixels<uint8_t> fourColors();

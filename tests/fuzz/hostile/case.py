@@ -32,6 +32,7 @@ class Case:
     kill: tuple = ()  # signal and after how many seconds
     again: bool = False  # after the kill the same once more, which must do as if nothing had been
     env: dict = dataclasses.field(default_factory=dict)
+    refused: str = ""  # it must be, with a sentence that names this
 
 
 @dataclasses.dataclass
@@ -122,6 +123,8 @@ def judge(case, outcome, folder, before):
         return judge_killed(case, outcome, folder, before)
     if outcome.code not in (0, 1, 2):
         return f"exit code {outcome.code}"
+    if case.refused and (outcome.code != 1 or case.refused not in outcome.err):
+        return f"not refused for {case.refused}"
     return (judge_words(case, outcome) or (judge_result(case, outcome, folder) if outcome.code == 0
                                           else judge_refusal(case, outcome, folder, before)))
 
