@@ -25,7 +25,16 @@ import os
 import sys
 
 import numpy as np
-from scan_file import LUMINANCE, ScanFile, bytes_from_linear, linear_from_srgb, read_linear, texel_places, write_exr
+from scan_file import (
+    LUMINANCE,
+    ScanFile,
+    bytes_from_linear,
+    continue_charts,
+    linear_from_srgb,
+    read_linear,
+    texel_places,
+    write_exr,
+)
 
 GREY = 0.18
 WORDS = "film spline gamma video local expose white ceiling none".split()
@@ -157,20 +166,6 @@ def files_of(room):
         if os.path.exists(os.path.join(room, scan)):
             return scan, hdr
     sys.exit(f"camera.py: {room}: neither scan.glb nor scan_recon.glb is there")
-
-
-def continue_charts(seen, is_inside, steps=4):
-    """What is outside of charts goes on as the chart beside it does, or filters and JPEG would mix in black."""
-    seen, known = seen * is_inside[..., None], is_inside.copy()
-    for _ in range(steps):
-        total, count = np.zeros(seen.shape), np.zeros(known.shape)
-        for y, x in np.argwhere(np.ones((3, 3))) - 1:
-            total += np.roll(seen, (y, x), (0, 1))
-            count += np.roll(known, (y, x), (0, 1))
-        new = ~known & (count > 0)
-        seen[new] = total[new] / count[new][:, None]
-        known |= new
-    return seen
 
 
 def link_truth(room, out):

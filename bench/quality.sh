@@ -4,7 +4,8 @@
 #   bench/quality.sh ROOMS METRICS [RELAMP [RESULTS]]
 #
 # ROOMS holds a folder a room, as relamp_rooms writes them (docs/dev/rooms.md); METRICS is metrics.py, which reads them;
-# RELAMP is the program, by default that of build/release. Results stay in RESULTS, by default build/quality.
+# RELAMP is the program, by default that of build/release. Results stay in RESULTS, by default build/quality. The last table, of
+# what the answer must not depend on (bench/invariance.py), takes five times as long as the others; the exit status is its own.
 set -euo pipefail
 if [ $# -lt 2 ]; then
     sed -n '2,/^set/{/^set/!p}' "$0" | cut -c3-
@@ -54,3 +55,5 @@ table() { # kind, folder under the room, scan
 
 table Clean '' scan.glb
 table Reconstructed /recon scan_recon.glb
+printf '\n## Invariance\n\n'
+"$repository/bench/invariance.py" "$rooms" "$relamp" "$results/Invariance"

@@ -1,6 +1,6 @@
 """A scan's GLB as numpy sees it: triangles, where its texels are, its texture; and pictures, linear and as bytes.
 
-For bench/camera.py and bench/vary.py. Knows plain GLBs of one texture, as those of the rooms with ground truth: no
+For bench/camera.py and bench/invariance.py. Knows plain GLBs of one texture, as those of the rooms with ground truth: no
 compression, no sparse accessors, indexed triangles. Needs python3-numpy, -pil, -openimageio.
 """
 import io
@@ -116,12 +116,14 @@ class ScanFile:
 
         return np.asarray(Image.open(io.BytesIO(self.views[self.image["bufferView"]])).convert("RGB"))
 
-    def put_texture(self, rgb, quality=92):
+    def put_texture(self, rgb, lossless=False):
         """Bytes, (h, w, 3), stored as the scan's were: PNG, or JPEG without subsampling."""
         from PIL import Image
 
         out = io.BytesIO()
-        how = {"format": "JPEG", "quality": quality, "subsampling": 0} if self.is_jpeg() else {"format": "PNG"}
+        if lossless:
+            self.image["mimeType"] = "image/png"
+        how = {"format": "JPEG", "quality": 92, "subsampling": 0} if self.is_jpeg() else {"format": "PNG"}
         Image.fromarray(rgb).save(out, **how)
         self.views[self.image["bufferView"]] = out.getvalue()
         return out.getvalue()
@@ -178,3 +180,17 @@ def texel_places(corners, coordinates, shape, rim=2.5):
                 places[at] = (share[..., None] * corners[some[t]]).sum(1)
                 owner[at] = some[t]
     return places, owner
+
+
+def continue_charts(seen, is_inside, steps=4):
+    """What is outside of charts goes on as the chart beside it does, or filters and JPEG would mix in black."""
+    seen, known = seen * is_inside[..., None], is_inside.copy()
+    for _ in range(steps):
+        total, count = np.zeros(seen.shape), np.zeros(known.shape)
+        for y, x in np.argwhere(np.ones((3, 3))) - 1:
+            total += np.roll(seen, (y, x), (0, 1))
+            count += np.roll(known, (y, x), (0, 1))
+        new = ~known & (count > 0)
+        seen[new] = total[new] / count[new][:, None]
+        known |= new
+    return seen

@@ -26,8 +26,6 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::UnorderedElementsAre;
 
-const std::filesystem::path kRoom = RELAMP_SAMPLES "/bedroom";
-
 std::vector<std::string> namesIn(const std::filesystem::path& folder)
 {
     std::vector<std::string> names;
@@ -87,7 +85,7 @@ TEST_F(DelightProgram, ThesisSolverTakesSomeShadingOffTheSample)
     ASSERT_EQ(runRelamp({"delight", kSampleScan, "-o", folder / "out", "--solver", "thesis", "-q"})
                   .exitCode,
               0);
-    const Truth truth = truthOfSample(kRoom);
+    const Truth truth = truthOfSample(kSampleRoom);
     const Score input = scoreAlbedo(truth.input, truth);
     EXPECT_NEAR(input.psnr, 11.88, 0.05);
     EXPECT_NEAR(input.leakSlope, 1.0, 0.01);
@@ -99,7 +97,7 @@ TEST_F(DelightProgram, ThesisSolverTakesSomeShadingOffTheSample)
 // Narrow on both sides: who makes it better raises the figures here, who makes it worse sees it.
 TEST_F(DelightProgram, GatherSolverTakesTheShadingOffTheSample)
 {
-    const Score score = scoreAlbedo(readPicture(out() / "albedo.exr"), truthOfSample(kRoom));
+    const Score score = scoreAlbedo(readPicture(out() / "albedo.exr"), truthOfSample(kSampleRoom));
     EXPECT_NEAR(score.psnr, 24.9, 0.5);
     EXPECT_NEAR(score.leakSlope, 0.056, 0.02);
 }

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# Constants of what decides which surfaces shine, whether the sun does, what lies in shade and what the geometry misses. Prints
+# each with its value and what its comment says; a constant without a comment, trailing or in the line above, stands for nothing that a
+# reader knows. Units of surfels or texels are none: they change with the texture's resolution.
+#
+# Each count may fall and not rise; lower the limit when it has.
+set -euo pipefail
+readonly mostConstants=186 # to be 60
+readonly mostWithoutWord=32 # to be 0
+readonly mostOfGrid=13 # to be 0
+
+find src/fit src/lights/candidates.cpp src/albedo/doubts.cpp -type f \( -name '*.cpp' -o -name '*.h' \) \
+    ! -name '*_test.cpp' | LC_ALL=C sort | xargs awk -v constants="$mostConstants" -v wordless="$mostWithoutWord" -v grid="$mostOfGrid" '
+    function flush(    value, said) {
+        if (line == "") return
+        match(line, /k[A-Z][A-Za-z0-9]*/)
+        name = substr(line, RSTART, RLENGTH)
+        said = line ~ /\/\// ? line : above
+        sub(/^[^\/]*\/\/ */, "", said)
+        value = line
+        sub(/ *\/\/.*/, "", value)
+        sub(/^[^=]*= */, "", value)
+        sub(/;.*/, "", value)
+        ++count
+        mark = ""
+        if (said == "") { ++counts["wordless"]; mark = "  <- says nothing" }
+        if (said ~ /[Ss]urfel|[Tt]exel/) { ++counts["grid"]; mark = "  <- of the grid" }
+        printf "%-32s %-28s %-16s %s%s\n", file, name, value, said, mark
+        line = ""
+    }
+    FNR == 1 { above = "" }
+    line != "" { sub(/^ */, " "); line = line $0; if (/;/) flush(); next } # went on
+    /^ *((static|inline) )*constexpr [^(]*k[A-Z][A-Za-z0-9]*(\[[^]]*\])? *=/ {
+        line = $0
+        file = FILENAME
+        sub(/^src\//, "", file)
+        if (/;/) flush()
+        next
+    }
+    { above = /^ *\/\// ? $0 : "" }
+    END {
+        printf "\n%d constants (at most %d), %d without a word (%d), %d in units of surfels or texels (%d)\n",
+            count, constants, counts["wordless"], wordless, counts["grid"], grid
+        exit count > constants || counts["wordless"] > wordless || counts["grid"] > grid
+    }'
