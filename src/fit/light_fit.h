@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Core>
+#include <glm/vec3.hpp>
 
 namespace relamp
 {
