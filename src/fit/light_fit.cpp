@@ -92,8 +92,10 @@ private:
     [[nodiscard]] double costOf(const Point& at) const;
     [[nodiscard]] double costOfPriors(const Point& at) const;
     [[nodiscard]] PlaceTable sharesOf(const Point& at) const;
+    [[nodiscard]] Normal normalOfData(const Point& at) const;
     [[nodiscard]] Normal normalAt(const Point& at) const;
     void addPriors(const Point& at, Normal& normal) const;
+    void addAlike(const Point& at, Normal& normal) const;
     void addLevel(const Point& at, const PlaceTable& shares, Normal& normal) const;
     [[nodiscard]] double level(const Point& at) const;
     bool step();
@@ -246,7 +248,8 @@ PlaceTable LightFitSearch::sharesOf(const Point& at) const
     return shares;
 }
 
-LightFitSearch::Normal LightFitSearch::normalAt(const Point& at) const
+/// Of all but what ties pieces to each other.
+LightFitSearch::Normal LightFitSearch::normalOfData(const Point& at) const
 {
     const size_t rows = model_.shown.size();
     const PlaceTable shares = sharesOf(at);
@@ -280,6 +283,13 @@ LightFitSearch::Normal LightFitSearch::normalAt(const Point& at) const
     return normal;
 }
 
+LightFitSearch::Normal LightFitSearch::normalAt(const Point& at) const
+{
+    Normal normal = normalOfData(at);
+    addAlike(at, normal);
+    return normal;
+}
+
 void LightFitSearch::addPriors(const Point& at, Normal& normal) const
 {
     for (size_t u = 0; u < count(); ++u) {
@@ -288,6 +298,10 @@ void LightFitSearch::addPriors(const Point& at, Normal& normal) const
         normal.matrix(i, i) += prior.weight;
         normal.slope[i] += prior.slope;
     }
+}
+
+void LightFitSearch::addAlike(const Point& at, Normal& normal) const
+{
     for (const auto& [a, b] : fit_.alike_) {
         if (emits_[a] == 0 || emits_[b] == 0) continue;
         const double weight = 1.0 / (kAlikeSpread * kAlikeSpread);
@@ -365,13 +379,14 @@ LightEstimate LightFitSearch::result() const
     return estimate;
 }
 
-/// Unknowns are shares of radiance here: what goes dark keeps what it reflects. Of a set that goes,
+/// Unknowns are shares of radiance here: what goes dark keeps what it reflects, and is no longer
+/// like any other. Of a set that goes,
 /// the cost is d^T (C_ss)^-1 d / 2 for the change d; then the others move by C_rs (C_ss)^-1 d.
 std::vector<uint8_t> LightFitSearch::needless(std::span<const Removal> removals) const
 {
     const auto n = static_cast<Eigen::Index>(count());
     Eigen::MatrixXd covariance =
-        normalAt(here_).matrix.llt().solve(Eigen::MatrixXd::Identity(n, n));
+        normalOfData(here_).matrix.llt().solve(Eigen::MatrixXd::Identity(n, n));
     Eigen::VectorXd change(n); // that each must still make to go
     for (size_t u = 0; u < pieceOf_.size(); ++u) {
         const double left = here_.reflected[pieceOf_[u]] - here_.log[pieceOf_[u]];
