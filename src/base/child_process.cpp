@@ -33,6 +33,8 @@ constexpr int kOutOfMemory = 3; // exit codes of the copy
 constexpr int kFailed = 4;
 constexpr int kRefused = 5; // and said why
 constexpr int kPollMilliseconds = 50;
+constexpr double kMostWaits =
+    10.0; // seconds of clock for one of processors, where others work, too
 constexpr size_t kPipeSize = size_t{1} << 20;
 constexpr const char* kTooLong = "takes far longer to read than a file of its size can need";
 constexpr size_t kLongestRefusal = 4096; // the code of the Error and its sentence; a pipe holds it
@@ -225,7 +227,7 @@ void runInChild(const std::function<void(const ByteSink& send)>& work, const Byt
     static std::mutex oneAtATime;
     const std::lock_guard alone(oneAtATime);
 #endif
-    const auto deadline = Clock::now() + std::chrono::duration<double>(2.0 * limits.seconds + 1.0);
+    const auto deadline = Clock::now() + kMostWaits * std::chrono::duration<double>(limits.seconds);
     Child child(work, limits, subject.name);
     while (child.listen(take)) {
         progress.check();

@@ -100,6 +100,12 @@ private:
     [[nodiscard]] double level(const Point& at) const;
     bool step();
 
+    /// Burnt-out walls tell how bright the lamps are, and pairs alone of what colour: a wall of
+    /// warm light burns out in red first.
+    [[nodiscard]] bool isBounded(size_t piece) const
+    {
+        return emits_[piece] == 0 && prior_.log.empty();
+    }
     [[nodiscard]] size_t count() const { return pieceOf_.size() + 1; } // of unknowns
     [[nodiscard]] size_t at(size_t unknown) const                      // its place in logs
     {
@@ -218,7 +224,7 @@ double LightFitSearch::costOfPriors(const Point& at) const
 {
     double nats = 0.0;
     for (size_t f = 0; f < model_.pieces; ++f)
-        if (emits_[f] == 0) nats += fit_.boundCost(f, at.logIrradiance[model_.placeOf(f)]);
+        if (isBounded(f)) nats += fit_.boundCost(f, at.logIrradiance[model_.placeOf(f)]);
     for (size_t u = 0; u < count(); ++u) nats += priorOf(u, at).cost;
     for (const auto& [a, b] : fit_.alike_) {
         if (emits_[a] == 0 || emits_[b] == 0) continue;
@@ -263,7 +269,7 @@ LightFitSearch::Normal LightFitSearch::normalOfData(const Point& at) const
         }
     });
     for (size_t f = 0; f < model_.pieces; ++f) {
-        if (emits_[f] != 0) continue;
+        if (!isBounded(f)) continue;
         const size_t place = model_.placeOf(f);
         const double lack = fit_.lack(f, at.logIrradiance[place]);
         if (lack <= 0.0) continue;

@@ -16,7 +16,7 @@ namespace relamp
 struct LightEstimate
 {
     std::vector<double> log;   // of pieces, what they emit or reflect; then of what lies outside
-    std::vector<double> error; // standard errors of these; 0 of what reflects
+    std::vector<double> error; // standard errors of these; 0 of what reflects as it is expected to
     double nats = 0.0;         // of data and priors: the less, the likelier
     double residual = 0.0;     // median absolute deviation of a pair
 };
