@@ -23,7 +23,7 @@ std::vector<SoughtLamp> soughtOf(std::span<const Piece> pieces, size_t raysPerOr
     for (const Piece& piece : pieces)
     {
         static const float kPerRay = static_cast<float>(knob("K_PERRAY", 0.05));
-        const size_t more = raysPerOrigin > 1 ? raysPerOrigin : static_cast<size_t>(std::clamp(piece.candidate.area / kPerRay, 1.0f, 6.0f));
+        const size_t more = raysPerOrigin > 1 || piece.isOpening ? raysPerOrigin : static_cast<size_t>(std::clamp(piece.candidate.area / kPerRay, 1.0f, 6.0f));
         lamps.push_back({AreaLight(piece.candidate.patches), more * piece.rays()});
     }
     return lamps;

@@ -6,6 +6,7 @@
 #include "fit/lamp_evidence.h"
 #include "fit/lamp_groups.h"
 #include "fit/light_fit.h"
+#include "fit/openings.h"
 #include "fit/pieces.h"
 #include "lights/lamp_body.h"
 
@@ -91,6 +92,7 @@ private:
 
     const Texels& texels_;
     const RayScene& scene_;
+    const HitLists& hits_;
     Progress::Stage stage_;
     LampEvidence evidence_;
     std::vector<Piece> pieces_;
@@ -105,7 +107,7 @@ private:
 LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
                        const SurfelRadiance& radiance, const GatherOptions& options,
                        Progress& progress)
-    : texels_(texels), scene_(scene), stage_(progress, "lamps", kSearchSteps),
+    : texels_(texels), scene_(scene), hits_(hits), stage_(progress, "lamps", kSearchSteps),
       evidence_(texels, scene, hits, radiance, options.quality)
 {
     callAll([&] { takeCandidates(options, radiance); }, [&] { evidence_.drawAllPairs(); });
@@ -138,6 +140,10 @@ void LampSearch::takeCandidates(const GatherOptions& options, const SurfelRadian
                                         "those that are with --light",
                                         lamps.leftOut, lamps.areaLeftOut, kMostPieces));
     for (LampGroup& group : lamps.groups) addPieces(std::move(group));
+    for (Candidate& opening : openingsOf(texels_, hits_)) {
+        const size_t body = pieces_.size();
+        pieces_.push_back({.candidate = std::move(opening), .body = body, .isOpening = true});
+    }
     emits_.assign(pieces_.size(), 1);
     evidence_.look(pieces_, 1);
     stage_.advance();
@@ -218,7 +224,7 @@ void LampSearch::dump(const char* title) const
         fmt::print(stderr,
                    "{:3} {} {:6.4f} m2 at {:.2f} {:.2f} {:.2f}{} r {:8.2f} err {:.2f} wall {:.2f} cost {:.0f}\n",
                    f, emits_[f] ? "LAMP" : "wall", p.candidate.area, p.candidate.centre.x,
-                   p.candidate.centre.y, p.candidate.centre.z, p.isUnseen ? " far" : "",
+                   p.candidate.centre.y, p.candidate.centre.z, p.isUnseen ? " far" : p.isOpening ? " open" : "",
                    std::exp(estimate_.log[f]), estimate_.error[f], 
                    std::exp(fit.reflected(f, estimate_.log)), costOf(f, emits_));
     }
@@ -287,7 +293,8 @@ std::optional<LampSearch::Addition> LampSearch::bestAddition(const LightFit& fit
     std::vector<Addition> additions;
     for (uint32_t f = 0; f < pieces_.size(); ++f) {
         const auto& no = refused.pieces;
-        if (emits[f] == 0 && !pieces_[f].isUnseen && model_.area[f] > 0.0f &&
+        if (emits[f] == 0 && !pieces_[f].isUnseen &&
+            (pieces_[f].isOpening || model_.area[f] > 0.0f) &&
             std::find(no.begin(), no.end(), f) == no.end())
             additions.push_back({f});
     }

@@ -129,7 +129,7 @@ LightFitSearch::LightFitSearch(const LightFit& fit, std::span<const uint8_t> emi
     : fit_(fit), model_(fit.model_), emits_(emits), prior_(prior), unknownOf_(emits.size(), -1)
 {
     for (size_t f = 0; f < emits.size(); ++f) {
-        if (emits[f] == 0 && (!prior.log.empty() || fit.whiteShare_[f] < kLeastFree)) continue;
+        if (emits[f] == 0 && (!prior.log.empty() || model_.area[f] <= 0.0f || fit.whiteShare_[f] < kLeastFree)) continue;
         unknownOf_[f] = static_cast<int>(pieceOf_.size());
         pieceOf_.push_back(f);
     }
