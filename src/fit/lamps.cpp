@@ -6,9 +6,9 @@
 #include "fit/lamp_evidence.h"
 #include "fit/lamp_groups.h"
 #include "fit/light_fit.h"
-#include "fit/openings.h"
 #include "fit/pieces.h"
 #include "lights/lamp_body.h"
+#include "shading/openings.h"
 
 #include <algorithm>
 #include <array>
@@ -100,7 +100,7 @@ private:
     LightModel model_;
     Kinship kin_;
     LightEstimate estimate_;
-    glm::vec3 ambient_{0.0f};
+    OutsideLight outside_;
     std::vector<std::string> warnings_;
 };
 
@@ -218,6 +218,7 @@ void LampSearch::dump(const char* title) const
         if (emits_[f]) total += costOf(f, emits_);
     fmt::print(stderr, "-- {} TOTAL {:.2f} nats {:.2f} residual {:.3f} outside {:.3f}\n", title, total, estimate_.nats,
                estimate_.residual, std::exp(estimate_.log.back()));
+    for (size_t o = 0; o < model_.outsides; ++o) fmt::print(stderr, "outside {} share {:.5f} r {:.3f} err {:.2f}\n", o, hits_.shareOfPart[o], std::exp(estimate_.log[pieces_.size()+o]), estimate_.error[pieces_.size()+o]);
     for (uint32_t f = 0; f < pieces_.size(); ++f) {
         if (emits_[f] == 0) continue;
         const Piece& p = pieces_[f];
@@ -404,11 +405,13 @@ void LampSearch::join()
     pieces_ = std::move(lamps);
     emits_.assign(pieces_.size(), 0);
     std::fill_n(emits_.begin(), count, uint8_t{1});
-    const double outside = estimate_.log.back();
+    const std::vector<double> outside(estimate_.log.end() -
+                                          static_cast<ptrdiff_t>(model_.outsides),
+                                      estimate_.log.end());
     estimate_.log.clear();
     for (const Piece& piece : pieces_)
         estimate_.log.push_back(std::log(static_cast<double>(luminance(piece.radiance))));
-    estimate_.log.push_back(outside);
+    estimate_.log.insert(estimate_.log.end(), outside.begin(), outside.end());
     observe();
 }
 
@@ -438,10 +441,13 @@ void LampSearch::findColors()
             pieces_[f].radiance = radianceOf(f);
             pieces_[f].error = static_cast<float>(estimate_.error[f]);
         }
-        ambient_ = radianceOf(pieces_.size());
+        std::vector<glm::vec3> outside;
+        for (size_t o = 0; o < model_.outsides; ++o)
+            outside.push_back(radianceOf(pieces_.size() + o));
+        outside_ = OutsideLight(std::move(outside));
         if (round > 0) return;
         std::vector<Piece> lamps = this->lamps();
-        evidence_.settle(lamps, ambient_);
+        evidence_.settle(lamps, outside_);
         auto next = lamps.begin();
         for (size_t f = 0; f < pieces_.size(); ++f)
             if (emits_[f] != 0) pieces_[f] = std::move(*next++);
@@ -451,7 +457,7 @@ void LampSearch::findColors()
 
 FoundLamps LampSearch::result()
 {
-    FoundLamps found{.ambient = ambient_,
+    FoundLamps found{.outside = outside_,
                      .residual = static_cast<float>(estimate_.residual),
                      .warnings = std::move(warnings_)};
     std::vector<Piece> lamps = this->lamps();

@@ -93,7 +93,7 @@ TEST_F(GpuReevaluateEngine, DoesTheSameOnEither)
     expectAlike(found.found.sides.field.back, expected.found.sides.field.back);
     expectAlike(found.found.sides.direct, expected.found.sides.direct);
     EXPECT_EQ(found.found.sides.gathered.missed, expected.found.sides.gathered.missed);
-    EXPECT_EQ(found.found.found.ambient, expected.found.found.ambient);
+    EXPECT_EQ(found.found.found.outside, expected.found.found.outside);
 }
 
 // Results are asked for layers long after others were re-evaluated, on the same device.

@@ -1,5 +1,7 @@
-#include "fit/openings.h"
+#include "shading/openings.h"
 
+#include "base/disjoint_sets.h"
+#include "base/parallel.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,6 +20,7 @@ constexpr size_t kMost = 128;
 constexpr int kAcross = 5;             // patches of a square
 constexpr double kLeastShare = 3e-4;   // of all light that could reach surfaces from there
 constexpr double kLeastOutside = 0.01; // of it that all openings together let in
+constexpr double kLeastOpening = 3e-3; // the same, of a hole that is no part of the rest
 constexpr double kCrumbs = 0.003;      // of a scan's surface that may lie beyond its room
 
 struct Box
@@ -101,8 +104,7 @@ public:
 
     [[nodiscard]] Candidate operator[](size_t square) const
     {
-        size_t side = 5;
-        while (first_[side] > square) --side;
+        const size_t side = sideOf(square);
         const size_t at = square - first_[side];
         const auto [u, v] = across(static_cast<int>(side));
         const auto axis = static_cast<int>(side / 2);
@@ -126,6 +128,28 @@ public:
         return candidateOf(std::move(patches));
     }
 
+    [[nodiscard]] size_t sideOf(size_t square) const
+    {
+        size_t side = 5;
+        while (first_[side] > square) --side;
+        return side;
+    }
+    static bool isUpright(size_t side) { return side / 2 != 1; }
+
+    /// Calls `visit(square, other)` for all squares beside each other on one side.
+    template<class Visit>
+    void forEachBeside(const Visit& visit) const
+    {
+        for (size_t square = 0; square < count_; ++square) {
+            const size_t side = sideOf(square);
+            const auto columns = static_cast<size_t>(counts_[side][0]);
+            const size_t end =
+                first_[side] + columns * static_cast<size_t>(counts_[side][1]);
+            if ((square - first_[side] + 1) % columns != 0) visit(square, square + 1);
+            if (square + columns < end) visit(square, square + columns);
+        }
+    }
+
 private:
     /// The two axes along a side.
     static std::pair<int, int> across(int side) { return {(side / 2 + 1) % 3, (side / 2 + 2) % 3}; }
@@ -136,30 +160,101 @@ private:
     size_t count_ = 0;
 };
 
+/// Calls `visit(target, ray)` for what is nothing of lists [begin, end).
+template<class Hits, class Visit>
+void forEachLeaving(const SurfelSites& sites, Hits& hits, size_t begin, size_t end,
+                    const Visit& visit)
+{
+    for (size_t list = begin; list < end; ++list) {
+        const auto first = hits.targets.begin() + hits.firstTarget[list];
+        const auto last = hits.targets.begin() + hits.firstTarget[list + 1];
+        const auto isNothing = [](HitTarget target) { return target.isNothing(); };
+        if (std::none_of(first, last, isNothing)) continue;
+        const RaysOfSide rays(sites, hits.sideOfList[list]);
+        for (auto target = first; target != last; ++target)
+            if (target->isNothing())
+                visit(*target, rays[static_cast<size_t>(target - first)]);
+    }
+}
+
 /// By squares, of all light that could reach the surfaces of a scan.
 std::vector<double> sharesOf(const Squares& squares, const Texels& texels, const HitLists& hits)
 {
     const SurfelSites sites(texels);
     std::vector<double> shares(squares.count() + 1, 0.0);
     double all = 0.0;
-    for (uint32_t s = 0; s < texels.surfels.count(); ++s) {
-        const std::span<const HitTarget> targets = hits.targetsOf(s);
+    for (size_t s = 0; s < texels.surfels.count(); ++s) {
         const auto area = static_cast<double>(texels.surfels.area[s]);
         all += area;
-        if (std::none_of(targets.begin(), targets.end(),
-                         [](HitTarget target) { return target.isNothing(); }))
-            continue;
-        const RaysOfSide rays(sites, Side::front(s));
-        for (size_t i = 0; i < targets.size(); ++i)
-            if (targets[i].isNothing())
-                shares[squares.leftBy(rays[i])] += area / static_cast<double>(targets.size());
+        const auto rays = static_cast<double>(hits.targetsOf(s).size());
+        forEachLeaving(sites, hits, s, s + 1, [&](HitTarget, const Ray& ray) {
+            shares[squares.leftBy(ray)] += area / rays;
+        });
     }
     shares.pop_back(); // what lies outside
     for (double& share : shares) share /= all;
     return shares;
 }
 
+struct Parts
+{
+    std::vector<uint32_t> ofSquare; // the first of its opening; 0: the rest
+    uint32_t count = 1;
+};
+
+Parts partsOf(const Squares& squares, std::span<const double> shares)
+{
+    DisjointSets sets(squares.count());
+    squares.forEachBeside([&](size_t a, size_t b) {
+        if (shares[a] >= kLeastShare && shares[b] >= kLeastShare)
+            sets.join(static_cast<uint32_t>(a), static_cast<uint32_t>(b));
+    });
+    std::vector<double> whole(squares.count(), 0.0);
+    for (uint32_t square = 0; square < whole.size(); ++square)
+        if (shares[square] >= kLeastShare) whole[sets.find(square)] += shares[square];
+    std::vector<uint32_t> order(squares.count());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](uint32_t a, uint32_t b) { return whole[a] > whole[b]; });
+    std::vector<uint32_t> firstOf(squares.count(), 0);
+    Parts parts{std::vector<uint32_t>(squares.count(), 0)};
+    for (const uint32_t opening : order) {
+        if (whole[opening] < kLeastOpening || parts.count + 2 > HitTarget::kMostParts) break;
+        firstOf[opening] = parts.count;
+        parts.count += Squares::isUpright(squares.sideOf(opening)) ? 2u : 1u;
+    }
+    for (uint32_t square = 0; square < squares.count(); ++square)
+        if (shares[square] >= kLeastShare) parts.ofSquare[square] = firstOf[sets.find(square)];
+    return parts;
+}
+
 } // namespace
+
+void tellPartsApart(const Texels& texels, HitLists& hits)
+{
+    const Squares squares(boxAround(texels.surfels), kSquare);
+    const std::vector<double> shares = sharesOf(squares, texels, hits);
+    Parts parts = partsOf(squares, shares);
+    parts.ofSquare.push_back(0); // of what lies outside the box
+    hits.shareOfPart.assign(parts.count, parts.count > 1 ? 0.0f : 1.0f);
+    if (parts.count == 1) return;
+    const SurfelSites sites(texels);
+    forEachChunk(hits.sideOfList.size(), 256, [&](size_t begin, size_t end) {
+        forEachLeaving(sites, hits, begin, end, [&](HitTarget& target, const Ray& ray) {
+            const size_t square = squares.leftBy(ray);
+            const uint32_t part = parts.ofSquare[square];
+            const bool isBelow = part != 0 && ray.direction.y < 0.0f &&
+                                 Squares::isUpright(squares.sideOf(square));
+            target = HitTarget::nothing(part + (isBelow ? 1u : 0u));
+        });
+    });
+    for (size_t s = 0; s < texels.surfels.count(); ++s) {
+        const float perRay =
+            texels.surfels.area[s] / static_cast<float>(hits.targetsOf(s).size());
+        for (const HitTarget target : hits.targetsOf(s))
+            if (target.isNothing()) hits.shareOfPart[target.part()] += perRay;
+    }
+}
 
 std::vector<Candidate> openingsOf(const Texels& texels, const HitLists& hits)
 {
