@@ -532,6 +532,17 @@ std::vector<double> LightFit::beginning() const
                 std::log(std::max(gathered / direct / static_cast<double>(model_.pieces), 1.0));
     }
     log.resize(model_.pieces + model_.outsides, outside_);
+    for (size_t o = 1; o < model_.outsides; ++o) {
+        double gathered = 0.0;
+        double missed = 0.0;
+        for (size_t i = 0; i < model_.places(); ++i) {
+            gathered += gathered_[i];
+            missed += static_cast<double>(model_.missedAt(i)[o]);
+        }
+        if (missed > 0.0 && gathered > 0.0)
+            log[model_.pieces + o] = std::max(
+                outside_, std::log(gathered / missed / static_cast<double>(model_.outsides)));
+    }
     return log;
 }
 

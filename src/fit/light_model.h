@@ -23,8 +23,8 @@ struct LightModel
     std::vector<float> missed; // [place * outsides + part]: irradiance of directions that leave the
                                // scan for a part of what lies outside, at radiance 1
     size_t outsides = 1;       // parts; the first are small holes
-    std::vector<float> direct;       // [place * pieces + piece]: irradiance of it at radiance 1
-    std::vector<float> area;         // of pieces, m^2; 0: nothing of it was seen
+    std::vector<float> direct; // [place * pieces + piece]: irradiance of it at radiance 1
+    std::vector<float> area;   // of pieces, m^2; 0: nothing of it was seen
 
     [[nodiscard]] size_t places() const { return shown.size() - pieces; } // that are measured
     [[nodiscard]] size_t placeOf(size_t piece) const { return places() + piece; }

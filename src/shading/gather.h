@@ -34,8 +34,8 @@ struct Gathered
     std::vector<float> missed;         // of directions that leave the scan, at radiance 1
 };
 
-/// Sums the field over hit lists: K + sum of a M of method.md 5. `lists` are indices into `hits`; all
-/// where empty.
+/// Sums the field over hit lists: K + sum of a M of method.md 5. `lists` are indices into `hits`;
+/// all where empty.
 Gathered gather(const HitLists& hits, const RadianceField& field,
                 std::span<const uint32_t> lists = {});
 

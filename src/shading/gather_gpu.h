@@ -23,7 +23,7 @@ struct GpuSightLists
 
     gpu::Array<uint32_t> first; // of lists, and one more
     gpu::Array<uint32_t> target;
-    size_t count; // of lists
+    size_t count;             // of lists
     uint32_t outside = kNone; // the targets from here on are outside
 };
 

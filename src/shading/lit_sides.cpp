@@ -205,9 +205,8 @@ void sendOn(const Texels& texels, const HitLists& hits, const SurfelRadiance& ra
             std::span<const glm::vec3> least, LitSides& sides)
 {
     std::vector<glm::vec3> irradiance(sides.direct.size());
-    forEach(irradiance.size(), [&](size_t i) {
-        irradiance[i] = sides.direct[i] + sides.gathered.irradiance[i];
-    });
+    forEach(irradiance.size(),
+            [&](size_t i) { irradiance[i] = sides.direct[i] + sides.gathered.irradiance[i]; });
     sides.albedo = albedoOf(texels, radiance, irradiance);
     forEach(sides.albedo.size(), [&](size_t s) {
         const glm::vec3 front = irradiance[static_cast<size_t>(hits.listOfSide[2 * s])];

@@ -18,8 +18,8 @@ struct LitSidesArguments
     Uints traits;
     Uints firstNeighbor;
     Uints neighbor;
-    Uvec2s plain; // of surfels, halves
-    Uvec2s field; // as fieldOnGpu(); what follows `plain` is written
+    Uvec2s plain;       // of surfels, halves
+    Uvec2s field;       // as fieldOnGpu(); what follows `plain` is written
     float mostBurntOut; // radiance of what is
     uint count;         // of surfels
 };

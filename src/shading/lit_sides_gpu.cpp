@@ -57,12 +57,13 @@ std::vector<float> litOf(std::span<const float> lit, size_t surfels)
 LitSidesGpu::LitSidesGpu(const gpu::Device& device, const HitLists& hits,
                          const SurfelRadiance& radiance, const SurfelTraits& traits)
     : surfels_(traits.shines.size()), knows_(traitsOf(radiance)),
-      shown_(fieldOnGpu(fieldOf(radiance))), begin_(shown_), gather_(device), litSides_(device, kLitSidesSpirv),
-      excess_(device, kLitSidesExcessSpirv), mean_(device, kLitSidesMeanSpirv),
-      indirectOf_(device, kLitSidesIndirectSpirv), lists_(device, hits, surfels_),
-      backOf_(device, backsOf(hits, surfels_)), burntOut_(device, burntOutOf(radiance)),
-      traits_(device, surfels_), lit_(device, litOf(traits.lit, surfels_)),
-      start_(device, shown_.size()), field_(device, shown_.size()), evenField_(device, shown_),
+      shown_(fieldOnGpu(fieldOf(radiance))), begin_(shown_), gather_(device),
+      litSides_(device, kLitSidesSpirv), excess_(device, kLitSidesExcessSpirv),
+      mean_(device, kLitSidesMeanSpirv), indirectOf_(device, kLitSidesIndirectSpirv),
+      lists_(device, hits, surfels_), backOf_(device, backsOf(hits, surfels_)),
+      burntOut_(device, burntOutOf(radiance)), traits_(device, surfels_),
+      lit_(device, litOf(traits.lit, surfels_)), start_(device, shown_.size()),
+      field_(device, shown_.size()), evenField_(device, shown_),
       settling_(device, hits, lists_, gather_, {device, plainOf(radiance)}),
       gathered_(device, lists_.count),
       even_(device, surfels_), work_{{device, surfels_}, {device, surfels_}},
@@ -140,9 +141,8 @@ void LitSidesGpu::light(gpu::Commands& commands, const GpuSurfels& surfels,
     }
     const int last = kExcessSmoothings % 2;
     commands.dispatch(indirectOf_, surfels_,
-                      IndirectArguments{even_.irradiance.ref(),
-                                        work_[last].ref(), first, neighbor, lit_.ref(),
-                                        indirect_.ref(), count});
+                      IndirectArguments{even_.irradiance.ref(), work_[last].ref(), first, neighbor,
+                                        lit_.ref(), indirect_.ref(), count});
     commands.barrier();
 }
 

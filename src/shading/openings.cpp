@@ -143,8 +143,7 @@ public:
         for (size_t square = 0; square < count_; ++square) {
             const size_t side = sideOf(square);
             const auto columns = static_cast<size_t>(counts_[side][0]);
-            const size_t end =
-                first_[side] + columns * static_cast<size_t>(counts_[side][1]);
+            const size_t end = first_[side] + columns * static_cast<size_t>(counts_[side][1]);
             if ((square - first_[side] + 1) % columns != 0) visit(square, square + 1);
             if (square + columns < end) visit(square, square + columns);
         }
@@ -172,8 +171,7 @@ void forEachLeaving(const SurfelSites& sites, Hits& hits, size_t begin, size_t e
         if (std::none_of(first, last, isNothing)) continue;
         const RaysOfSide rays(sites, hits.sideOfList[list]);
         for (auto target = first; target != last; ++target)
-            if (target->isNothing())
-                visit(*target, rays[static_cast<size_t>(target - first)]);
+            if (target->isNothing()) visit(*target, rays[static_cast<size_t>(target - first)]);
     }
 }
 
@@ -243,14 +241,13 @@ void tellPartsApart(const Texels& texels, HitLists& hits)
         forEachLeaving(sites, hits, begin, end, [&](HitTarget& target, const Ray& ray) {
             const size_t square = squares.leftBy(ray);
             const uint32_t part = parts.ofSquare[square];
-            const bool isBelow = part != 0 && ray.direction.y < 0.0f &&
-                                 Squares::isUpright(squares.sideOf(square));
+            const bool isBelow =
+                part != 0 && ray.direction.y < 0.0f && Squares::isUpright(squares.sideOf(square));
             target = HitTarget::nothing(part + (isBelow ? 1u : 0u));
         });
     });
     for (size_t s = 0; s < texels.surfels.count(); ++s) {
-        const float perRay =
-            texels.surfels.area[s] / static_cast<float>(hits.targetsOf(s).size());
+        const float perRay = texels.surfels.area[s] / static_cast<float>(hits.targetsOf(s).size());
         for (const HitTarget target : hits.targetsOf(s))
             if (target.isNothing()) hits.shareOfPart[target.part()] += perRay;
     }
@@ -268,6 +265,7 @@ std::vector<Candidate> openingsOf(const Texels& texels, const HitLists& hits)
     std::vector<Candidate> openings;
     for (const size_t square : order) {
         if (shares[square] < kLeastShare || openings.size() == kMost) break;
+        if (Squares::isUpright(squares.sideOf(square))) continue; // what is there is far
         openings.push_back(squares[square]);
     }
     return openings;

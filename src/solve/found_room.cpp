@@ -137,8 +137,7 @@ void letIn(SunOnRoom sun, const Texels& texels, const RayScene& scene, FoundRoom
 {
     room.shines = shinesOf(room);
     room.sides = sidesOf(texels, scene, room);
-    sun.inShade =
-        markShade(sun.sun, texels, room.radiance, room.sides, sun.onSides);
+    sun.inShade = markShade(sun.sun, texels, room.radiance, room.sides, sun.onSides);
     room.sun = std::move(sun);
     room.sides = sidesOf(texels, scene, room);
 }
