@@ -23,13 +23,13 @@ struct OpenRoom
     std::shared_ptr<const relamp::Scan> scan;
     std::shared_ptr<const RoomMesh> mesh;
     std::shared_ptr<RoomSolver> solver; // of the thread that solves
-    SolverParameters solvedBy;                     // it is, or is on the way to be
+    SolverParameters solvedBy;          // it is, or is on the way to be
     Stage stage = Stage::nothing;
     relamp::Lights captured; // by which the albedo was found
     relamp::Lights found;    // before anybody said how it was on the day of the scan
     std::shared_ptr<const relamp::Decomposition> decomposition;
     std::optional<relamp::Closure> closure;
-    std::vector<std::string> notes;            // on the solution, that were told
+    std::vector<std::string> notes;               // on the solution, that were told
     std::optional<double> reevaluateMilliseconds; // until albedo followed, the last time
 
     std::filesystem::path lightsFolder; // where files lie that the light names

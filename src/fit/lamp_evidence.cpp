@@ -8,23 +8,23 @@
 
 namespace relamp
 {
-double knob(const char* name, double otherwise);
 namespace
 {
 
 constexpr size_t kEvidencePlaces = 6000;
 constexpr size_t kPlacesOfDraft = 2000;
-constexpr size_t kLooks = 12;        // from a piece, at the others
-constexpr float kAround = 1.6f;      // surfel sizes
+constexpr size_t kLooks = 12;       // from a piece, at the others
+constexpr float kAreaOfRay = 0.05f; // m^2 of a piece that a ray from an origin is for
+constexpr float kAround = 1.6f;     // surfel sizes
 
-std::vector<SoughtLamp> soughtOf(std::span<const Piece> pieces, size_t raysPerOrigin)
+std::vector<SoughtLamp> soughtOf(std::span<const Piece> pieces, size_t fewestRays)
 {
     std::vector<SoughtLamp> lamps;
-    for (const Piece& piece : pieces)
-    {
-        static const float kPerRay = static_cast<float>(knob("K_PERRAY", 0.05));
-        const size_t more = raysPerOrigin > 1 || piece.isOpening ? raysPerOrigin : static_cast<size_t>(std::clamp(piece.candidate.area / kPerRay, 1.0f, 6.0f));
-        lamps.push_back({AreaLight(piece.candidate.patches), more * piece.rays()});
+    for (const Piece& piece : pieces) {
+        const size_t rays =
+            piece.isOpening ? 1 : static_cast<size_t>(piece.candidate.area / kAreaOfRay);
+        lamps.push_back({AreaLight(piece.candidate.patches),
+                         std::clamp(rays, fewestRays, LampEvidence::kMostRays) * piece.rays()});
     }
     return lamps;
 }
@@ -101,10 +101,10 @@ std::span<const MaterialPair> LampEvidence::pairs(size_t perPlace) const
     return pairs_.at(perPlace);
 }
 
-void LampEvidence::look(std::span<Piece> pieces, size_t raysPerOrigin) const
+void LampEvidence::look(std::span<Piece> pieces, size_t fewestRays) const
 {
     const auto samples =
-        directOfLists(texels_, scene_, hits_, soughtOf(pieces, raysPerOrigin), places_);
+        directOfLists(texels_, scene_, hits_, soughtOf(pieces, fewestRays), places_);
     for (size_t f = 0; f < pieces.size(); ++f) {
         pieces[f].direct.clear();
         for (const AreaSample& sample : samples[f]) pieces[f].direct.push_back(sample.visible);

@@ -36,14 +36,16 @@ public:
     /// `perPlace` is kPairsFirst or kPairs; drawAllPairs() comes before.
     [[nodiscard]] std::span<const MaterialPair> pairs(size_t perPlace) const;
 
-    /// Fills in what each piece does at all places, by that many rays from each origin there.
-    void look(std::span<Piece> pieces, size_t raysPerOrigin) const;
+    /// Fills in what each piece does at all places, by no fewer rays from each origin there, and no
+    /// more than kMostRays: few rays are noise, which makes the light of a lamp seem weaker.
+    void look(std::span<Piece> pieces, size_t fewestRays) const;
     /// The light of all of these, emit they or reflect, at places and on the pieces.
     [[nodiscard]] LightModel modelOf(std::span<const Piece> pieces);
     /// Lets burnt-out walls and backs settle in the light of these lamps, and fills in their
     /// `onSides`.
     void settle(std::span<Piece> lamps, const OutsideLight& outside);
 
+    static constexpr size_t kMostRays = 6;
     static constexpr size_t kPairsFirst = 1; // a place, for what only tells which pieces emit
     static constexpr size_t kPairs = 6;
 

@@ -13,31 +13,30 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <numeric>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
 
 namespace relamp
 {
-double knob(const char* name, double otherwise);
 namespace
 {
 
 constexpr size_t kMostPieces = 96;
-constexpr size_t kSearchSteps = 4;   // of the search, as progress tells
-constexpr size_t kRaysPerOrigin = 6; // at a place, to what emits: noise would make it weak
-const double kLampNats = knob("K_LAMPNATS", 1.5);   // that it takes to believe in a lamp
-const double kModelNats = knob("K_MODELNATS", 0.75);  // where one of its model is there
-constexpr double kFirstWidth = 6.0;  // times the noise: what the first loss forgives
-constexpr size_t kTries = 4;         // of the most promising pieces, each time one is added
-constexpr int kChoices = 4;           // of taking away and adding, at most
-constexpr double kUnknown = 0.7;     // standard error of log radiance: about a factor of two
-constexpr double kColourSpread = 0.5; // log: of a lamp's channels about its luminance
-constexpr double kColourWidth = 2.0; // times the noise: where the loss for a channel begins
+constexpr size_t kSearchSteps = 4;    // of the search, as progress tells
+constexpr double kLampNats = 1.5;     // that it takes to believe in a lamp
+constexpr double kModelNats = 0.75;   // where one of its model emits, or one that it is part of
+constexpr double kFirstNoise = 0.08;  // log: between places of one paint, before it is measured
+constexpr double kFirstWidth = 6.0;   // times the noise: what the first loss forgives
+constexpr double kNoiseOfPairs = 0.7; // of the median difference of pairs: half are of two paints
+constexpr double kLeastNoise = 0.02;  // log; what a byte and a few rays tell
+constexpr double kMostNoise = 0.2;    // log
+constexpr size_t kTries = 4;          // of the most promising pieces, each time one is added
+constexpr int kChoices = 4;           // rounds of taking away and adding, at most
+constexpr double kUnknown = 0.7;      // standard error of log radiance: about a factor of two
+constexpr double kColorSpread = 1.0;  // log: of a lamp's channels about its luminance
+constexpr double kColorWidth = 2.0;   // times the noise: where the loss for a channel begins
 
 std::string unknownAt(glm::vec3 place, size_t lamps)
 {
@@ -65,10 +64,10 @@ private:
     void addPieces(LampGroup group);
     void observe();
     [[nodiscard]] LightFit fitOf(size_t pairs) const;
-    [[nodiscard]] double costOf(uint32_t piece, std::span<const uint8_t> emitting) const;
+    [[nodiscard]] double costOf(uint32_t piece) const;
     [[nodiscard]] Removal removalOf(uint32_t piece) const;
     void choose(size_t pairs);
-    bool prune(const LightFit& fit);
+    void prune(const LightFit& fit);
     struct Addition
     {
         uint32_t piece = 0;
@@ -76,19 +75,14 @@ private:
         double log = 0.0;  // radiance to start from
         LightEstimate estimate{};
     };
-    [[nodiscard]] std::optional<Addition> bestAddition(const LightFit& fit,
-                                                       std::span<const uint8_t> emits,
-                                                       const LightEstimate& estimate,
-                                                       const Removal& refused) const;
-    bool drop(const LightFit& fit);
+    [[nodiscard]] std::optional<Addition> bestAddition(const LightFit& fit) const;
+    void drop(const LightFit& fit);
     bool grow(const LightFit& fit);
-    bool exchange(const LightFit& fit);
     void lookCloser();
     void join();
     void findColors();
     [[nodiscard]] std::vector<Piece> lamps() const;
     FoundLamps result();
-    void dump(const char* title) const;
 
     const Texels& texels_;
     const RayScene& scene_;
@@ -100,6 +94,7 @@ private:
     LightModel model_;
     Kinship kin_;
     LightEstimate estimate_;
+    double noise_ = kFirstNoise; // log: between places of one paint
     OutsideLight outside_;
     std::vector<std::string> warnings_;
 };
@@ -172,14 +167,14 @@ void LampSearch::observe()
 
 LightFit LampSearch::fitOf(size_t pairs) const
 {
-    return {model_, evidence_.pairs(pairs), kin_.alike};
+    return {model_, evidence_.pairs(pairs), kin_.alike, noise_};
 }
 
 /// Nats that it takes to believe that a piece emits; fewer where one like it does, none for a part
 /// of one.
-double LampSearch::costOf(uint32_t piece, std::span<const uint8_t> emitting) const
+double LampSearch::costOf(uint32_t piece) const
 {
-    const auto emits = [&](uint32_t other) { return emitting[other] != 0; };
+    const auto emits = [&](uint32_t other) { return emits_[other] != 0; };
     const auto anyOf = [&](const std::vector<uint32_t>& others) {
         return std::any_of(others.begin(), others.end(), emits);
     };
@@ -192,7 +187,7 @@ Removal LampSearch::removalOf(uint32_t piece) const
 {
     std::vector<uint8_t> isGone(pieces_.size(), 0);
     isGone[piece] = 1;
-    Removal removal{{piece}, costOf(piece, emits_)};
+    Removal removal{{piece}, costOf(piece)};
     for (size_t k = 0; k < removal.pieces.size(); ++k)
         for (uint32_t f = 0; f < pieces_.size(); ++f) {
             if (emits_[f] == 0 || isGone[f] != 0 || pieces_[f].isGiven) continue;
@@ -209,52 +204,23 @@ Removal LampSearch::removalOf(uint32_t piece) const
     return removal;
 }
 
-void LampSearch::dump(const char* title) const
+/// Lets no piece emit that the rest explains, as far as the cost's quadratic form tells.
+void LampSearch::prune(const LightFit& fit)
 {
-    if (std::getenv("K_DUMP") == nullptr) return;
-    const LightFit fit = fitOf(LampEvidence::kPairsFirst);
-    double total = estimate_.nats;
-    for (uint32_t f = 0; f < pieces_.size(); ++f)
-        if (emits_[f]) total += costOf(f, emits_);
-    fmt::print(stderr, "-- {} TOTAL {:.2f} nats {:.2f} residual {:.3f} outside {:.3f}\n", title, total, estimate_.nats,
-               estimate_.residual, std::exp(estimate_.log.back()));
-    for (size_t o = 0; o < model_.outsides; ++o) fmt::print(stderr, "outside {} share {:.5f} r {:.3f} err {:.2f}\n", o, hits_.shareOfPart[o], std::exp(estimate_.log[pieces_.size()+o]), estimate_.error[pieces_.size()+o]);
-    for (uint32_t f = 0; f < pieces_.size(); ++f) {
-        if (emits_[f] == 0) continue;
-        const Piece& p = pieces_[f];
-        fmt::print(stderr,
-                   "{:3} {} {:6.4f} m2 at {:.2f} {:.2f} {:.2f}{} r {:8.2f} err {:.2f} wall {:.2f} cost {:.0f}\n",
-                   f, emits_[f] ? "LAMP" : "wall", p.candidate.area, p.candidate.centre.x,
-                   p.candidate.centre.y, p.candidate.centre.z, p.isUnseen ? " far" : p.isOpening ? " open" : "",
-                   std::exp(estimate_.log[f]), estimate_.error[f], 
-                   std::exp(fit.reflected(f, estimate_.log)), costOf(f, emits_));
-    }
-}
-
-/// Lets no piece emit that the rest explains; false where all are needed.
-bool LampSearch::prune(const LightFit& fit)
-{
-    bool isAny = false;
     for (;;) {
         std::vector<Removal> removals;
         for (uint32_t f = 0; f < pieces_.size(); ++f)
             if (emits_[f] != 0 && !pieces_[f].isGiven) removals.push_back(removalOf(f));
         const std::vector<uint8_t> gone = fit.needless(estimate_, emits_, removals);
-        bool isOne = false;
-        for (size_t k = 0; k < removals.size(); ++k) {
-            if (gone[k] == 0) continue;
-            isOne = true;
-            emits_[removals[k].pieces.front()] = 0;
-        }
-        if (!isOne) return isAny;
-        isAny = true;
+        if (std::all_of(gone.begin(), gone.end(), [](uint8_t g) { return g == 0; })) return;
+        for (size_t k = 0; k < removals.size(); ++k)
+            if (gone[k] != 0) emits_[removals[k].pieces.front()] = 0;
         estimate_ = fit.solve(emits_, estimate_.log, 1.0);
-        dump("pruned");
     }
 }
 
 /// The same by fits without each of them; the least needed goes first.
-bool LampSearch::drop(const LightFit& fit)
+void LampSearch::drop(const LightFit& fit)
 {
     struct Trial
     {
@@ -262,7 +228,7 @@ bool LampSearch::drop(const LightFit& fit)
         LightEstimate estimate{};
         double lost = 0.0; // nats
     };
-    for (bool isAny = false;; isAny = true) {
+    for (;;) {
         std::vector<Trial> trials;
         for (uint32_t f = 0; f < pieces_.size(); ++f) {
             if (emits_[f] == 0 || pieces_[f].isGiven) continue;
@@ -278,30 +244,23 @@ bool LampSearch::drop(const LightFit& fit)
         const auto least =
             std::min_element(trials.begin(), trials.end(),
                              [](const Trial& a, const Trial& b) { return a.lost < b.lost; });
-        if (least == trials.end() || least->lost >= 0.0) return isAny;
-        if (std::getenv("K_DUMP")) fmt::print(stderr, "drop {} lost {:.1f}\n", least - trials.begin(), least->lost);
+        if (least == trials.end() || least->lost >= 0.0) return;
         emits_ = std::move(least->emits);
         estimate_ = std::move(least->estimate);
     }
 }
 
-/// The piece whose emission gains most beside those of `emits`; none where nothing gains.
-std::optional<LampSearch::Addition> LampSearch::bestAddition(const LightFit& fit,
-                                                             std::span<const uint8_t> emits,
-                                                             const LightEstimate& estimate,
-                                                             const Removal& refused) const
+/// The piece whose emission gains most; none where nothing gains.
+std::optional<LampSearch::Addition> LampSearch::bestAddition(const LightFit& fit) const
 {
     std::vector<Addition> additions;
-    for (uint32_t f = 0; f < pieces_.size(); ++f) {
-        const auto& no = refused.pieces;
-        if (emits[f] == 0 && !pieces_[f].isUnseen &&
-            (pieces_[f].isOpening || model_.area[f] > 0.0f) &&
-            std::find(no.begin(), no.end(), f) == no.end())
+    for (uint32_t f = 0; f < pieces_.size(); ++f)
+        if (emits_[f] == 0 && !pieces_[f].isUnseen &&
+            (pieces_[f].isOpening || model_.area[f] > 0.0f))
             additions.push_back({f});
-    }
     forEach(additions.size(), [&](size_t k) {
         Addition& a = additions[k];
-        a.gain = fit.gain(estimate, a.piece, a.log) - costOf(a.piece, emits);
+        a.gain = fit.gain(estimate_, a.piece, a.log) - costOf(a.piece);
     });
     std::stable_sort(additions.begin(), additions.end(),
                      [](const Addition& a, const Addition& b) { return a.gain > b.gain; });
@@ -309,12 +268,12 @@ std::optional<LampSearch::Addition> LampSearch::bestAddition(const LightFit& fit
     additions.resize(std::min(additions.size(), kTries));
     forEach(additions.size(), [&](size_t k) {
         Addition& a = additions[k];
-        std::vector<uint8_t> with(emits.begin(), emits.end());
+        std::vector<uint8_t> with = emits_;
         with[a.piece] = 1;
-        std::vector<double> start = estimate.log;
+        std::vector<double> start = estimate_.log;
         start[a.piece] = a.log;
         a.estimate = fit.solve(with, std::move(start), 1.0);
-        a.gain = estimate.nats - a.estimate.nats - costOf(a.piece, emits);
+        a.gain = estimate_.nats - a.estimate.nats - costOf(a.piece);
     });
     const auto best =
         std::max_element(additions.begin(), additions.end(),
@@ -328,35 +287,11 @@ std::optional<LampSearch::Addition> LampSearch::bestAddition(const LightFit& fit
 bool LampSearch::grow(const LightFit& fit)
 {
     for (bool isAny = false;; isAny = true) {
-        std::optional<Addition> best = bestAddition(fit, emits_, estimate_, {});
+        std::optional<Addition> best = bestAddition(fit);
         if (!best) return isAny;
-        if (std::getenv("K_DUMP")) fmt::print(stderr, "add {} gain {:.1f} r {:.2f}\n", best->piece, best->gain, std::exp(best->estimate.log[best->piece]));
         emits_[best->piece] = 1;
         estimate_ = std::move(best->estimate);
     }
-}
-
-/// Lets another piece emit in the place of one, or none, where that is likelier; false where it is
-/// not: a lamp and the wall that it burns out do much the same.
-bool LampSearch::exchange(const LightFit& fit)
-{
-    bool isAny = false;
-    for (uint32_t f = 0; f < pieces_.size(); ++f) {
-        if (emits_[f] == 0 || pieces_[f].isGiven) continue;
-        const Removal removal = removalOf(f);
-        std::vector<uint8_t> emits = emits_;
-        for (const uint32_t piece : removal.pieces) emits[piece] = 0;
-        LightEstimate less = fit.solve(emits, estimate_.log, 1.0);
-        const double lost = less.nats - estimate_.nats - removal.cost;
-        std::optional<Addition> best = bestAddition(fit, emits, less, removal);
-        if ((best ? best->gain : 0.0) <= lost) continue;
-        if (std::getenv("K_DUMP")) fmt::print(stderr, "exchange {} lost {:.1f} for {} gain {:.1f}\n", f, lost, best?(int)best->piece:-1, best?best->gain:0.0);
-        isAny = true;
-        emits_ = std::move(emits);
-        if (best) emits_[best->piece] = 1;
-        estimate_ = best ? std::move(best->estimate) : std::move(less);
-    }
-    return isAny;
 }
 
 /// Decides which pieces emit, from an estimate where more or fewer do.
@@ -365,12 +300,10 @@ void LampSearch::choose(size_t pairs)
     LightFit fit = fitOf(pairs);
     fit.expectLeaks(estimate_.log);
     estimate_ = fit.solve(emits_, estimate_.log, 1.0);
-    dump("choose");
     for (int round = 0; round < kChoices; ++round) {
         prune(fit);
         drop(fit);
-        const bool isMore = grow(fit);
-        if ((knob("K_EXCHANGE", 0) == 0.0 || !exchange(fit)) && !isMore) return;
+        if (!grow(fit)) return;
     }
 }
 
@@ -386,7 +319,7 @@ std::vector<Piece> LampSearch::lamps() const
 void LampSearch::lookCloser()
 {
     std::vector<Piece> lamps = this->lamps();
-    evidence_.look(lamps, kRaysPerOrigin);
+    evidence_.look(lamps, LampEvidence::kMostRays);
     auto next = lamps.begin();
     for (size_t f = 0; f < pieces_.size(); ++f)
         if (emits_[f] != 0) pieces_[f] = std::move(*next++);
@@ -405,8 +338,7 @@ void LampSearch::join()
     pieces_ = std::move(lamps);
     emits_.assign(pieces_.size(), 0);
     std::fill_n(emits_.begin(), count, uint8_t{1});
-    const std::vector<double> outside(estimate_.log.end() -
-                                          static_cast<ptrdiff_t>(model_.outsides),
+    const std::vector<double> outside(estimate_.log.end() - static_cast<ptrdiff_t>(model_.outsides),
                                       estimate_.log.end());
     estimate_.log.clear();
     for (const Piece& piece : pieces_)
@@ -425,11 +357,11 @@ void LampSearch::findColors()
         estimate_ = fit.solve(emits_, estimate_.log, 1.0);
         std::array<LightEstimate, 3> colors;
         forEach(3, [&](size_t c) {
-            LightFit channel(model_, evidence_.pairs(LampEvidence::kPairs), kin_.alike,
+            LightFit channel(model_, evidence_.pairs(LampEvidence::kPairs), kin_.alike, noise_,
                              static_cast<int>(c));
             channel.expectLeaks(estimate_.log);
-            colors[c] = channel.solve(emits_, estimate_.log, kColourWidth,
-                                      {estimate_.log, kColourSpread});
+            colors[c] =
+                channel.solve(emits_, estimate_.log, kColorWidth, {estimate_.log, kColorSpread});
         });
         const auto radianceOf = [&](size_t f) {
             glm::vec3 rgb;
@@ -484,17 +416,7 @@ FoundLamps LampSearch::run()
     observe();
     const LightFit all = fitOf(LampEvidence::kPairsFirst);
     estimate_ = all.solve(emits_, all.beginning(), kFirstWidth);
-    if (const char* fix = std::getenv("K_FIX")) {
-        std::stringstream in(fix);
-        emits_.assign(pieces_.size(), 0);
-        for (std::string n; std::getline(in, n, ',');) emits_[std::stoul(n)] = 1;
-        LightFit fit = fitOf(LampEvidence::kPairsFirst);
-        fit.expectLeaks(estimate_.log);
-        estimate_ = fit.solve(emits_, estimate_.log, 1.0);
-        dump("fixed");
-        estimate_ = fit.solve(emits_, fit.beginning(), kFirstWidth);
-        dump("fixed from wide");
-    }
+    noise_ = std::clamp(kNoiseOfPairs * estimate_.residual, kLeastNoise, kMostNoise);
     choose(LampEvidence::kPairsFirst);
     stage_.advance();
     lookCloser();
@@ -503,7 +425,6 @@ FoundLamps LampSearch::run()
     choose(LampEvidence::kPairsFirst);
     stage_.advance();
     findColors();
-    dump("final");
     return result();
 }
 

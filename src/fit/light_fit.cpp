@@ -6,45 +6,43 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numeric>
+#include <utility>
 
 #include <Eigen/Cholesky>
 
 namespace relamp
 {
-double knob(const char* name, double otherwise)
-{
-    const char* v = std::getenv(name);
-    return v != nullptr ? std::atof(v) : otherwise;
-}
 namespace
 {
 
-const double kNoise = knob("K_NOISE", 0.08);          // log: between two places of one paint
-const double kEffectivePairs = knob("K_NEFF", 75.0); // that all pairs are worth: places near each other err alike
-const double kLeak = knob("K_LEAK", 0.03);           // of a room's median light that may leak to a place
-const double kWhiteNats = knob("K_WHITEN", 0.1);       // weight of the prior that a burnt-out piece is about white
-const double kWhiteSpread = knob("K_WHITES", 1.0);     // log: how far about
-constexpr double kOutside = 0.3;           // of the median radiance: what scanners miss lies in shade
-const double kOutsideSpread = knob("K_OUTS", 2.0);     // log
-const double kOpeningNats = knob("K_OPENN", 0.5);
-const double kOpeningSpread = knob("K_OPENS", 1.0);
-const double kAlikeSpread = knob("K_ALIKE", 0.6);       // log: of lamps of one model
-constexpr double kMeanAlbedo = 0.35;       // of a room, mean of logarithms
-const double kAlbedoSpread = knob("K_LEVEL", 0.4);      // log: of that mean
-constexpr double kBrightestPaper = 0.9;    // albedo
-constexpr double kBurntOutPaper = 0.75;       // albedo of what burns out first
-const double kPaperSpread = knob("K_PAPER", 0.8);      // log: of that, and of the light on it
-const double kWhiterSpread = knob("K_WHITER", 0.4);
-const double kLeastFree = knob("K_FREE", 0.003); // of the light at places, that a wall sends: less, and its paint does not matter
-constexpr double kBoundNoise = 0.6;        // log: of the light on a wall that is burnt out
-const double kFlaw = knob("K_FLAW", 0.3); // chance that a burnt-out wall has not the light for it: a highlight, or a texel that mixes
-constexpr double kLeastIrradiance = 1e-3;  // what no place falls below
-constexpr double kConverged = 0.0025;        // nats
+// That all pairs are worth: what is wrong with the light at a place is wrong at all places near it.
+// So standard errors are right: in rooms with ground truth two thirds of the lamps lie within one.
+constexpr double kEffectivePairs = 75.0;
+constexpr double kLeak = 0.025;         // of a room's median light: what may leak to any place
+constexpr double kWhiteNats = 0.1;      // weight of a burnt-out piece being about white
+constexpr double kWhiteSpread = 1.0;    // log: how far about
+constexpr double kOutside = 0.3;        // of the median radiance: what scanners miss lies in shade
+constexpr double kOutsideSpread = 2.0;  // log
+constexpr double kOpeningNats = 0.5;    // weight of an opening being as dark as small holes
+constexpr double kOpeningSpread = 1.0;  // log: how far about
+constexpr double kAlikeSpread = 0.6;    // log: between lamps of one model
+constexpr double kMeanAlbedo = 0.35;    // of a room, mean of logarithms
+constexpr double kAlbedoSpread = 0.4;   // log: of that mean between rooms
+constexpr double kBrightestPaper = 0.9; // albedo
+constexpr double kBurntOutPaper = 0.75; // albedo of what burns out first
+constexpr double kDarkerPaper = 0.8;    // log: how much less that may be, and the light on it
+constexpr double kWhiterPaper = 0.4;    // log: how much more
+constexpr double kLeastMatters = 0.003; // of the light at places: a wall that sends less may be of
+                                        // any paint
+constexpr double kBoundNoise = 0.6;     // log: of the light on a wall that is burnt out
+constexpr double kFlaw = 0.3; // chance that such a wall has not the light for it: it is polished,
+                              // or the texture mixes it with a lamp
+constexpr double kLeastIrradiance = 1e-3; // radiance sr, that no place falls below
+constexpr double kDark = 1e-4;            // radiance
+constexpr double kConverged = 0.0025;     // nats
 constexpr int kMostSteps = 30;
 constexpr double kLongestStep = 2.0; // log
-constexpr double kDark = 1e-4;       // radiance
 
 double medianOfAll(std::vector<double> values)
 {
@@ -79,7 +77,7 @@ public:
 private:
     struct Point // of the unknowns, at which the light is known
     {
-        std::vector<double> log; // of pieces, then of parts outside
+        std::vector<double> log;       // of pieces, then of parts outside
         std::vector<double> reflected; // log radiance that pieces have if they only reflect
         std::vector<double> logIrradiance;
         double nats = 0.0;
@@ -96,14 +94,16 @@ private:
     [[nodiscard]] double costOf(const Point& at) const;
     [[nodiscard]] double costOfPriors(const Point& at) const;
     [[nodiscard]] PlaceTable sharesOf(const Point& at) const;
+    [[nodiscard]] Normal normalOfData(const Point& at) const;
     [[nodiscard]] Normal normalAt(const Point& at) const;
     void addPriors(const Point& at, Normal& normal) const;
+    void addAlike(const Point& at, Normal& normal) const;
     void addLevel(const Point& at, const PlaceTable& shares, Normal& normal) const;
     [[nodiscard]] double level(const Point& at) const;
     bool step();
 
     [[nodiscard]] size_t count() const { return pieceOf_.size() + model_.outsides; } // of unknowns
-    [[nodiscard]] size_t at(size_t unknown) const                     // its place in logs
+    [[nodiscard]] size_t at(size_t unknown) const // its place in logs
     {
         return unknown < pieceOf_.size() ? pieceOf_[unknown]
                                          : model_.pieces + unknown - pieceOf_.size();
@@ -133,7 +133,9 @@ LightFitSearch::LightFitSearch(const LightFit& fit, std::span<const uint8_t> emi
     : fit_(fit), model_(fit.model_), emits_(emits), prior_(prior), unknownOf_(emits.size(), -1)
 {
     for (size_t f = 0; f < emits.size(); ++f) {
-        if (emits[f] == 0 && (!prior.log.empty() || model_.area[f] <= 0.0f || fit.whiteShare_[f] < kLeastFree)) continue;
+        if (emits[f] == 0 &&
+            (!prior.log.empty() || model_.area[f] <= 0.0f || fit.whiteShare_[f] < kLeastMatters))
+            continue;
         unknownOf_[f] = static_cast<int>(pieceOf_.size());
         pieceOf_.push_back(f);
     }
@@ -149,14 +151,13 @@ LightFitSearch::Prior LightFitSearch::priorOf(size_t unknown, const Point& point
     if (unknown > pieceOf_.size()) return openingPrior(at(unknown), point);
     if (!isOutside && emits_[pieceOf_[unknown]] == 0) {
         const double off = log - point.reflected[pieceOf_[unknown]];
-        const double paper = off > 0.0 ? kWhiterSpread : kPaperSpread;
+        const double paper = off > 0.0 ? kWhiterPaper : kDarkerPaper;
         const double weight = 1.0 / (paper * paper);
         return {0.5 * weight * off * off, weight, weight * off};
     }
     if (!isOutside && prior_.log.empty()) {
         const double off = log / kWhiteSpread;
-        const double weight =
-            2.0 * kWhiteNats / (kWhiteSpread * kWhiteSpread * (1.0 + off * off));
+        const double weight = 2.0 * kWhiteNats / (kWhiteSpread * kWhiteSpread * (1.0 + off * off));
         return {kWhiteNats * std::log1p(off * off), weight, weight * log};
     }
     const double spread = isOutside ? kOutsideSpread : prior_.spread;
@@ -247,13 +248,6 @@ double LightFitSearch::costOfPriors(const Point& at) const
         nats += 0.5 * off * off;
     }
     const double off = level(at) / kAlbedoSpread;
-    if (getenv("K_PARTS")) {
-        double b = 0, pr = 0;
-        for (size_t f = 0; f < model_.pieces; ++f)
-            if (emits_[f] == 0) b += fit_.boundCost(f, at.logIrradiance[model_.placeOf(f)]);
-        for (size_t u = 0; u < count(); ++u) pr += priorOf(u, at).cost;
-        fprintf(stderr, "bounds %.1f priors %.1f alike %.1f level %.2f (%.1f nats)\n", b, pr, nats - b - pr, level(at), 0.5*off*off);
-    }
     return nats + 0.5 * off * off;
 }
 
@@ -278,7 +272,8 @@ PlaceTable LightFitSearch::sharesOf(const Point& at) const
     return shares;
 }
 
-LightFitSearch::Normal LightFitSearch::normalAt(const Point& at) const
+/// Of all but what ties pieces to each other.
+LightFitSearch::Normal LightFitSearch::normalOfData(const Point& at) const
 {
     const size_t rows = model_.shown.size();
     const PlaceTable shares = sharesOf(at);
@@ -296,10 +291,9 @@ LightFitSearch::Normal LightFitSearch::normalAt(const Point& at) const
         const size_t place = model_.placeOf(f);
         const double lack = fit_.lack(f, at.logIrradiance[place]);
         if (lack <= 0.0) continue;
-        const double flaw = fit_.flawChance(f);
         const double off = lack / kBoundNoise;
-        const double wall = (1.0 - flaw) * std::exp(-0.5 * off * off);
-        const double slope = std::sqrt(wall / (wall + flaw)) / kBoundNoise;
+        const double wall = (1.0 - kFlaw) * std::exp(-0.5 * off * off);
+        const double slope = std::sqrt(wall / (wall + kFlaw)) / kBoundNoise;
         weighed.push_back({{static_cast<uint32_t>(place), static_cast<uint32_t>(rows)},
                            static_cast<float>(slope),
                            static_cast<float>(slope * lack)});
@@ -313,6 +307,13 @@ LightFitSearch::Normal LightFitSearch::normalAt(const Point& at) const
     return normal;
 }
 
+LightFitSearch::Normal LightFitSearch::normalAt(const Point& at) const
+{
+    Normal normal = normalOfData(at);
+    addAlike(at, normal);
+    return normal;
+}
+
 void LightFitSearch::addPriors(const Point& at, Normal& normal) const
 {
     for (size_t u = 0; u < count(); ++u) {
@@ -321,6 +322,10 @@ void LightFitSearch::addPriors(const Point& at, Normal& normal) const
         normal.matrix(i, i) += prior.weight;
         normal.slope[i] += prior.slope;
     }
+}
+
+void LightFitSearch::addAlike(const Point& at, Normal& normal) const
+{
     for (const auto& [a, b] : fit_.alike_) {
         if (emits_[a] == 0 || emits_[b] == 0) continue;
         const double weight = 1.0 / (kAlikeSpread * kAlikeSpread);
@@ -377,7 +382,8 @@ void LightFitSearch::run(double widest)
     for (wider_ = widest;; wider_ = std::max(0.5 * wider_, 1.0)) {
         damping_ = 1e-3;
         light(here_);
-        for (int i = 0; i < kMostSteps && step(); ++i) {}
+        for (int i = 0; i < kMostSteps && step(); ++i) {
+        }
         if (wider_ <= 1.0) return;
     }
 }
@@ -397,13 +403,14 @@ LightEstimate LightFitSearch::result() const
     return estimate;
 }
 
-/// Unknowns are shares of radiance here: what goes dark keeps what it reflects. Of a set that goes,
+/// Unknowns are shares of radiance here: what goes dark keeps what it reflects, and is no longer
+/// like any other. Of a set that goes,
 /// the cost is d^T (C_ss)^-1 d / 2 for the change d; then the others move by C_rs (C_ss)^-1 d.
 std::vector<uint8_t> LightFitSearch::needless(std::span<const Removal> removals) const
 {
     const auto n = static_cast<Eigen::Index>(count());
     Eigen::MatrixXd covariance =
-        normalAt(here_).matrix.llt().solve(Eigen::MatrixXd::Identity(n, n));
+        normalOfData(here_).matrix.llt().solve(Eigen::MatrixXd::Identity(n, n));
     Eigen::VectorXd change(n); // that each must still make to go
     for (size_t u = 0; u < pieceOf_.size(); ++u) {
         const double left = here_.reflected[pieceOf_[u]] - here_.log[pieceOf_[u]];
@@ -446,30 +453,21 @@ std::vector<uint8_t> LightFitSearch::needless(std::span<const Removal> removals)
 }
 
 LightFit::LightFit(const LightModel& model, std::span<const MaterialPair> pairs,
-                   std::span<const AlikePieces> alike, int channel)
-    : model_(model), pairs_(pairs), alike_(alike), channel_(channel),
-      noiseAbove_(pairs.size(), kNoise), noiseBelow_(pairs.size(), kNoise)
+                   std::span<const AlikePieces> alike, double noise, int channel)
+    : model_(model), pairs_(pairs), alike_(alike), channel_(channel), noise_(noise),
+      noiseAbove_(pairs.size(), noise), noiseBelow_(pairs.size(), noise)
 {
     for (size_t i = 0; i < model.shown.size(); ++i) {
         logShown_.push_back(std::log(std::max(pick(model.shown[i]), kDark)));
         gathered_.push_back(pick(model.gathered[i]));
     }
-    static const double kColour = knob("K_COLOUR", 0.0);
-    for (size_t k = 0; k < pairs.size(); ++k) {
-        const auto chroma = [&](uint32_t i) {
-            const glm::vec3 c = glm::max(model.shown[i], glm::vec3(1e-4f));
-            return glm::log(c / luminance(c));
-        };
-        const auto d = static_cast<double>(glm::length(chroma(pairs[k].p) - chroma(pairs[k].q)));
-        noiseAbove_[k] = noiseBelow_[k] = std::hypot(kNoise, kColour * d);
-    }
-    base_ = noiseAbove_;
     whiteShare_.assign(model.pieces, 0.0);
     for (size_t i = 0; i < model.places(); ++i)
         for (size_t f = 0; f < model.pieces; ++f)
-            whiteShare_[f] += static_cast<double>(model.directAt(i)[f]) /
-                              std::max(static_cast<double>(kPi) * std::exp(logShown_[i]), kLeastIrradiance) /
-                              static_cast<double>(model.places());
+            whiteShare_[f] +=
+                static_cast<double>(model.directAt(i)[f]) /
+                std::max(static_cast<double>(kPi) * std::exp(logShown_[i]), kLeastIrradiance) /
+                static_cast<double>(model.places());
     const auto end = logShown_.begin() + static_cast<ptrdiff_t>(model.places());
     outside_ = medianOfAll({logShown_.begin(), end}) + std::log(kOutside);
 }
@@ -498,23 +496,16 @@ double LightFit::irradiance(size_t place, std::span<const double> radiance) cons
 double LightFit::lack(size_t piece, double logIrradiance) const
 {
     if (model_.area[piece] <= 0.0f) return 0.0;
-    const double least = logShown_[model_.placeOf(piece)] +
-                         std::log(static_cast<double>(kPi) / kBrightestPaper);
+    const double least =
+        logShown_[model_.placeOf(piece)] + std::log(static_cast<double>(kPi) / kBrightestPaper);
     return std::max(least - logIrradiance, 0.0);
-}
-
-/// That a piece is burnt out though it has too little light for it, by a flaw of the texture.
-double LightFit::flawChance(size_t piece) const
-{
-    return kFlaw + 0.0 * static_cast<double>(model_.area[piece]);
 }
 
 double LightFit::boundCost(size_t piece, double logIrradiance) const
 {
     const double off = lack(piece, logIrradiance) / kBoundNoise;
     if (off <= 0.0) return 0.0;
-    const double flaw = flawChance(piece);
-    return -std::log((1.0 - flaw) * std::exp(-0.5 * off * off) + flaw);
+    return -std::log((1.0 - kFlaw) * std::exp(-0.5 * off * off) + kFlaw);
 }
 
 std::vector<double> LightFit::beginning() const
@@ -553,8 +544,8 @@ void LightFit::expectLeaks(std::span<const double> log)
     forEach(light.size(), [&](size_t i) { light[i] = irradiance(i, radiance); });
     const double leak = kLeak * medianOfAll(light);
     for (size_t k = 0; k < pairs_.size(); ++k) {
-        noiseAbove_[k] = std::hypot(base_[k], leak / light[pairs_[k].q]); // q seems too dark
-        noiseBelow_[k] = std::hypot(base_[k], leak / light[pairs_[k].p]);
+        noiseAbove_[k] = std::hypot(noise_, leak / light[pairs_[k].q]); // q seems too dark
+        noiseBelow_[k] = std::hypot(noise_, leak / light[pairs_[k].p]);
     }
 }
 
@@ -562,8 +553,9 @@ double LightFit::reflectedIn(size_t piece, std::span<const double> radiance) con
 {
     if (model_.area[piece] <= 0.0f) return std::log(kDark);
     const size_t place = model_.placeOf(piece);
-    return std::max(std::log(kBurntOutPaper / static_cast<double>(kPi) * irradiance(place, radiance)),
-                    logShown_[place]);
+    return std::max(
+        std::log(kBurntOutPaper / static_cast<double>(kPi) * irradiance(place, radiance)),
+        logShown_[place]);
 }
 
 double LightFit::reflected(size_t piece, std::span<const double> log) const

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Core>
+#include <glm/vec3.hpp>
 
 namespace relamp
 {
@@ -44,9 +44,10 @@ struct Removal
 class LightFit
 {
 public:
-    /// All must outlive this. `channel` < 0: luminance.
+    /// All but `noise` must outlive this: the difference in log albedo between places of one paint
+    /// that is usual, > 0. `channel` < 0: luminance.
     LightFit(const LightModel& model, std::span<const MaterialPair> pairs,
-             std::span<const AlikePieces> alike, int channel = -1);
+             std::span<const AlikePieces> alike, double noise, int channel = -1);
 
     /// Pieces so bright that each brings its share of what is gathered, and outside what is in
     /// shade.
@@ -75,7 +76,6 @@ private:
     [[nodiscard]] double reflectedIn(size_t piece, std::span<const double> radiance) const;
     [[nodiscard]] double boundCost(size_t piece, double logIrradiance) const;
     [[nodiscard]] double lack(size_t piece, double logIrradiance) const;
-    [[nodiscard]] double flawChance(size_t piece) const;
     [[nodiscard]] double noiseOf(size_t pair, double residual) const
     {
         return residual > 0.0 ? noiseAbove_[pair] : noiseBelow_[pair];
@@ -86,13 +86,13 @@ private:
     std::span<const MaterialPair> pairs_;
     std::span<const AlikePieces> alike_;
     int channel_;
+    double noise_;
     std::vector<double> logShown_;   // of places, and then of pieces
     std::vector<double> gathered_;   // likewise
     std::vector<double> noiseAbove_; // of pairs, where p's albedo is above q's
     std::vector<double> noiseBelow_;
-    std::vector<double> base_;
     std::vector<double> whiteShare_; // of pieces: of the light at places, were they white
-    double outside_ = 0.0; // log radiance that is expected there
+    double outside_ = 0.0;           // log radiance that is expected there
 };
 
 } // namespace relamp

@@ -42,7 +42,7 @@ std::vector<MaterialPair> pairsOf(const LightModel& model)
 std::vector<double> radianceOutside(const LightModel& model)
 {
     const std::vector<MaterialPair> pairs = pairsOf(model);
-    const LightFit fit(model, pairs, {});
+    const LightFit fit(model, pairs, {}, 0.08);
     const LightEstimate estimate = fit.solve({}, fit.beginning(), 6.0);
     return {std::exp(estimate.log[0]), std::exp(estimate.log[1])};
 }

@@ -37,8 +37,7 @@ std::vector<PairPlace> placesOf(std::span<const glm::vec3> shown, std::span<cons
 {
     std::vector<PairPlace> places;
     for (size_t i = 0; i < shown.size(); ++i)
-        places.push_back({all.position[surfels[i]], all.normal[surfels[i]],
-                          chromaOf(shown[i]),
+        places.push_back({all.position[surfels[i]], all.normal[surfels[i]], chromaOf(shown[i]),
                           luminance(shown[i]) < kDarkestPaired});
     return places;
 }
@@ -52,8 +51,9 @@ bool couldBeOneMaterial(const PairPlace& p, const PairPlace& q)
 
 } // namespace
 
-std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown, std::span<const uint32_t> surfels,
-                                    const Surfels& all, size_t perPlace)
+std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
+                                    std::span<const uint32_t> surfels, const Surfels& all,
+                                    size_t perPlace)
 {
     std::vector<MaterialPair> pairs;
     const std::vector<PairPlace> places = placesOf(shown, surfels, all);

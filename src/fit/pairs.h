@@ -15,7 +15,7 @@ namespace relamp
 /// `shown` is the radiance of places, `surfels` their indices into `all`. Deterministic. At most
 /// `perPlace` pairs begin at each place.
 std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
-                                    std::span<const uint32_t> surfels,
-                                    const Surfels& all, size_t perPlace);
+                                    std::span<const uint32_t> surfels, const Surfels& all,
+                                    size_t perPlace);
 
 } // namespace relamp

@@ -16,21 +16,21 @@ using scenes::kUp;
 /// Places of a room, each a surfel of its own.
 struct Places
 {
-    FitData data;
+    std::vector<glm::vec3> shown;
     Surfels surfels;
 
     void add(glm::vec3 position, glm::vec3 normal, glm::vec3 radiance)
     {
         surfels.position.push_back(position);
         surfels.normal.push_back(normal);
-        data.radiance.push_back(radiance);
+        shown.push_back(radiance);
     }
 
     [[nodiscard]] std::vector<MaterialPair> pairs(size_t perPlace) const
     {
         std::vector<uint32_t> all(surfels.count());
         std::iota(all.begin(), all.end(), 0u);
-        return drawPairs(data, all, surfels, perPlace);
+        return drawPairs(shown, all, surfels, perPlace);
     }
 };
 

@@ -13,19 +13,18 @@
 
 namespace relamp
 {
-double knob(const char* name, double otherwise);
 namespace
 {
 
-constexpr float kTouching = 0.12f;  // m between pieces of one lamp
-constexpr float kBeside = 0.15f;    // m between openings beside each other, at most
-constexpr float kAboutEqual = 3.0f; // ratio of their radiances
-constexpr float kOneFacing = 0.9f;  // cosine, of mean normals
-const float kOneLevel = static_cast<float>(knob("K_LEVELP", 0.02));  // m; of a scan's worst 5 %
+constexpr float kTouching = 0.12f;    // m between pieces of one lamp
+constexpr float kBeside = 0.15f;      // m between openings beside each other, at most
+constexpr float kAboutEqual = 3.0f;   // ratio of their radiances
+constexpr float kOneFacing = 0.9f;    // cosine, of mean normals
+constexpr float kOneLevel = 0.02f;    // m; the error of a scan's worst 5 %
 constexpr float kLeastModel = 0.003f; // m^2; the shape of less says nothing
-constexpr float kWhole = 0.3f;    // length of a mean normal; what is shorter faces all around
-constexpr float kSameBody = 1.3f; // ratio of areas
-constexpr float kSliver = 0.02f;  // ratio of areas; too small beside a lamp to be one of its own
+constexpr float kWhole = 0.3f;        // length of a mean normal; what is shorter faces all around
+constexpr float kSameBody = 1.3f;     // ratio of areas
+constexpr float kSliver = 0.02f; // ratio of areas; too small beside a lamp to be one of its own
 
 bool areOneLamp(const Piece& a, const Piece& b)
 {
@@ -94,8 +93,7 @@ Kinship kinshipOf(const std::vector<Piece>& pieces)
                 continue;
             }
             const bool areOneBody = pieces[a].body == pieces[b].body;
-            const bool lean =
-                areOneBody || areInOnePlane(pieces[a].candidate, pieces[b].candidate);
+            const bool lean = areOneBody || areInOnePlane(pieces[a].candidate, pieces[b].candidate);
             const bool isModel = !areOneBody && !pieces[a].isUnseen && !pieces[b].isUnseen &&
                                  areOneModel(pieces[a], pieces[b]);
             if (areOneBody || isModel) kin.alike.push_back({a, b});

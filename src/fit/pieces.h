@@ -17,12 +17,12 @@ namespace relamp
 struct Piece
 {
     Candidate candidate;
-    std::vector<uint32_t> ends{}; // see LampGroup; empty: it is one lamp
-    bool isGiven = false;         // a person says that it shines
-    size_t body = 0;              // of the same number: two sides of one lamp
-    bool isUnseen = false;        // its far side, not scanned
-    bool isOpening = false;       // nothing that was scanned: see openingsOf()
-    std::vector<float> direct{};  // irradiance at radiance 1, one a place
+    std::vector<uint32_t> ends{};      // see LampGroup; empty: it is one lamp
+    bool isGiven = false;              // a person says that it shines
+    size_t body = 0;                   // of the same number: two sides of one lamp
+    bool isUnseen = false;             // its far side, not scanned
+    bool isOpening = false;            // nothing that was scanned: see openingsOf()
+    std::vector<float> direct{};       // irradiance at radiance 1, one a place
     std::vector<AreaSample> onSides{}; // the same, one a hit list
     glm::vec3 radiance{1.0f};
     float error = 0.0f; // standard error of log radiance
@@ -35,8 +35,8 @@ struct Kinship
 {
     std::vector<AlikePieces> alike;             // they have about one radiance
     std::vector<std::vector<uint32_t>> model;   // of each, others that look like it
-    std::vector<std::vector<uint32_t>> leansOn; // of each, larger ones that it may be a part of: the
-                                                // near side of a far one, a pane beside a pane
+    std::vector<std::vector<uint32_t>> leansOn; // of each, larger ones that it may be a part of:
+                                                // the near side of a far one, a pane beside a pane
 };
 
 Kinship kinshipOf(const std::vector<Piece>& pieces);

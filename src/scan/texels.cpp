@@ -70,7 +70,8 @@ double surfelSizeFor(const Texels& texels, const std::vector<PageCoverage>& cove
     size_t count = 0;
     for (const PageCoverage& coverage : coverages) count += coverage.pixel.size();
     const double texel = std::sqrt(texels.area / static_cast<double>(std::max<size_t>(count, 1)));
-    const double size = std::clamp(options.texelsAcross * texel, options.smallest, options.largest);
+    const double size = std::max(
+        std::clamp(options.texelsAcross * texel, options.smallest, options.largest), texel);
     const double extent = glm::length(boundsOf(*texels.scan).extent());
     return std::max({size, std::sqrt(texels.area / kMostSurfels), extent / SurfelGrid::kMostCells});
 }

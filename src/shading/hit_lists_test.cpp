@@ -100,7 +100,7 @@ TEST(HitLists, BacksThatAreSeenLookAroundThemselves)
         EXPECT_TRUE(target.side().isBack());
         ++backs;
     }
-    EXPECT_GT(backs, 10u);
+    EXPECT_GT(3 * backs, lists.targetsOf(low).size());
     EXPECT_EQ(missedShare(lists.targetsOf(high)), 1.0f);
 
     const int32_t list = lists.listOfSide[Side::back(high).index];
@@ -112,20 +112,21 @@ TEST(HitLists, BacksThatAreSeenLookAroundThemselves)
     EXPECT_EQ(lists.listOfSide[Side::back(low).index], HitLists::kNoList);
 }
 
-// A bright spot that one ray in thirty meets is noise; a plain room is none.
+// A bright spot that one ray in thirty meets is noise. Fronts share the rays that there are.
 TEST(HitLists, MoreRaysGoWhereTheyDoNotAgree)
 {
-    const scenes::Surfaces even(scenes::room(kHitRoom, 32, scenes::plain(glm::vec3(0.4f))));
-    const HitLists ofEven = scenes::hitListsOf(even, 16);
-    EXPECT_EQ(ofEven.targets.size(), 16 * ofEven.sideOfList.size());
-
     const scenes::Surfaces spotted(scenes::room(kHitRoom, 32, [](glm::vec3 p, glm::vec3 n) {
         const bool isSpot = n.y < -0.5f && std::abs(p.x - 1.0f) + std::abs(p.z - 1.5f) < 0.5f;
         return glm::vec3(isSpot ? 0.9f : 0.02f);
     }));
     const HitLists ofSpotted = scenes::hitListsOf(spotted, 16);
-    EXPECT_EQ(ofSpotted.targetsOf(spotted.at({1.0f, 0.0f, 1.5f}, kUp)).size(), 64u);
-    EXPECT_EQ(ofSpotted.targetsOf(spotted.at({1.0f, 1.5f, 0.2f}, kDown)).size(), 16u);
+    const size_t below = ofSpotted.targetsOf(spotted.at({1.0f, 0.0f, 1.5f}, kUp)).size();
+    EXPECT_GE(below, 16u);
+    EXPECT_EQ(ofSpotted.targetsOf(spotted.at({1.0f, 1.5f, 0.2f}, kDown)).size(), 8u);
+    size_t all = 0;
+    for (size_t s = 0; s < spotted.texels.surfels.count(); ++s)
+        all += ofSpotted.targetsOf(s).size();
+    EXPECT_LE(all, 16 * spotted.texels.surfels.count());
 }
 
 TEST(HitLists, AreTheSameOnAnyNumberOfThreads)

@@ -22,6 +22,7 @@ namespace relamp
 namespace
 {
 
+constexpr double kLargestSurfel = 0.04; // m; light changes within more
 constexpr float kNoFacing = 0.3f; // length of a mean normal below which a lamp shines all around
 
 /// Rays of a scan and of its places, by quality.
@@ -193,7 +194,9 @@ FoundLamps litOf(const FoundRoom& room, bool withSunlit)
 
 SurfelOptions surfelsOf(const GatherOptions& options)
 {
-    return {.texelsAcross = options.quality == Quality::draft ? 4.0 : 2.0,
+    const bool isDraft = options.quality == Quality::draft;
+    return {.texelsAcross = isDraft ? 4.0 : 2.0,
+            .largest = isDraft ? 0.12 : kLargestSurfel,
             .layered = true,
             .connected = false,
             .seed = options.seed};

@@ -121,7 +121,7 @@ TEST_F(GpuReevaluateEngine, ALampThatIsOffSendsOnWhatItGets)
     Room gpu({.engine = Engine::gpu});
     const LampPowers on = times(cpu.found, 1.1f);
     LampPowers off = times(cpu.found, 0.0f);
-    off.ambient = glm::vec3(0.5f);
+    off.outside = glm::vec3(0.5f);
     expectLightAlike(gpu.layers(gpu.reevaluate(on)), cpu.layers(cpu.reevaluate(on)));
     for (Room* room : {&cpu, &gpu}) {
         std::vector<uint8_t>& shines = room->room.solved.found.shines;

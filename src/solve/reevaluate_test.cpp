@@ -45,8 +45,10 @@ TEST(Reevaluate, TwiceThePowerIsTwiceTheDirectLight)
         EXPECT_NEAR(twice[s].g - room.solved.light->indirect[s].g, 2.0f * direct,
                     1e-4f * once[s].g + 1e-5f);
     }
-    for (size_t list = 0; list < gathered.size(); ++list) // as the rays have it, with their noise
-        EXPECT_GE(room.solved.found.sides.gathered.irradiance[list].g, gathered[list].g - 1e-5f);
+    // As the rays have it, with their noise: what is lit more is darker paint, and sends as much to
+    // what lies behind it, if not a little less.
+    for (size_t list = 0; list < gathered.size(); ++list)
+        EXPECT_GE(room.solved.found.sides.gathered.irradiance[list].g, 0.999f * gathered[list].g);
 }
 
 } // namespace relamp

@@ -1,0 +1,690 @@
+#include "base/radiometry.shared.h"
+#include "fit/light_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <gmock/gmock.h>
+
+namespace relamp
+{
+namespace
+{
+
+using testing::ElementsAre;
+
+constexpr double kNoise = 0.08;    // log: between places of one paint
+constexpr double kWide = 6.0;      // times the noise: from far off
+constexpr double kLampCosts = 1.5; // nats
+
+/// Numbers that are the same on every machine; distributions of the standard need not be.
+class Numbers
+{
+public:
+    float between(float low, float high)
+    {
+        return low + (high - low) * static_cast<float>(random_() >> 8) / 16777216.0f;
+    }
+    /// Of mean 0 and variance 1, about.
+    float normal()
+    {
+        float sum = -6.0f;
+        for (int i = 0; i < 12; ++i) sum += between(0.0f, 1.0f);
+        return sum;
+    }
+
+private:
+    std::mt19937 random_{7};
+};
+
+/// Behind the places of a model, those of pieces that nothing is known of.
+void addPieces(LightModel& model)
+{
+    model.shown.insert(model.shown.end(), model.pieces, glm::vec3(1.0f));
+    model.gathered.insert(model.gathered.end(), model.pieces, glm::vec3(0.0f));
+    model.missed.insert(model.missed.end(), model.pieces, 0.0f);
+    model.direct.insert(model.direct.end(), model.pieces * model.pieces, 0.0f);
+    model.area.assign(model.pieces, 0.0f);
+}
+
+/// A floor of two materials under lamps, with what every lamp does there known. A lamp that is
+/// black is a wall: it lights nothing.
+struct Floor
+{
+    static constexpr size_t kPlaces = 800;
+
+    LightModel model;
+    std::vector<MaterialPair> pairs;
+    std::vector<AlikePieces> alike;
+    std::vector<glm::vec3> truth; // of pieces
+    glm::vec3 outside{0.5f, 0.4f, 0.3f};
+
+    /// `noise` of radiance, as a share; `outliers` share of the pairs across materials.
+    Floor(std::vector<glm::vec3> lamps, float noise, float outliers);
+
+    [[nodiscard]] LightFit fit(int channel = -1) const
+    {
+        return {model, pairs, alike, kNoise, channel};
+    }
+    /// All but walls emit.
+    [[nodiscard]] std::vector<uint8_t> emits() const
+    {
+        std::vector<uint8_t> flags;
+        for (const glm::vec3 lamp : truth) flags.push_back(lamp.g > 0.0f ? 1 : 0);
+        return flags;
+    }
+    [[nodiscard]] LightEstimate solve(int channel = -1) const
+    {
+        const LightFit light = fit(channel);
+        return light.solve(emits(), light.beginning(), kWide);
+    }
+    /// From 20 times white, where lamps are, be they seen or not.
+    [[nodiscard]] LightEstimate solveFromLamps() const
+    {
+        return fit().solve(emits(), std::vector(truth.size() + 1, std::log(20.0)), kWide);
+    }
+    [[nodiscard]] double truthOf(size_t lamp) const
+    {
+        return std::log(static_cast<double>(luminance(truth[lamp])));
+    }
+    /// Takes a lamp out of the room.
+    void darken(size_t lamp);
+    /// A burnt-out piece of wall that gets this irradiance of a lamp at radiance 1.
+    void burnOut(size_t wall, size_t lamp, float direct);
+};
+
+Floor::Floor(std::vector<glm::vec3> lamps, float noise, float outliers) : truth(std::move(lamps))
+{
+    Numbers random;
+    model.pieces = truth.size();
+    std::vector<glm::vec2> under;
+    for (size_t f = 0; f < truth.size(); ++f)
+        under.emplace_back(random.between(1, 4), random.between(1, 4));
+    for (size_t i = 0; i < kPlaces; ++i) {
+        const glm::vec2 place(random.between(0, 5), random.between(0, 5));
+        glm::vec3 irradiance(random.between(0.2f, 0.5f));
+        model.gathered.push_back(irradiance);
+        model.missed.push_back(place.x < 2.0f ? random.between(0.0f, 0.4f) : 0.0f);
+        irradiance += outside * model.missed.back();
+        for (size_t f = 0; f < truth.size(); ++f) {
+            const float squared = 4.0f + glm::dot(place - under[f], place - under[f]);
+            const bool isShadow = truth[f].g <= 0.0f || random.between(0, 1) < 0.3f;
+            model.direct.push_back(isShadow ? 0.0f : 0.1f * 4.0f / (squared * squared));
+            irradiance += truth[f] * model.direct.back();
+        }
+        const float albedo = (i % 2 == 0 ? 0.5f : 0.25f) * std::exp(noise * random.normal());
+        model.shown.push_back(albedo * irradiance / kPi);
+    }
+    for (size_t i = 0; i < 8 * kPlaces; ++i) {
+        const auto p = static_cast<uint32_t>(random.between(0, kPlaces - 1));
+        const auto q = static_cast<uint32_t>(random.between(0, kPlaces - 1));
+        const bool isOneMaterial = p % 2 == q % 2;
+        if (p != q && (isOneMaterial || random.between(0, 1) < outliers)) pairs.push_back({p, q});
+    }
+    addPieces(model);
+}
+
+void Floor::darken(size_t lamp)
+{
+    for (size_t i = 0; i < model.places(); ++i) {
+        float& direct = model.direct[i * model.pieces + lamp];
+        glm::vec3 irradiance = model.gathered[i] + outside * model.missed[i];
+        for (size_t f = 0; f < model.pieces; ++f) irradiance += truth[f] * model.directAt(i)[f];
+        model.shown[i] *= (irradiance - truth[lamp] * direct) / irradiance;
+        direct = 0.0f;
+    }
+}
+
+void Floor::burnOut(size_t wall, size_t lamp, float direct)
+{
+    const size_t place = model.placeOf(wall);
+    model.area[wall] = 0.1f;
+    model.gathered[place] = glm::vec3(0.2f);
+    model.direct[place * model.pieces + lamp] = direct;
+}
+
+/// In logarithms, which for a few per cent are shares.
+void expectNear(double log, double wanted, double share)
+{
+    EXPECT_NEAR(log, wanted, std::log1p(share));
+}
+
+const glm::vec3 kWall(0.0f);
+
+} // namespace
+
+TEST(LightFit, CleanDataGiveTheLightBackInEveryChannel)
+{
+    const Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.0f, 0.0f);
+    for (int c = 0; c < 3; ++c) {
+        const LightEstimate light = floor.solve(c);
+        for (size_t f = 0; f < 2; ++f)
+            expectNear(light.log[f], std::log(static_cast<double>(floor.truth[f][c])), 0.02);
+        expectNear(light.log[2], std::log(static_cast<double>(floor.outside[c])), 0.05);
+        EXPECT_LT(light.residual, 0.01);
+    }
+}
+
+TEST(LightFit, LuminanceOfALampIsThatOfItsColours)
+{
+    const Floor floor({{40, 30, 20}}, 0.0f, 0.0f);
+    expectNear(floor.solve().log[0], floor.truthOf(0), 0.02);
+}
+
+// A quarter of the pairs across materials, two per cent of noise: the robust loss lets them go.
+TEST(LightFit, NoiseAndWrongPairsHardlyMatter)
+{
+    const Floor floor({{40, 30, 20}, {10, 12, 15}, {20, 20, 20}}, 0.02f, 0.33f);
+    const LightEstimate light = floor.solve();
+    for (size_t f = 0; f < 3; ++f) {
+        expectNear(light.log[f], floor.truthOf(f), 0.06);
+        EXPECT_LT(light.error[f], 0.2);
+    }
+}
+
+// Pairs of the same places tell the same again: a lamp is known no better for there being more of
+// them.
+TEST(LightFit, ErrorsDoNotFallWithTheNumberOfPairs)
+{
+    Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.02f, 0.0f);
+    const LightEstimate once = floor.solve();
+    const std::vector<MaterialPair> pairs = floor.pairs;
+    for (int i = 0; i < 3; ++i) floor.pairs.insert(floor.pairs.end(), pairs.begin(), pairs.end());
+    const LightEstimate again = floor.solve();
+    for (size_t f = 0; f < 2; ++f) EXPECT_NEAR(again.error[f] / once.error[f], 1.0, 0.05);
+    EXPECT_NEAR(again.nats, once.nats, 0.05);
+}
+
+// Gathered light is in the texture's units, and so are lamps: half of it is half of everything.
+TEST(LightFit, IsInTheUnitsOfTheGatheredLight)
+{
+    Floor floor({{40, 30, 20}}, 0.0f, 0.0f);
+    for (glm::vec3& irradiance : floor.model.gathered) irradiance *= 0.5f;
+    expectNear(floor.solve().log[0], floor.truthOf(0) + std::log(0.5), 0.03);
+}
+
+// A photo of half the exposure shows, and gathers, half of everything.
+TEST(LightFit, FollowsTheExposureOfThePhoto)
+{
+    Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.0f, 0.0f);
+    for (glm::vec3& irradiance : floor.model.gathered) irradiance *= 0.5f;
+    for (glm::vec3& shown : floor.model.shown) shown *= 0.5f;
+    const LightEstimate light = floor.solve();
+    for (size_t f = 0; f < 2; ++f) expectNear(light.log[f], floor.truthOf(f) + std::log(0.5), 0.02);
+}
+
+TEST(LightFit, DoesNotDependOnWhereItBegins)
+{
+    const Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.02f, 0.0f);
+    const LightEstimate light = floor.solve();
+    const LightEstimate other = floor.solveFromLamps();
+    for (size_t f = 0; f < 3; ++f) EXPECT_NEAR(other.log[f], light.log[f], 0.1 * light.error[f]);
+    EXPECT_NEAR(other.nats, light.nats, 0.01);
+}
+
+TEST(LightFit, WhatTheDataLeaveOpenIsAboutWhiteAndSaysSo)
+{
+    Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.02f, 0.0f);
+    floor.darken(1);
+    for (const LightEstimate& light : {floor.solve(), floor.solveFromLamps()}) {
+        EXPECT_NEAR(light.log[1], 0.0, 0.5);
+        EXPECT_GT(light.error[1], 1.0);
+        EXPECT_LT(light.error[0], 0.1);
+        expectNear(light.log[0], floor.truthOf(0), 0.05);
+    }
+}
+
+// What scanners miss lies behind things and under them.
+TEST(LightFit, OutsideIsDarkerThanTheRoomWhereTheDataLeaveItOpen)
+{
+    Floor floor({{40, 30, 20}}, 0.0f, 0.0f);
+    for (float& missed : floor.model.missed) missed = 0.0f;
+    const LightEstimate light = floor.solveFromLamps();
+    std::vector<float> shown;
+    for (size_t i = 0; i < floor.model.places(); ++i)
+        shown.push_back(luminance(floor.model.shown[i]));
+    std::sort(shown.begin(), shown.end());
+    const double median = std::log(static_cast<double>(shown[shown.size() / 2]));
+    EXPECT_LT(light.log[1], median - 0.5);
+    EXPECT_GT(light.log[1], median - 2.0);
+    EXPECT_GT(light.error[1], 1.0);
+}
+
+// Few places see the lamp, and blue is all noise.
+TEST(LightFit, ChannelThatTheDataLeaveOpenIsNearTheLuminance)
+{
+    Floor floor({{400, 300, 200}}, 0.0f, 0.0f);
+    Numbers random;
+    for (size_t i = 0; i < Floor::kPlaces; ++i) {
+        const glm::vec3 light = floor.truth[0] * floor.model.direct[i];
+        if (i % 80 > 1) {
+            const glm::vec3 rest = floor.model.gathered[i] + floor.outside * floor.model.missed[i];
+            floor.model.shown[i] *= rest / (rest + light);
+            floor.model.direct[i] = 0.0f;
+        }
+        floor.model.shown[i].b *= std::exp(3.0f * random.normal());
+    }
+    const double white = floor.solve().log[0];
+    const EmissionPrior prior{{white}, 0.5};
+    for (int c = 0; c < 3; ++c) {
+        const LightFit channel = floor.fit(c);
+        const LightEstimate light = channel.solve(floor.emits(), {white, -1.0}, 2.0, prior);
+        if (c < 2) {
+            expectNear(light.log[0], std::log(static_cast<double>(floor.truth[0][c])), 0.1);
+        } else {
+            EXPECT_NEAR(light.log[0], white, 1.0); // two of the prior's errors
+            EXPECT_GT(light.error[0], 0.2);
+        }
+    }
+}
+
+// Each of two dozen spots brings little, and a pull to white that grew with their distance from it
+// would cost more than they explain.
+TEST(LightFit, ManySmallLampsAreNotHeldAtWhite)
+{
+    constexpr float kSmaller = 100.0f;
+    Floor floor(std::vector<glm::vec3>(24, {4.0f, 3.5f, 3.0f}), 0.02f, 0.0f);
+    for (float& direct : floor.model.direct) direct /= kSmaller;
+    const LightEstimate light = floor.solve();
+    for (size_t f = 0; f < 24; ++f)
+        expectNear(light.log[f], floor.truthOf(f) + std::log(kSmaller), 0.2);
+}
+
+// Where next to nothing is gathered, twice the lamp is twice the light everywhere, and pairs agree
+// as well; but then the room would be half as white.
+TEST(LightFit, LevelOfARoomIsHeldWhereLampsOutshineWhatIsGathered)
+{
+    constexpr float kLamp = 30.0f;
+    constexpr float kAlbedo = 0.35f; // of most rooms
+    Numbers random;
+    LightModel model{.pieces = 1};
+    std::vector<MaterialPair> pairs;
+    for (uint32_t i = 0; i < 800; ++i) {
+        model.gathered.emplace_back(1e-4f);
+        model.missed.push_back(0.0f);
+        model.direct.push_back(random.between(0.05f, 0.2f));
+        model.shown.emplace_back(kAlbedo / kPi * kLamp * model.direct.back());
+        for (const uint32_t step : {1u, 5u, 9u}) pairs.push_back({i, (i + step) % 800});
+    }
+    addPieces(model);
+    const LightFit fit(model, pairs, {}, kNoise);
+    const LightEstimate light = fit.solve(std::vector<uint8_t>{1}, fit.beginning(), kWide);
+    expectNear(light.log[0], std::log(kLamp), 0.1);
+    EXPECT_GT(light.error[0], 0.2); // rooms differ
+    EXPECT_LT(light.error[0], 0.6);
+}
+
+// The paper that burns out first has an albedo of 3/4; and what shows white sends that at least.
+TEST(LightFit, WallSendsWhatItReflectsAndNoLessThanItShows)
+{
+    Floor floor({{40, 30, 20}, kWall}, 0.0f, 0.0f);
+    floor.burnOut(1, 0, 0.2f);
+    const double irradiance = 0.2 + 0.2 * static_cast<double>(luminance(floor.truth[0]));
+    const std::vector<double> log{floor.truthOf(0), 0.0, -1.0};
+    expectNear(floor.fit().reflected(1, log), std::log(0.75 * irradiance / kPi), 0.01);
+    floor.burnOut(1, 0, 0.001f);
+    EXPECT_NEAR(floor.fit().reflected(1, log), 0.0, 1e-6);
+    floor.burnOut(1, 0, 0.2f); // lights nothing, so that its paint does not matter
+    const LightEstimate light = floor.solve();
+    EXPECT_NEAR(light.log[1], floor.fit().reflected(1, light.log), 1e-6);
+    EXPECT_EQ(light.error[1], 0.0);
+}
+
+// A wall does not emit, but its light reaches the floor: how white it is, the floor tells.
+TEST(LightFit, PaintOfAWallThatLightsTheRoomIsFound)
+{
+    for (const float albedo : {0.5f, 0.9f}) {
+        Floor floor({{40, 30, 20}, {10, 10, 10}}, 0.02f, 0.0f);
+        floor.burnOut(1, 0, 1.5f);
+        const size_t place = floor.model.placeOf(1);
+        const glm::vec3 sent = albedo / kPi * (floor.model.gathered[place] + 1.5f * floor.truth[0]);
+        for (size_t i = 0; i < Floor::kPlaces; ++i) {
+            const std::span<const float> direct = floor.model.directAt(i);
+            const glm::vec3 rest = floor.model.gathered[i] + floor.outside * floor.model.missed[i] +
+                                   floor.truth[0] * direct[0];
+            floor.model.shown[i] *= (rest + sent * direct[1]) / (rest + floor.truth[1] * direct[1]);
+        }
+        floor.truth[1] = kWall;
+        const LightEstimate light = floor.solve();
+        expectNear(light.log[0], floor.truthOf(0), 0.05);
+        expectNear(light.log[1], std::log(static_cast<double>(luminance(sent))), 0.1);
+    }
+}
+
+// White paper is no whiter than 0.9: what shows white gets pi / 0.9 at least.
+TEST(LightFit, BurntOutWallBoundsALampFromBelow)
+{
+    Floor floor({{40, 30, 20}, {40, 30, 20}, kWall}, 0.02f, 0.0f);
+    floor.darken(1); // places see nothing of it
+    const LightEstimate without = floor.solve();
+    floor.burnOut(2, 1, 0.1f);
+    const double least = (static_cast<double>(kPi) / 0.9 - 0.2) / 0.1;
+    std::vector<double> start = without.log;
+    start[1] = std::log(0.5 * least);
+    const LightEstimate light = floor.fit().solve(floor.emits(), start, 1.0);
+    expectNear(light.log[1], std::log(least), 0.2);
+    EXPECT_NEAR(light.log[0], without.log[0], 0.2 * without.error[0]);
+}
+
+TEST(LightFit, BurntOutWallThatGetsEnoughSaysNothing)
+{
+    Floor floor({{40, 30, 20}, {10, 12, 15}, kWall}, 0.02f, 0.0f);
+    const LightEstimate without = floor.solve();
+    floor.burnOut(2, 1, 1.0f);
+    const LightEstimate with = floor.solve();
+    for (size_t f = 0; f < 2; ++f) EXPECT_NEAR(with.log[f], without.log[f], 0.002);
+}
+
+// Polish shows the lamp itself, and needs no light for it: a few such pieces, one of a flaw of the
+// texture among them, do not outweigh what a whole floor says of the lamp.
+TEST(LightFit, HighlightsDoNotMakeLampsBrighter)
+{
+    for (const float direct : {0.01f, 0.1f, 0.2f}) { // all too little
+        Floor floor({{40, 30, 20}, {10, 12, 15}, kWall, kWall, kWall, kWall}, 0.02f, 0.0f);
+        const LightEstimate without = floor.solve();
+        for (const size_t wall : {2u, 3u, 4u, 5u}) floor.burnOut(wall, 1, direct);
+        const LightEstimate with = floor.solve();
+        EXPECT_LT(with.nats - without.nats, 5.0); // four times the odds of a flaw
+        for (size_t f = 0; f < 2; ++f)
+            EXPECT_NEAR(with.log[f], without.log[f], 0.5 * without.error[f]);
+    }
+}
+
+// A wall of warm light burns out in red first, and would make lamps redder than they are.
+TEST(LightFit, BurntOutWallsSayNothingOfTheColourOfALampThatPlacesSee)
+{
+    Floor floor({{40, 30, 20}, {10, 12, 15}, kWall, kWall}, 0.02f, 0.0f);
+    const auto colourOf = [&] {
+        std::vector<double> log = floor.solve().log;
+        const EmissionPrior prior{log, 0.5};
+        const auto channel = [&](int c) {
+            return floor.fit(c).solve(floor.emits(), log, 2.0, prior).log[1];
+        };
+        return channel(0) - channel(2);
+    };
+    const double without = colourOf();
+    for (const size_t wall : {2u, 3u}) {
+        floor.burnOut(wall, 1, 0.3f);
+        floor.model.shown[floor.model.placeOf(wall)] = {1.0f, 0.7f, 0.4f};
+    }
+    expectNear(colourOf(), without, 0.02);
+}
+
+// Of two lamps of one model, one lights nothing that is seen: it is about as bright as the other.
+TEST(LightFit, LampsOfOneModelAreAboutEquallyBright)
+{
+    Floor floor({{40, 30, 20}, {40, 30, 20}}, 0.02f, 0.0f);
+    floor.darken(1);
+    floor.alike = {{0, 1}};
+    const LightEstimate light = floor.solve();
+    expectNear(light.log[1], light.log[0], 0.1);
+    EXPECT_GT(light.error[1], 5.0 * light.error[0]); // they may be dimmed
+    EXPECT_LT(light.error[1], 1.0);
+}
+
+// Lamps of one model that are seen well speak for themselves.
+TEST(LightFit, DimmedLampOfOneModelIsFoundDim)
+{
+    Floor floor({{40, 30, 20}, {4, 3, 2}}, 0.0f, 0.0f);
+    floor.alike = {{0, 1}};
+    const LightEstimate light = floor.solve();
+    for (size_t f = 0; f < 2; ++f) EXPECT_NEAR(light.log[f], floor.truthOf(f), light.error[f]);
+}
+
+TEST(LightFit, WithoutPairsNothingIsKnown)
+{
+    Floor floor({glm::vec3(20.0f)}, 0.0f, 0.0f);
+    floor.pairs.clear();
+    const LightEstimate light = floor.solve();
+    EXPECT_GT(light.error[0], 0.3);
+    EXPECT_TRUE(std::isfinite(light.error[0]));
+    EXPECT_TRUE(std::isfinite(light.log[0]));
+    EXPECT_TRUE(std::isfinite(light.nats));
+    EXPECT_EQ(light.residual, 0.0);
+}
+
+namespace
+{
+
+/// A floor of one paint under a lamp of radiance 40; a third of it lies in the dark.
+struct DarkCorners
+{
+    static constexpr size_t kPlaces = 600;
+
+    LightModel model{.pieces = 1};
+    std::vector<MaterialPair> pairs;
+
+    /// `stray`: irradiance that the model has too much of, in the dark.
+    explicit DarkCorners(float stray)
+    {
+        Numbers random;
+        for (size_t i = 0; i < kPlaces; ++i) {
+            const bool isDark = i % 3 == 0;
+            const float gathered = isDark ? random.between(0.1f, 0.2f) : random.between(0.4f, 0.6f);
+            const float direct = isDark ? 0.0f : random.between(0.005f, 0.05f);
+            model.shown.emplace_back(0.35f / kPi * (gathered + 40.0f * direct));
+            model.gathered.emplace_back(gathered + (isDark ? stray : 0.0f));
+            model.missed.push_back(0.0f);
+            model.direct.push_back(direct);
+        }
+        for (size_t i = 0; i < 8 * kPlaces; ++i)
+            pairs.push_back({static_cast<uint32_t>(random.between(0, kPlaces - 1)),
+                             static_cast<uint32_t>(random.between(0, kPlaces - 1))});
+        addPieces(model);
+    }
+
+    /// How far off the lamp is, in logarithms, where leaks are expected and where not.
+    [[nodiscard]] double offWith(bool leaks) const
+    {
+        const std::vector<uint8_t> emits{1};
+        LightFit fit(model, pairs, {}, kNoise);
+        LightEstimate light = fit.solve(emits, fit.beginning(), kWide);
+        if (leaks) {
+            fit.expectLeaks(light.log);
+            light = fit.solve(emits, light.log, 1.0);
+        }
+        return light.log[0] - std::log(40.0);
+    }
+};
+
+} // namespace
+
+// Through the gaps of a reconstruction light gets into corners that were dark in the room, and what
+// is lit would have to be as much brighter.
+TEST(LightFit, LeaksIntoTheDarkMakeLampsLessStrongWhereTheyAreExpected)
+{
+    for (const float stray : {0.01f, 0.02f, 0.03f}) { // up to 3 % of the median light
+        const DarkCorners corners(stray);
+        EXPECT_GT(corners.offWith(false), 0.05);
+        EXPECT_LT(corners.offWith(true), 0.8 * corners.offWith(false));
+        EXPECT_GT(corners.offWith(true), -0.02);
+    }
+}
+
+// Where dark places ask for weaker lamps, it is no light through gaps, and they are heard as
+// before.
+TEST(LightFit, DarkPlacesThatMakeLampsWeakerAreHeard)
+{
+    const DarkCorners corners(-0.05f);
+    EXPECT_LT(corners.offWith(false), -0.1);
+    EXPECT_LT(corners.offWith(true), 0.9 * corners.offWith(false));
+}
+
+TEST(LightFit, ExpectingLeaksChangesNothingWhereAllIsRight)
+{
+    EXPECT_NEAR(DarkCorners(0.0f).offWith(true), 0.0, 0.02);
+}
+
+namespace
+{
+
+/// A grey floor: lamp 0 lights its first half, lamp 1 does just the same, lamp 2 nothing.
+struct HalfLitFloor
+{
+    LightModel model{.pieces = 3};
+    std::vector<MaterialPair> pairs;
+    std::vector<AlikePieces> alike;
+
+    HalfLitFloor()
+    {
+        for (int i = 0; i < 64; ++i) {
+            const float lit = i < 32 ? 0.1f + 0.01f * static_cast<float>(i) : 0.0f;
+            model.direct.insert(model.direct.end(), {lit, lit, 0.0f});
+            model.gathered.emplace_back(0.2f);
+            model.missed.push_back(0.0f);
+            model.shown.emplace_back(0.35f / kPi * (0.2f + 10.0f * lit));
+        }
+        for (uint32_t p = 0; p < 32; ++p) pairs.push_back({p, p + 32});
+        addPieces(model);
+    }
+
+    [[nodiscard]] std::vector<uint8_t> needless(const std::vector<Removal>& removals) const
+    {
+        const std::vector<uint8_t> emits{1, 1, 1};
+        const LightFit fit(model, pairs, alike, kNoise);
+        return fit.needless(fit.solve(emits, fit.beginning(), kWide), emits, removals);
+    }
+};
+
+} // namespace
+
+// Two lamps that do the same stand in for each other: one goes, and then the other is needed.
+TEST(LightFit, OneOfTwoEqualLampsIsNeedlessAndBothAreNot)
+{
+    const HalfLitFloor floor;
+    const std::vector<uint8_t> gone = floor.needless({{{0}, kLampCosts}, {{1}, kLampCosts}});
+    EXPECT_EQ(gone[0] + gone[1], 1);
+    EXPECT_THAT(floor.needless({{{0, 1}, 2.0 * kLampCosts}}), ElementsAre(0));
+}
+
+TEST(LightFit, OneOfTwoEqualLampsOfOneModelIsNeedless)
+{
+    HalfLitFloor floor;
+    floor.alike = {{0, 1}};
+    const std::vector<uint8_t> gone = floor.needless({{{0}, kLampCosts}, {{1}, kLampCosts}});
+    EXPECT_EQ(gone[0] + gone[1], 1);
+}
+
+TEST(LightFit, LampThatLightsNothingIsNeedlessAndGoesFirst)
+{
+    const HalfLitFloor floor;
+    EXPECT_THAT(floor.needless({{{2}, kLampCosts}, {{0, 1}, kLampCosts}}), ElementsAre(1, 0));
+}
+
+// The quadratic form says what fits without each say.
+TEST(LightFit, WhatIsNeededIsWhatCostsMoreToDoWithout)
+{
+    Floor floor({{40, 30, 20}, {10, 12, 15}, {0.2f, 0.2f, 0.2f}}, 0.02f, 0.0f);
+    const LightFit fit = floor.fit();
+    const LightEstimate all = floor.solve();
+    const std::vector<uint8_t> gone =
+        fit.needless(all, floor.emits(),
+                     std::vector<Removal>{{{0}, kLampCosts}, {{1}, kLampCosts}, {{2}, kLampCosts}});
+    for (size_t f = 0; f < 3; ++f) {
+        std::vector<uint8_t> emits = floor.emits();
+        emits[f] = 0;
+        const double lost = fit.solve(emits, all.log, 1.0).nats - all.nats;
+        EXPECT_EQ(gone[f] != 0, lost < kLampCosts) << f << ": " << lost << " nats";
+    }
+    EXPECT_THAT(gone, ElementsAre(0, 0, 1));
+}
+
+namespace
+{
+
+constexpr double kMissing = 20.0; // radiance of the lamp that the fit does without
+
+/// A grey floor whose left half lies under a lamp of a fit, and its middle under one more.
+struct LitFloor
+{
+    enum Lamp { left, middle, right, nowhere };
+
+    LightModel model{.pieces = 4};
+    std::vector<MaterialPair> pairs;
+
+    LitFloor()
+    {
+        for (uint32_t i = 0; i < 90; ++i) {
+            const float falloff = 0.02f + 0.001f * static_cast<float>(i % 15);
+            const float ofLeft = i < 45 ? falloff : 0.0f;
+            const float ofMiddle = i >= 30 && i < 60 ? falloff : 0.0f;
+            model.direct.insert(model.direct.end(),
+                                {ofLeft, ofMiddle, i >= 60 ? falloff : 0.0f, 0.0f});
+            model.gathered.emplace_back(0.2f);
+            model.missed.push_back(0.0f);
+            model.shown.emplace_back(
+                0.5f * (0.2f + 5.0f * ofLeft + static_cast<float>(kMissing) * ofMiddle) / kPi);
+            pairs.push_back({i, (i * 37 + 11) % 90});
+        }
+        addPieces(model);
+    }
+
+    /// `ofMiddle`: radiance that the fit has there.
+    [[nodiscard]] std::vector<double> gains(double ofMiddle, double& log) const
+    {
+        const double dark = -9.0;
+        const LightEstimate estimate{.log = {std::log(5.0), std::log(ofMiddle), dark, dark, dark}};
+        const LightFit fit(model, pairs, {}, kNoise);
+        std::vector<double> gains;
+        for (const size_t lamp : {left, middle, right, nowhere}) {
+            double at = 0.0;
+            gains.push_back(fit.gain(estimate, lamp, at));
+            if (lamp == middle) log = at;
+        }
+        return gains;
+    }
+};
+
+} // namespace
+
+// The light of one lamp is missing from the model, and only where that lamp shines.
+TEST(LightFit, LampThatIsMissingGainsMuchAndItsLightIsKnownRoughly)
+{
+    double log = 0.0;
+    const std::vector<double> gains = LitFloor().gains(1e-4, log);
+    EXPECT_GT(gains[LitFloor::middle], 10.0 * kLampCosts);
+    EXPECT_NEAR(log, std::log(kMissing), std::log(3.0));
+    EXPECT_EQ(gains[LitFloor::right], 0.0);
+    EXPECT_LT(gains[LitFloor::left], 0.1 * gains[LitFloor::middle]);
+}
+
+TEST(LightFit, NothingIsGainedWhereAllLightIsKnownNorByWhatLightsNothing)
+{
+    double log = 0.0;
+    for (const double gain : LitFloor().gains(kMissing, log)) EXPECT_LT(gain, 0.01);
+}
+
+// All else stays as it is, so that a fit gains more.
+TEST(LightFit, GainIsNoMoreThanAFitGains)
+{
+    const Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.02f, 0.0f);
+    const LightFit fit = floor.fit();
+    const LightEstimate without = fit.solve(std::vector<uint8_t>{1, 0}, fit.beginning(), kWide);
+    double log = 0.0;
+    const double gain = fit.gain(without, 1, log);
+    const LightEstimate with = fit.solve(floor.emits(), {without.log[0], log, without.log[2]}, 1.0);
+    EXPECT_GT(gain, kLampCosts);
+    EXPECT_LT(gain, without.nats - with.nats + 1.0); // priors
+    EXPECT_NEAR(with.log[1], floor.truthOf(1), 2.0 * with.error[1]);
+}
+
+// A wall cannot be brighter than the light on it makes it; a lamp can.
+TEST(LightFit, BurntOutPieceInTheDarkGainsByEmitting)
+{
+    Floor floor({{40, 30, 20}, {1, 1, 1}}, 0.02f, 0.0f);
+    const std::vector<uint8_t> emits{1, 0};
+    double log = 0.0;
+    const auto gain = [&](float direct) {
+        floor.burnOut(1, 0, direct);
+        const LightFit fit = floor.fit();
+        return fit.gain(fit.solve(emits, fit.beginning(), kWide), 1, log);
+    };
+    const double lit = gain(1.0f);
+    EXPECT_GT(gain(0.01f), lit + 0.5);
+}
+
+} // namespace relamp
