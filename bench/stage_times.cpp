@@ -255,8 +255,11 @@ struct LampRoom
     void changePower()
     {
         isBrighter = !isBrighter;
-        glm::vec3& changed = powers.lamps.empty() ? powers.ambient : powers.lamps.front();
-        changed *= isBrighter ? 1.25f : 1.0f / 1.25f;
+        const float change = isBrighter ? 1.25f : 1.0f / 1.25f;
+        if (powers.lamps.empty())
+            powers.outside = change * powers.outside[0];
+        else
+            powers.lamps.front() *= change;
     }
 
     RayScene scene;

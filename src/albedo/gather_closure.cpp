@@ -11,15 +11,14 @@ namespace
 constexpr int kBounces = 6; // a room's walls keep about half at each
 
 /// What all sides send out once light has bounced about on the albedo.
-RadianceField bounced(const HitLists& hits, const LitSides& sides, glm::vec3 ambient)
+RadianceField bounced(const HitLists& hits, const LitSides& sides)
 {
     RadianceField field = sides.field;
     for (int bounce = 0; bounce < kBounces; ++bounce) {
         const Gathered gathered = gather(hits, field);
         for (size_t list = 0; list < hits.sideOfList.size(); ++list) {
             const Side side = hits.sideOfList[list];
-            const glm::vec3 irradiance =
-                sides.direct[list] + gathered.irradiance[list] + ambient * gathered.missed[list];
+            const glm::vec3 irradiance = sides.direct[list] + gathered.irradiance[list];
             const glm::vec3 leaving = sides.albedo[side.surfel()] * irradiance / kPi;
             if (side.isBack())
                 field.back[side.surfel()] = leaving;
@@ -32,10 +31,9 @@ RadianceField bounced(const HitLists& hits, const LitSides& sides, glm::vec3 amb
 
 } // namespace
 
-Closure closeLoop(const HitLists& hits, const SurfelRadiance& radiance, const LitSides& sides,
-                  glm::vec3 ambient)
+Closure closeLoop(const HitLists& hits, const SurfelRadiance& radiance, const LitSides& sides)
 {
-    return closureOf(radiance, bounced(hits, sides, ambient).plain);
+    return closureOf(radiance, bounced(hits, sides).plain);
 }
 
 Closure closureOf(const SurfelRadiance& radiance, std::span<const glm::vec3> again)

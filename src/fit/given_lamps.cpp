@@ -232,7 +232,7 @@ std::vector<std::vector<ClippedPatch>> surfacesOf(std::span<const Fixture> fixtu
 FoundLamps asGiven(const Lights& given, std::span<const std::vector<ClippedPatch>> surfaces)
 {
     FoundLamps lamps;
-    lamps.ambient = given.ambient;
+    lamps.outside = given.ambient;
     std::map<std::tuple<int, float, float, float>, size_t> places; // of a group and radiance
     for (size_t f = 0; f < given.fixtures.size(); ++f) {
         const Fixture& fixture = given.fixtures[f];

@@ -108,7 +108,7 @@ TEST(GivenLamps, RadianceAndAmbientAreTheFiles)
     ASSERT_EQ(lamps.lamps.size(), 1u);
     EXPECT_EQ(lamps.lamps[0].radiance, glm::vec3(60, 40, 20));
     EXPECT_EQ(lamps.lamps[0].labels.at(0).id, 5);
-    EXPECT_EQ(lamps.ambient, glm::vec3(0.1f));
+    EXPECT_EQ(lamps.outside[0], glm::vec3(0.1f));
 }
 
 TEST(GivenLamps, LampsOfAGroupStayTogetherAsFarAsTheyAreAlike)

@@ -21,7 +21,8 @@ std::vector<SoughtLamp> soughtOf(std::span<const Piece> pieces, size_t fewestRay
 {
     std::vector<SoughtLamp> lamps;
     for (const Piece& piece : pieces) {
-        const auto rays = static_cast<size_t>(piece.candidate.area / kAreaOfRay);
+        const size_t rays =
+            piece.isOpening ? 1 : static_cast<size_t>(piece.candidate.area / kAreaOfRay);
         lamps.push_back({AreaLight(piece.candidate.patches),
                          std::clamp(rays, fewestRays, LampEvidence::kMostRays) * piece.rays()});
     }
@@ -83,6 +84,7 @@ void LampEvidence::findAround()
         placeInAround_[s] = static_cast<uint32_t>(around.size());
         around.push_back(s);
     }
+    missed_ = missedOf(hits_, around, hits_.shareOfPart.size());
     settling_ = SettlingGather(hits_, field_, around); // a front's list is its surfel's
 }
 
@@ -115,22 +117,25 @@ LightModel LampEvidence::modelOf(std::span<const Piece> pieces)
     for (const Piece& piece : pieces)
         for (const ClippedPatch& patch : piece.candidate.patches)
             if (patch.surfel != Surfels::kNone) field_.shines[patch.surfel] = 1;
-    LightModel model{.pieces = pieces.size()};
+    LightModel model{.pieces = pieces.size(), .outsides = hits_.shareOfPart.size()};
     const size_t rows = places_.size() + pieces.size();
     model.shown.resize(rows, glm::vec3(0.0f));
     model.gathered.resize(rows, glm::vec3(0.0f));
-    model.missed.resize(rows, 0.0f);
+    model.missed.resize(rows * model.outsides, 0.0f);
     model.direct.resize(rows * pieces.size(), 0.0f);
     const Gathered gathered = settling_.gather(field_);
     forEach(places_.size(), [&](size_t i) {
         float count = 0.0f; // around it: bounce light changes slowly, its few rays are noisy
         forEachAround(texels_.surfels, places_[i], [&](uint32_t n) {
             model.gathered[i] += gathered.irradiance[placeInAround_[n]];
-            model.missed[i] += gathered.missed[placeInAround_[n]];
+            for (size_t part = 0; part < model.outsides; ++part)
+                model.missed[i * model.outsides + part] +=
+                    missed_[placeInAround_[n] * model.outsides + part];
             count += 1.0f;
         });
         model.gathered[i] /= count;
-        model.missed[i] /= count;
+        for (size_t part = 0; part < model.outsides; ++part)
+            model.missed[i * model.outsides + part] /= count;
         model.shown[i] = radiance_.plain[places_[i]];
         for (size_t f = 0; f < pieces.size(); ++f)
             model.direct[i * pieces.size() + f] = pieces[f].direct[i];
@@ -153,6 +158,7 @@ void LampEvidence::addLightOnPieces(std::span<const Piece> pieces, LightModel& m
     if (lists.empty()) return;
     const auto light = directOfLists(texels_, scene_, hits_, soughtOf(pieces, 1), lists);
     const Gathered gathered = gather(hits_, field_, lists);
+    const std::vector<float> missed = missedOf(hits_, lists, model.outsides);
     for (size_t f = 0; f < pieces.size(); ++f) {
         const size_t place = model.placeOf(f);
         for (const ClippedPatch& patch : pieces[f].candidate.patches)
@@ -163,7 +169,9 @@ void LampEvidence::addLightOnPieces(std::span<const Piece> pieces, LightModel& m
         const auto per = 1.0f / static_cast<float>(first[f + 1] - first[f]);
         for (size_t k = first[f]; k < first[f + 1]; ++k) {
             model.gathered[place] += per * gathered.irradiance[k];
-            model.missed[place] += per * gathered.missed[k];
+            for (size_t part = 0; part < model.outsides; ++part)
+                model.missed[place * model.outsides + part] +=
+                    per * missed[k * model.outsides + part];
             for (size_t other = 0; other < pieces.size(); ++other)
                 if (pieces[other].body != pieces[f].body)
                     model.direct[place * model.pieces + other] += per * light[other][k].visible;
@@ -171,7 +179,7 @@ void LampEvidence::addLightOnPieces(std::span<const Piece> pieces, LightModel& m
     }
 }
 
-void LampEvidence::settle(std::span<Piece> lamps, glm::vec3 ambient)
+void LampEvidence::settle(std::span<Piece> lamps, const OutsideLight& outside)
 {
     std::vector<glm::vec3> direct(hits_.sideOfList.size(), glm::vec3(0.0f));
     std::vector<uint8_t> shines(field_.shines.size(), 0);
@@ -182,7 +190,8 @@ void LampEvidence::settle(std::span<Piece> lamps, glm::vec3 ambient)
         for (const ClippedPatch& patch : lamps[f].candidate.patches)
             if (patch.surfel != Surfels::kNone) shines[patch.surfel] = 1;
     }
-    field_ = lightSides(texels_, hits_, radiance_, std::move(direct), shines, ambient).field;
+    field_ = lightSides(texels_, hits_, radiance_, std::move(direct), shines, outside).field;
+    field_.outside = {}; // fitted apart
 }
 
 } // namespace relamp

@@ -43,7 +43,7 @@ public:
     [[nodiscard]] LightModel modelOf(std::span<const Piece> pieces);
     /// Lets burnt-out walls and backs settle in the light of these lamps, and fills in their
     /// `onSides`.
-    void settle(std::span<Piece> lamps, glm::vec3 ambient);
+    void settle(std::span<Piece> lamps, const OutsideLight& outside);
 
     static constexpr size_t kMostRays = 6;
     static constexpr size_t kPairsFirst = 1; // a place, for what only tells which pieces emit
@@ -62,6 +62,7 @@ private:
     std::vector<uint32_t> placeInAround_; // [surfel]: its number among those around places
     RadianceField field_;
     SettlingGather settling_;                           // by these
+    std::vector<float> missed_;                         // likewise, as missedOf()
     std::map<size_t, std::vector<MaterialPair>> pairs_; // by how many a place
 };
 

@@ -8,6 +8,7 @@
 #include "fit/light_fit.h"
 #include "fit/pieces.h"
 #include "lights/lamp_body.h"
+#include "shading/openings.h"
 
 #include <algorithm>
 #include <array>
@@ -85,6 +86,7 @@ private:
 
     const Texels& texels_;
     const RayScene& scene_;
+    const HitLists& hits_;
     Progress::Stage stage_;
     LampEvidence evidence_;
     std::vector<Piece> pieces_;
@@ -93,14 +95,14 @@ private:
     Kinship kin_;
     LightEstimate estimate_;
     double noise_ = kFirstNoise; // log: between places of one paint
-    glm::vec3 ambient_{0.0f};
+    OutsideLight outside_;
     std::vector<std::string> warnings_;
 };
 
 LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
                        const SurfelRadiance& radiance, const GatherOptions& options,
                        Progress& progress)
-    : texels_(texels), scene_(scene), stage_(progress, "lamps", kSearchSteps),
+    : texels_(texels), scene_(scene), hits_(hits), stage_(progress, "lamps", kSearchSteps),
       evidence_(texels, scene, hits, radiance, options.quality)
 {
     callAll([&] { takeCandidates(options, radiance); }, [&] { evidence_.drawAllPairs(); });
@@ -133,6 +135,10 @@ void LampSearch::takeCandidates(const GatherOptions& options, const SurfelRadian
                                         "those that are with --light",
                                         lamps.leftOut, lamps.areaLeftOut, kMostPieces));
     for (LampGroup& group : lamps.groups) addPieces(std::move(group));
+    for (Candidate& opening : openingsOf(texels_, hits_)) {
+        const size_t body = pieces_.size();
+        pieces_.push_back({.candidate = std::move(opening), .body = body, .isOpening = true});
+    }
     emits_.assign(pieces_.size(), 1);
     evidence_.look(pieces_, 1);
     stage_.advance();
@@ -249,7 +255,8 @@ std::optional<LampSearch::Addition> LampSearch::bestAddition(const LightFit& fit
 {
     std::vector<Addition> additions;
     for (uint32_t f = 0; f < pieces_.size(); ++f)
-        if (emits_[f] == 0 && !pieces_[f].isUnseen && model_.area[f] > 0.0f)
+        if (emits_[f] == 0 && !pieces_[f].isUnseen &&
+            (pieces_[f].isOpening || model_.area[f] > 0.0f))
             additions.push_back({f});
     forEach(additions.size(), [&](size_t k) {
         Addition& a = additions[k];
@@ -331,11 +338,12 @@ void LampSearch::join()
     pieces_ = std::move(lamps);
     emits_.assign(pieces_.size(), 0);
     std::fill_n(emits_.begin(), count, uint8_t{1});
-    const double outside = estimate_.log.back();
+    const std::vector<double> outside(estimate_.log.end() - static_cast<ptrdiff_t>(model_.outsides),
+                                      estimate_.log.end());
     estimate_.log.clear();
     for (const Piece& piece : pieces_)
         estimate_.log.push_back(std::log(static_cast<double>(luminance(piece.radiance))));
-    estimate_.log.push_back(outside);
+    estimate_.log.insert(estimate_.log.end(), outside.begin(), outside.end());
     observe();
 }
 
@@ -365,10 +373,13 @@ void LampSearch::findColors()
             pieces_[f].radiance = radianceOf(f);
             pieces_[f].error = static_cast<float>(estimate_.error[f]);
         }
-        ambient_ = radianceOf(pieces_.size());
+        std::vector<glm::vec3> outside;
+        for (size_t o = 0; o < model_.outsides; ++o)
+            outside.push_back(radianceOf(pieces_.size() + o));
+        outside_ = OutsideLight(std::move(outside));
         if (round > 0) return;
         std::vector<Piece> lamps = this->lamps();
-        evidence_.settle(lamps, ambient_);
+        evidence_.settle(lamps, outside_);
         auto next = lamps.begin();
         for (size_t f = 0; f < pieces_.size(); ++f)
             if (emits_[f] != 0) pieces_[f] = std::move(*next++);
@@ -378,7 +389,7 @@ void LampSearch::findColors()
 
 FoundLamps LampSearch::result()
 {
-    FoundLamps found{.ambient = ambient_,
+    FoundLamps found{.outside = outside_,
                      .residual = static_cast<float>(estimate_.residual),
                      .warnings = std::move(warnings_)};
     std::vector<Piece> lamps = this->lamps();

@@ -32,7 +32,7 @@ struct FoundLamp
 struct FoundLamps
 {
     std::vector<FoundLamp> lamps; // by falling power
-    glm::vec3 ambient{0.0f};      // radiance of what lies outside the scan
+    OutsideLight outside;
     float residual = 0.0f;        // of the fit, in log radiance
     std::vector<std::string> warnings;
 };

@@ -144,6 +144,29 @@ TEST(Lamps, WindowThatIsHardlyBrighterThanWhiteIsFound)
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0f, 0.1f) << "channel " << c;
 }
 
+// The same room without its ceiling, and so without its lamp.
+TEST(Lamps, LampInACeilingThatWasNotScannedIsFound)
+{
+    const LitRoom room;
+    std::vector<scenes::Panel> walls = scenes::wallsOf(LitRoom::kSize);
+    walls.erase(walls.begin() + 1);
+    const FoundLamps lamps =
+        lampsOf(scenes::Surfaces(scenes::panels(
+                    walls, 96, [&](glm::vec3 p, glm::vec3 n) { return room.box.photo(p, n); })),
+                {});
+    ASSERT_FALSE(lamps.lamps.empty());
+    glm::vec3 power(0.0f);
+    glm::vec3 centre(0.0f);
+    for (const FoundLamp& lamp : lamps.lamps) {
+        power += powerOf(lamp);
+        centre += powerOf(lamp).g * candidateOf(lamp.patches).centre;
+    }
+    centre /= power.g;
+    EXPECT_LT(glm::distance(centre, LitRoom::kLampCentre), 0.4f);
+    const glm::vec3 ratio = power / (LitRoom::kLampArea * LitRoom::kLampRadiance);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0f, 0.25f) << "channel " << c;
+}
+
 TEST(Lamps, SurfelsOfLampsShine)
 {
     FoundLamps lamps;

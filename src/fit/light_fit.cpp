@@ -24,6 +24,8 @@ constexpr double kWhiteNats = 0.1;      // weight of a burnt-out piece being abo
 constexpr double kWhiteSpread = 1.0;    // log: how far about
 constexpr double kOutside = 0.3;        // of the median radiance: what scanners miss lies in shade
 constexpr double kOutsideSpread = 2.0;  // log
+constexpr double kOpeningNats = 0.5;    // weight of an opening being as dark as small holes
+constexpr double kOpeningSpread = 1.0;  // log: how far about
 constexpr double kAlikeSpread = 0.6;    // log: between lamps of one model
 constexpr double kMeanAlbedo = 0.35;    // of a room, mean of logarithms
 constexpr double kAlbedoSpread = 0.4;   // log: of that mean between rooms
@@ -75,7 +77,7 @@ public:
 private:
     struct Point // of the unknowns, at which the light is known
     {
-        std::vector<double> log;       // of pieces, then of what lies outside
+        std::vector<double> log;       // of pieces, then of parts outside
         std::vector<double> reflected; // log radiance that pieces have if they only reflect
         std::vector<double> logIrradiance;
         double nats = 0.0;
@@ -106,10 +108,11 @@ private:
     {
         return emits_[piece] == 0 && prior_.log.empty();
     }
-    [[nodiscard]] size_t count() const { return pieceOf_.size() + 1; } // of unknowns
-    [[nodiscard]] size_t at(size_t unknown) const                      // its place in logs
+    [[nodiscard]] size_t count() const { return pieceOf_.size() + model_.outsides; } // of unknowns
+    [[nodiscard]] size_t at(size_t unknown) const // its place in logs
     {
-        return unknown < pieceOf_.size() ? pieceOf_[unknown] : model_.pieces;
+        return unknown < pieceOf_.size() ? pieceOf_[unknown]
+                                         : model_.pieces + unknown - pieceOf_.size();
     }
     struct Prior
     {
@@ -118,12 +121,13 @@ private:
         double slope;
     };
     [[nodiscard]] Prior priorOf(size_t unknown, const Point& point) const;
+    [[nodiscard]] Prior openingPrior(size_t log, const Point& point) const;
 
     const LightFit& fit_;
     const LightModel& model_;
     std::span<const uint8_t> emits_;
     const EmissionPrior& prior_;
-    std::vector<size_t> pieceOf_; // of unknowns but the last
+    std::vector<size_t> pieceOf_; // of unknowns; the parts outside come behind
     std::vector<int> unknownOf_;  // of pieces; < 0: it reflects as its paint is expected to
     double wider_ = 1.0;
     double damping_ = 1e-3;
@@ -135,7 +139,9 @@ LightFitSearch::LightFitSearch(const LightFit& fit, std::span<const uint8_t> emi
     : fit_(fit), model_(fit.model_), emits_(emits), prior_(prior), unknownOf_(emits.size(), -1)
 {
     for (size_t f = 0; f < emits.size(); ++f) {
-        if (emits[f] == 0 && (!prior.log.empty() || fit.whiteShare_[f] < kLeastMatters)) continue;
+        if (emits[f] == 0 &&
+            (!prior.log.empty() || model_.area[f] <= 0.0f || fit.whiteShare_[f] < kLeastMatters))
+            continue;
         unknownOf_[f] = static_cast<int>(pieceOf_.size());
         pieceOf_.push_back(f);
     }
@@ -146,8 +152,9 @@ LightFitSearch::LightFitSearch(const LightFit& fit, std::span<const uint8_t> emi
 /// whatever brightness, and a pull that grew with the distance would hold lamps back.
 LightFitSearch::Prior LightFitSearch::priorOf(size_t unknown, const Point& point) const
 {
-    const bool isOutside = unknown == pieceOf_.size();
+    const bool isOutside = unknown >= pieceOf_.size();
     const double log = point.log[at(unknown)];
+    if (unknown > pieceOf_.size()) return openingPrior(at(unknown), point);
     if (!isOutside && emits_[pieceOf_[unknown]] == 0) {
         const double off = log - point.reflected[pieceOf_[unknown]];
         const double paper = off > 0.0 ? kWhiterPaper : kDarkerPaper;
@@ -163,6 +170,21 @@ LightFitSearch::Prior LightFitSearch::priorOf(size_t unknown, const Point& point
     const double off = log - (isOutside ? fit_.outside_ : prior_.log[pieceOf_[unknown]]);
     const double weight = 1.0 / (spread * spread);
     return {0.5 * weight * off * off, weight, weight * off};
+}
+
+/// Cauchy about what scanners miss: small holes show what lies in shade, a window may show the sky.
+LightFitSearch::Prior LightFitSearch::openingPrior(size_t log, const Point& point) const
+{
+    if (!prior_.log.empty()) {
+        const double off = point.log[log] - prior_.log[log];
+        const double weight = 1.0 / (prior_.spread * prior_.spread);
+        return {0.5 * weight * off * off, weight, weight * off};
+    }
+    const double step = point.log[log] - fit_.outside_;
+    const double off = step / kOpeningSpread;
+    const double weight =
+        2.0 * kOpeningNats / (kOpeningSpread * kOpeningSpread * (1.0 + off * off));
+    return {kOpeningNats * std::log1p(off * off), weight, weight * step};
 }
 
 /// What reflects, and is no unknown, sends what the light before makes of it, a bounce at a time.
@@ -248,7 +270,9 @@ PlaceTable LightFitSearch::sharesOf(const Point& at) const
             const double per = std::exp(-at.logIrradiance[i]);
             for (size_t u = 0; u < pieceOf_.size(); ++u)
                 share[u] = static_cast<float>(per * radiance[pieceOf_[u]]) * direct[pieceOf_[u]];
-            share[pieceOf_.size()] = static_cast<float>(per * radiance.back()) * model_.missed[i];
+            for (size_t o = 0; o < model_.outsides; ++o)
+                share[pieceOf_.size() + o] =
+                    static_cast<float>(per * radiance[model_.pieces + o]) * model_.missedAt(i)[o];
         }
     });
     return shares;
@@ -398,7 +422,7 @@ std::vector<uint8_t> LightFitSearch::needless(std::span<const Removal> removals)
         const double left = here_.reflected[pieceOf_[u]] - here_.log[pieceOf_[u]];
         change[static_cast<Eigen::Index>(u)] = std::min(std::exp(left), 1.0) - 1.0;
     }
-    change[n - 1] = 0.0;
+    change.tail(static_cast<Eigen::Index>(model_.outsides)).setZero();
     std::vector<uint8_t> isGone(pieceOf_.size(), 0);
     std::vector<uint8_t> gone(removals.size(), 0);
     for (;;) {
@@ -466,9 +490,9 @@ double LightFit::perPair() const
 
 double LightFit::irradiance(size_t place, std::span<const double> radiance) const
 {
-    double sum = gathered_[place] +
-                 radiance[model_.pieces] * static_cast<double>(model_.missed[place]) +
-                 kLeastIrradiance;
+    double sum = gathered_[place] + kLeastIrradiance;
+    for (size_t o = 0; o < model_.outsides; ++o)
+        sum += radiance[model_.pieces + o] * static_cast<double>(model_.missedAt(place)[o]);
     const std::span<const float> direct = model_.directAt(place);
     for (size_t f = 0; f < model_.pieces; ++f) sum += radiance[f] * static_cast<double>(direct[f]);
     return sum;
@@ -488,24 +512,6 @@ double LightFit::boundCost(size_t piece, double logIrradiance) const
     const double off = lack(piece, logIrradiance) / kBoundNoise;
     if (off <= 0.0) return 0.0;
     return -std::log((1.0 - kFlaw) * std::exp(-0.5 * off * off) + kFlaw);
-}
-
-std::vector<double> LightFit::beginning() const
-{
-    std::vector<double> log(model_.pieces, 0.0);
-    for (size_t f = 0; f < model_.pieces; ++f) {
-        double gathered = 0.0;
-        double direct = 0.0;
-        for (size_t i = 0; i < model_.places(); ++i) {
-            gathered += gathered_[i];
-            direct += static_cast<double>(model_.directAt(i)[f]);
-        }
-        if (direct > 0.0)
-            log[f] =
-                std::log(std::max(gathered / direct / static_cast<double>(model_.pieces), 1.0));
-    }
-    log.push_back(outside_);
-    return log;
 }
 
 void LightFit::expectLeaks(std::span<const double> log)

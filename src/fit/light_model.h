@@ -13,19 +13,25 @@ namespace relamp
 
 /// What is fixed of a room's light once rays are cast. At places of the scan, and on the pieces
 /// themselves, the irradiance is
-///     E = gathered + outside * missed + sum over pieces of radiance * direct.
+///     E = gathered + sum over parts of outside * missed + sum over pieces of radiance * direct.
 /// Places that are measured come first; behind them comes one for each piece: the light on itself.
 struct LightModel
 {
     size_t pieces = 0;
     std::vector<glm::vec3> shown;    // radiance that the texture has there, > 0
     std::vector<glm::vec3> gathered; // irradiance by way of all surfaces that are no piece
-    std::vector<float> missed;       // irradiance of directions that leave the scan, at radiance 1
-    std::vector<float> direct;       // [place * pieces + piece]: irradiance of it at radiance 1
-    std::vector<float> area;         // of pieces, m^2; 0: nothing of it was seen
+    std::vector<float> missed; // [place * outsides + part]: irradiance of directions that leave the
+                               // scan for a part of what lies outside, at radiance 1
+    size_t outsides = 1;       // parts; the first are small holes
+    std::vector<float> direct; // [place * pieces + piece]: irradiance of it at radiance 1
+    std::vector<float> area;   // of pieces, m^2; 0: nothing of it was seen
 
     [[nodiscard]] size_t places() const { return shown.size() - pieces; } // that are measured
     [[nodiscard]] size_t placeOf(size_t piece) const { return places() + piece; }
+    [[nodiscard]] std::span<const float> missedAt(size_t place) const
+    {
+        return {missed.data() + place * outsides, outsides};
+    }
     [[nodiscard]] std::span<const float> directAt(size_t place) const
     {
         return {direct.data() + place * pieces, pieces};

@@ -17,6 +17,7 @@ namespace
 {
 
 constexpr float kTouching = 0.12f;    // m between pieces of one lamp
+constexpr float kBeside = 0.15f;      // m between openings beside each other, at most
 constexpr float kAboutEqual = 3.0f;   // ratio of their radiances
 constexpr float kOneFacing = 0.9f;    // cosine, of mean normals
 constexpr float kOneLevel = 0.02f;    // m; the error of a scan's worst 5 %
@@ -28,6 +29,7 @@ constexpr float kSliver = 0.02f; // ratio of areas; too small beside a lamp to b
 bool areOneLamp(const Piece& a, const Piece& b)
 {
     if (!a.ends.empty() || !b.ends.empty()) return false;
+    if (a.isOpening != b.isOpening) return false;
     if (a.body == b.body) return true;
     const float ratio = luminance(a.radiance) / luminance(b.radiance);
     const bool isEqual = ratio < kAboutEqual && ratio > 1.0f / kAboutEqual;
@@ -82,6 +84,14 @@ Kinship kinshipOf(const std::vector<Piece>& pieces)
                 .leansOn = std::vector<std::vector<uint32_t>>(pieces.size())};
     for (uint32_t a = 0; a < pieces.size(); ++a)
         for (uint32_t b = a + 1; b < pieces.size(); ++b) {
+            if (pieces[a].isOpening || pieces[b].isOpening) {
+                if (pieces[a].isOpening != pieces[b].isOpening ||
+                    !areWithin(pieces[a].candidate, pieces[b].candidate, kBeside))
+                    continue;
+                kin.model[a].push_back(b);
+                kin.model[b].push_back(a);
+                continue;
+            }
             const bool areOneBody = pieces[a].body == pieces[b].body;
             const bool lean = areOneBody || areInOnePlane(pieces[a].candidate, pieces[b].candidate);
             const bool isModel = !areOneBody && !pieces[a].isUnseen && !pieces[b].isUnseen &&

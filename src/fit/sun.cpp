@@ -189,8 +189,7 @@ SunSearch::SunSearch(const Texels& texels, const RayScene& outside, const HitLis
 
 glm::vec3 SunSearch::irradianceOn(uint32_t s) const
 {
-    return sides_.direct[s] + sides_.gathered.irradiance[s] +
-           found_.ambient * sides_.gathered.missed[s];
+    return sides_.direct[s] + sides_.gathered.irradiance[s];
 }
 
 Look SunSearch::lookOf(uint32_t s) const
@@ -492,7 +491,7 @@ std::optional<Sun> findSun(const Texels& texels, const RayScene& outside, const 
 }
 
 TexelMarks markShade(const Sun& sun, const Texels& texels, const SurfelRadiance& radiance,
-                     const LitSides& sides, glm::vec3 ambient, std::span<AreaSample> onSides)
+                     const LitSides& sides, std::span<AreaSample> onSides)
 {
     const float brightness = luminance(sunRadiance(sun));
     std::vector<uint8_t> isPlainShaded(radiance.plain.size(), 0);
@@ -500,8 +499,7 @@ TexelMarks markShade(const Sun& sun, const Texels& texels, const SurfelRadiance&
         const float plain = radiance.plainArea[s];
         if (plain <= 0.0f) continue;
         const float sent = kPi * luminance(radiance.plain[s]);
-        const float without = luminance(sides.direct[s] + sides.gathered.irradiance[s] +
-                                        ambient * sides.gathered.missed[s]);
+        const float without = luminance(sides.direct[s] + sides.gathered.irradiance[s]);
         const float with = without + brightness * onSides[s].open;
         const bool isPaintWithout = sent >= kBlackest * without && sent < without;
         if (sent >= kBlackest * with || !isPaintWithout) continue; // black paint is black anyway

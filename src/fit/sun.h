@@ -33,7 +33,7 @@ std::optional<Sun> findSun(const Texels& texels, const RayScene& outside, const 
 /// little wider than it was, and what stands outside is not in the scan. `sides` is the light
 /// without the sun; `onSides`, what each hit list sees of the sun, loses as much.
 TexelMarks markShade(const Sun& sun, const Texels& texels, const SurfelRadiance& radiance,
-                     const LitSides& sides, glm::vec3 ambient, std::span<AreaSample> onSides);
+                     const LitSides& sides, std::span<AreaSample> onSides);
 
 /// Whether most of a lamp's surface sees the sun: it is a burnt-out patch of sunlight.
 bool isSunlit(const RayScene& outside, const Sun& sun, const FoundLamp& lamp);

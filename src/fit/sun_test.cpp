@@ -200,8 +200,7 @@ TEST(Sun, TextureTellsWhatLiesInShade)
     LitSides sides;
     sides.direct.assign(4, glm::vec3(1.0f));
     sides.gathered.irradiance.assign(4, glm::vec3(0.0f));
-    sides.gathered.missed.assign(4, 0.0f);
-    markShade(sun, Texels{}, radiance, sides, glm::vec3(0.0f), onSides);
+    markShade(sun, Texels{}, radiance, sides, onSides);
     std::vector<float> shares;
     for (const AreaSample& sample : onSides) shares.push_back(sample.visible / sample.open);
     EXPECT_THAT(shares, testing::ElementsAre(0.0f, 1.0f, 1.0f, 0.25f));

@@ -21,10 +21,7 @@ void main()
          i += arguments.step) {
         rays += 1.0;
         const uint target = arguments.target.at[i];
-        if (target == arguments.nothing) {
-            missed += 1.0;
-            continue;
-        }
+        if (target >= arguments.outside) missed += 1.0;
         const vec3 radiance = halves(arguments.radiance.at[target]).rgb;
         const float brightness = luminance(radiance);
         sum += radiance;

@@ -12,6 +12,7 @@ namespace
 /// Radiance that a ray meets; nothing from lamps, whose light is direct.
 glm::vec3 radianceAt(const RadianceField& field, HitTarget target)
 {
+    if (target.isNothing()) return field.outside[target.part()];
     const uint32_t surfel = target.side().surfel();
     if (target.side().isBack()) return field.back[surfel];
     if (!target.isClipped()) return field.plain[surfel];
@@ -50,10 +51,7 @@ Gathered gather(const HitLists& hits, const RadianceField& field, std::span<cons
             float missed = 0.0f;
             const std::span targets = hits.targetsOf(lists.empty() ? i : lists[i]);
             for (const HitTarget target : targets) {
-                if (target.isNothing()) {
-                    missed += 1.0f;
-                    continue;
-                }
+                if (target.isNothing()) missed += 1.0f;
                 const glm::vec3 radiance = radianceAt(field, target);
                 sum += radiance;
                 squares += luminance(radiance) * luminance(radiance);
@@ -65,6 +63,20 @@ Gathered gather(const HitLists& hits, const RadianceField& field, std::span<cons
         }
     });
     return result;
+}
+
+std::vector<float> missedOf(const HitLists& hits, std::span<const uint32_t> lists, size_t parts)
+{
+    std::vector<float> missed(lists.size() * parts, 0.0f);
+    forEachChunk(lists.size(), 256, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            const std::span targets = hits.targetsOf(lists[i]);
+            const float perRay = irradiancePerRay(static_cast<float>(targets.size()));
+            for (const HitTarget target : targets)
+                if (target.isNothing()) missed[i * parts + target.part()] += perRay;
+        }
+    });
+    return missed;
 }
 
 SettlingGather::SettlingGather(const HitLists& hits, const RadianceField& field,
@@ -83,14 +95,13 @@ SettlingGather::SettlingGather(const HitLists& hits, const RadianceField& field,
             glm::vec3 sum(0.0f);
             size_t missed = 0;
             for (const HitTarget target : targets) {
-                if (isPlain(target))
+                if (isPlain(target)) {
                     sum += field.plain[target.side().surfel()];
-                else if (target.isNothing())
-                    ++missed;
-                else {
-                    ofChunk[begin / kChunk].push_back(target);
-                    ++others[i];
+                    continue;
                 }
+                if (target.isNothing()) ++missed;
+                ofChunk[begin / kChunk].push_back(target);
+                ++others[i];
             }
             perRay_[i] = irradiancePerRay(static_cast<float>(targets.size()));
             plain_.irradiance[i] = perRay_[i] * sum;

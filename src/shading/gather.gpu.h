@@ -12,7 +12,7 @@ struct GatherArguments
     Uvec2s radiance;  // halves
     Vec4s irradiance; // of lists; w: standard error of its luminance
     Floats missed;    // of directions that met nothing, at radiance 1
-    uint nothing;     // the target that is no radiance
+    uint outside;     // the targets from here on are outside
     uint step;        // of rays, one that counts
     uint count;       // of lists
 };

@@ -2,6 +2,7 @@
 
 #include "lights/surfel_radiance.h"
 #include "shading/hit_lists.h"
+#include "shading/outside_light.h"
 
 #include <span>
 #include <vector>
@@ -17,6 +18,7 @@ struct RadianceField
     std::vector<glm::vec3> plain;   // front, texels that are not burnt out: as the texture has it
     std::vector<glm::vec3> clipped; // front, burnt-out texels that are no lamp: as shown, or more
     std::vector<glm::vec3> back;    // seen from behind: lit by what is there
+    OutsideLight outside;           // beyond the scan
     std::vector<uint8_t> shines;    // not 0 where the burnt-out texels of a surfel belong to a lamp
 };
 
@@ -27,15 +29,19 @@ RadianceField fieldOf(const SurfelRadiance& radiance);
 /// Light that arrives at the sides of surfels, one entry a list.
 struct Gathered
 {
-    std::vector<glm::vec3> irradiance; // from surfaces that do not shine
+    std::vector<glm::vec3> irradiance; // from surfaces that do not shine, and from outside
     std::vector<float> noise;          // standard error of its luminance
     std::vector<float> missed;         // of directions that leave the scan, at radiance 1
 };
 
-/// Sums the field over hit lists: K and M of method.md 5. `lists` are indices into `hits`; all
-/// where empty.
+/// Sums the field over hit lists: K + sum of a M of method.md 5. `lists` are indices into `hits`;
+/// all where empty.
 Gathered gather(const HitLists& hits, const RadianceField& field,
                 std::span<const uint32_t> lists = {});
+
+/// M of method.md 5: irradiance of directions that leave the scan at radiance 1, by `parts` of what
+/// lies outside: [list * parts + part].
+std::vector<float> missedOf(const HitLists& hits, std::span<const uint32_t> lists, size_t parts);
 
 /// Gathers a field again and again while its light settles. Plain fronts stay as they are, so they
 /// are summed once; of the others there are few.
@@ -53,7 +59,7 @@ public:
 private:
     Gathered plain_;
     std::vector<uint32_t> firstOther_{0}; // of lists, and one more
-    std::vector<HitTarget> others_;       // burnt-out texels and backs
+    std::vector<HitTarget> others_;       // burnt-out texels, backs and what lies outside
     std::vector<float> perRay_;           // of lists
 };
 

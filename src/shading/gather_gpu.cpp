@@ -15,7 +15,7 @@ std::vector<uint32_t> targetsOf(const HitLists& hits, size_t surfels)
     targets.reserve(hits.targets.size());
     for (const HitTarget target : hits.targets) {
         if (target.isNothing()) {
-            targets.push_back(GpuSightLists::kNothing);
+            targets.push_back(static_cast<uint32_t>(3 * surfels + target.part()));
             continue;
         }
         const size_t part = target.side().isBack() ? 2 : target.isClipped() ? 1 : 0;
@@ -33,7 +33,9 @@ GpuSightLists::GpuSightLists(const gpu::Device& device, const std::vector<uint32
 
 GpuSightLists::GpuSightLists(const gpu::Device& device, const HitLists& hits, size_t surfels)
     : GpuSightLists(device, hits.firstTarget, targetsOf(hits, surfels))
-{}
+{
+    outside = static_cast<uint32_t>(3 * surfels);
+}
 
 GpuSightLists GpuSightLists::othersOf(const gpu::Device& device, const HitLists& hits,
                                       size_t surfels)
@@ -43,7 +45,7 @@ GpuSightLists GpuSightLists::othersOf(const gpu::Device& device, const HitLists&
     std::vector<uint32_t> others;
     for (size_t list = 0; list < hits.sideOfList.size(); ++list) {
         for (uint32_t i = hits.firstTarget[list]; i < hits.firstTarget[list + 1]; ++i)
-            if (all[i] >= surfels && all[i] != kNothing) others.push_back(all[i]);
+            if (all[i] >= surfels) others.push_back(all[i]);
         firsts.push_back(static_cast<uint32_t>(others.size()));
     }
     return {device, firsts, others};
@@ -52,7 +54,7 @@ GpuSightLists GpuSightLists::othersOf(const gpu::Device& device, const HitLists&
 std::vector<glm::uvec2> fieldOnGpu(const RadianceField& field)
 {
     std::vector<glm::uvec2> entries;
-    entries.reserve(3 * field.plain.size());
+    entries.reserve(3 * field.plain.size() + HitTarget::kMostParts);
     const auto add = [&](glm::vec3 radiance) {
         entries.push_back(packedHalves(glm::vec4(radiance, 0.0f)));
     };
@@ -60,6 +62,7 @@ std::vector<glm::uvec2> fieldOnGpu(const RadianceField& field)
     for (size_t s = 0; s < field.clipped.size(); ++s)
         add(field.shines[s] != 0 ? glm::vec3(0.0f) : field.clipped[s]);
     for (const glm::vec3 radiance : field.back) add(radiance);
+    for (size_t part = 0; part < HitTarget::kMostParts; ++part) add(field.outside[part]);
     return entries;
 }
 
@@ -72,7 +75,7 @@ void GatherGpu::gather(gpu::Commands& commands, const GpuSightLists& lists,
     commands.dispatch(program_, count,
                       GatherArguments{lists.first.ref(), lists.target.ref(), radiance.ref(),
                                       gathered.irradiance.ref(), gathered.missed.ref(),
-                                      GpuSightLists::kNothing, static_cast<uint32_t>(step),
+                                      lists.outside, static_cast<uint32_t>(step),
                                       static_cast<uint32_t>(count)});
     commands.barrier();
 }
@@ -81,7 +84,7 @@ SettlingGatherGpu::SettlingGatherGpu(const gpu::Device& device, const HitLists& 
                                      const GpuSightLists& lists, const GatherGpu& gather,
                                      const gpu::Array<glm::uvec2>& plain)
     : program_(device, kGatherSettlingSpirv), lists_(lists), plain_(device, lists.count),
-      others_(GpuSightLists::othersOf(device, hits, plain.count() / 3))
+      others_(GpuSightLists::othersOf(device, hits, (plain.count() - HitTarget::kMostParts) / 3))
 {
     gpu::Commands commands(device);
     gather.gather(commands, lists, plain, plain_, lists.count);

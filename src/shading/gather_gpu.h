@@ -12,7 +12,7 @@ namespace relamp
 /// What rays met, list by list, as indices of radiances.
 struct GpuSightLists
 {
-    static constexpr uint32_t kNothing = ~0u; // the target that is no radiance
+    static constexpr uint32_t kNone = ~0u;
 
     GpuSightLists(const gpu::Device& device, const std::vector<uint32_t>& firsts,
                   const std::vector<uint32_t>& targets);
@@ -23,10 +23,12 @@ struct GpuSightLists
 
     gpu::Array<uint32_t> first; // of lists, and one more
     gpu::Array<uint32_t> target;
-    size_t count; // of lists
+    size_t count;             // of lists
+    uint32_t outside = kNone; // the targets from here on are outside
 };
 
-/// A field as halves: `plain` of all surfels, then `clipped`, 0 where they shine, then `back`.
+/// A field as halves: `plain` of all surfels, then `clipped`, 0 where they shine, then `back`; then
+/// `outside`, HitTarget::kMostParts of it.
 std::vector<glm::uvec2> fieldOnGpu(const RadianceField& field);
 
 /// Light that arrives, one entry a list, as Gathered.

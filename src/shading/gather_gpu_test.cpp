@@ -89,16 +89,17 @@ TEST_F(GpuGather, SettlesSidesAsTheCpuDoes)
     std::vector<uint8_t> shines(surfels.count(), 0);
     for (size_t s = 0; s < surfels.count(); ++s) shines[s] = s % 11 == 0 ? 1 : 0;
     const LitSides sides = lightSides(box.texels, hits, box.radiance, direct, shines, ambient);
-    const std::vector<glm::vec3> expected = indirectOfFronts(surfels, hits, sides, ambient);
+    const std::vector<glm::vec3> expected = indirectOfFronts(surfels, hits, sides);
 
     const GpuSurfels onGpu(device(), surfels);
-    const LitSidesGpu gpu(device(), hits, box.radiance, {shines, {}});
+    LitSidesGpu gpu(device(), hits, box.radiance, {shines, {}});
+    gpu.setOutside(ambient);
     std::vector<glm::uvec2> halvesOfDirect;
     for (const glm::vec3 irradiance : direct)
         halvesOfDirect.push_back(packedHalves(glm::vec4(irradiance, 0.0f)));
     const gpu::Array<glm::uvec2> directOnGpu(device(), halvesOfDirect);
     gpu::Commands commands(device());
-    gpu.light(commands, onGpu, directOnGpu, ambient);
+    gpu.light(commands, onGpu, directOnGpu);
     commands.run();
     Apart gathered(0.01f);
     const std::vector<glm::vec4> received = gpu.gathered().download();

@@ -4,6 +4,7 @@
 #include "base/radiometry.shared.h"
 #include "base/sampling.shared.h"
 #include "scan/surface_point.h"
+#include "shading/openings.h"
 
 #include <algorithm>
 #include <atomic>
@@ -254,6 +255,7 @@ HitLists castHitLists(const Texels& texels, const RayScene& scene, const SurfelR
         castSides(caster, sides, ofSide, lists, stage);
         sides = newBacks(lists, first);
     }
+    tellPartsApart(texels, lists);
     return lists;
 }
 

@@ -24,17 +24,20 @@ struct Side
 };
 
 /// What a ray met, in four bytes: the side of a surfel, there a texel that is burnt out or not; or
-/// nothing.
+/// nothing, and then which part of what lies outside it left for.
 class HitTarget
 {
 public:
-    static HitTarget nothing() { return HitTarget(~0u); }
+    static constexpr uint32_t kMostParts = 32; // of what lies outside
+
+    static HitTarget nothing(uint32_t part = 0) { return HitTarget(~part); }
     static HitTarget of(Side side, bool clipped)
     {
         return HitTarget(side.index << 1 | (clipped ? 1u : 0u));
     }
 
-    [[nodiscard]] bool isNothing() const { return bits_ == ~0u; }
+    [[nodiscard]] bool isNothing() const { return bits_ > ~kMostParts; }
+    [[nodiscard]] uint32_t part() const { return ~bits_; } // of nothing
     [[nodiscard]] Side side() const { return {bits_ >> 1}; }
     [[nodiscard]] bool isClipped() const { return (bits_ & 1u) != 0; }
 
@@ -53,6 +56,7 @@ struct HitLists
     std::vector<int32_t> listOfSide;      // kNoList for a side that nobody sees
     std::vector<uint32_t> firstTarget{0}; // of lists, and one more
     std::vector<HitTarget> targets;
+    std::vector<float> shareOfPart{0.0f}; // of parts outside: of all light that could reach fronts
 
     [[nodiscard]] std::span<const HitTarget> targetsOf(size_t list) const
     {

@@ -8,8 +8,7 @@ ARGUMENTS(LitSidesArguments)
 
 vec3 irradianceOf(uint list)
 {
-    return halves(arguments.direct.at[list]).rgb + arguments.gathered.at[list].rgb +
-           arguments.ambient * arguments.missed.at[list];
+    return halves(arguments.direct.at[list]).rgb + arguments.gathered.at[list].rgb;
 }
 
 bool has(uint surfel, uint trait)

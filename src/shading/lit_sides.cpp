@@ -191,23 +191,22 @@ namespace
 
 /// Sides before anything is gathered.
 LitSides darkSides(const SurfelRadiance& radiance, std::vector<glm::vec3> direct,
-                   std::span<const uint8_t> shines)
+                   std::span<const uint8_t> shines, const OutsideLight& outside)
 {
     LitSides sides{.field = fieldOf(radiance), .direct = std::move(direct)};
     sides.field.shines.assign(shines.begin(), shines.end());
+    sides.field.outside = outside;
     return sides;
 }
 
 /// What the sides send on of the light that they gathered. `least`: what the texture shows of
 /// burnt-out walls.
 void sendOn(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
-            std::span<const glm::vec3> least, glm::vec3 ambient, LitSides& sides)
+            std::span<const glm::vec3> least, LitSides& sides)
 {
     std::vector<glm::vec3> irradiance(sides.direct.size());
-    forEach(irradiance.size(), [&](size_t i) {
-        irradiance[i] =
-            sides.direct[i] + sides.gathered.irradiance[i] + ambient * sides.gathered.missed[i];
-    });
+    forEach(irradiance.size(),
+            [&](size_t i) { irradiance[i] = sides.direct[i] + sides.gathered.irradiance[i]; });
     sides.albedo = albedoOf(texels, radiance, irradiance);
     forEach(sides.albedo.size(), [&](size_t s) {
         const glm::vec3 front = irradiance[static_cast<size_t>(hits.listOfSide[2 * s])];
@@ -221,30 +220,31 @@ void sendOn(const Texels& texels, const HitLists& hits, const SurfelRadiance& ra
 
 LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
                     std::vector<glm::vec3> direct, std::span<const uint8_t> shines,
-                    glm::vec3 ambient)
+                    const OutsideLight& outside)
 {
-    LitSides sides = darkSides(radiance, std::move(direct), shines);
+    LitSides sides = darkSides(radiance, std::move(direct), shines, outside);
     const std::vector<glm::vec3> least = sides.field.clipped;
     const SettlingGather settling(hits, sides.field);
     for (int round = 0; round < kLitSidesRounds; ++round) {
         sides.gathered = settling.gather(sides.field);
-        sendOn(texels, hits, radiance, least, ambient, sides);
+        sendOn(texels, hits, radiance, least, sides);
     }
     return sides;
 }
 
 LitSides sidesFrom(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
-                   ArrivingLight light, std::span<const uint8_t> shines, glm::vec3 ambient)
+                   ArrivingLight light, std::span<const uint8_t> shines,
+                   const OutsideLight& outside)
 {
-    LitSides sides = darkSides(radiance, std::move(light.direct), shines);
+    LitSides sides = darkSides(radiance, std::move(light.direct), shines, outside);
     const std::vector<glm::vec3> least = sides.field.clipped;
     sides.gathered = std::move(light.gathered);
-    sendOn(texels, hits, radiance, least, ambient, sides);
+    sendOn(texels, hits, radiance, least, sides);
     return sides;
 }
 
 std::vector<glm::vec3> indirectOfFronts(const Surfels& surfels, const HitLists& hits,
-                                        const LitSides& sides, glm::vec3 ambient)
+                                        const LitSides& sides)
 {
     RadianceField plain = sides.field;
     for (glm::vec3& radiance : plain.clipped) radiance = glm::min(radiance, glm::vec3(1.0f));
@@ -253,7 +253,7 @@ std::vector<glm::vec3> indirectOfFronts(const Surfels& surfels, const HitLists& 
     std::vector<glm::vec3> indirect(surfels.count());
     forEach(surfels.count(), [&](size_t s) {
         excess[s] = sides.gathered.irradiance[s] - even.irradiance[s];
-        indirect[s] = even.irradiance[s] + ambient * even.missed[s];
+        indirect[s] = even.irradiance[s];
     });
     for (int pass = 0; pass < kExcessSmoothings; ++pass) excess = meanOfNeighbors(surfels, excess);
     indirect = withoutNoise(surfels, indirect, noiseAround(surfels, even.noise));

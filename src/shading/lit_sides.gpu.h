@@ -11,17 +11,15 @@ const uint kShines = 2u;         // its burnt-out texels are a lamp's
 
 struct LitSidesArguments
 {
-    Vec4s gathered; // of lists
-    Floats missed;
+    Vec4s gathered;  // of lists
     Uvec2s direct;   // of lists, halves
     Ints backOf;     // of surfels: list of its back, -1 where nobody sees that
     Uvec2s burntOut; // of surfels, halves: what the texture shows of it
     Uints traits;
     Uints firstNeighbor;
     Uints neighbor;
-    Uvec2s plain; // of surfels, halves
-    Uvec2s field; // as fieldOnGpu(); what follows `plain` is written
-    vec3 ambient;
+    Uvec2s plain;       // of surfels, halves
+    Uvec2s field;       // as fieldOnGpu(); what follows `plain` is written
     float mostBurntOut; // radiance of what is
     uint count;         // of surfels
 };
@@ -45,14 +43,12 @@ struct LitSidesMeanArguments
 
 struct IndirectArguments
 {
-    Vec4s even; // gathered, of lists; w: noise
-    Floats missed;
+    Vec4s even;   // gathered, of lists; w: noise
     Vec4s excess; // of surfels
     Uints firstNeighbor;
     Uints neighbor;
     Floats lit;       // of surfels: w of what is written
     Vec4s irradiance; // of surfels
-    vec3 ambient;
     uint count;
 };
 

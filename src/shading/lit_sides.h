@@ -57,7 +57,7 @@ std::vector<glm::vec3> withoutNoise(const Surfels& surfels, std::span<const glm:
 /// Walls beside a lamp send out more than white from a small area, which few rays meet: what is
 /// above white is spread over the surfels around, or it would show as spots.
 std::vector<glm::vec3> indirectOfFronts(const Surfels& surfels, const HitLists& hits,
-                                        const LitSides& sides, glm::vec3 ambient);
+                                        const LitSides& sides);
 
 /// Albedo of surfels by their plain texels under `irradiance` of their fronts, 0.02..0.95; those
 /// that are burnt out nearly all over are guessed.
@@ -77,7 +77,7 @@ void guessBurntOut(const Texels& texels, const SurfelRadiance& radiance,
 /// `direct` is the irradiance from all lamps, one a list.
 LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
                     std::vector<glm::vec3> direct, std::span<const uint8_t> shines,
-                    glm::vec3 ambient);
+                    const OutsideLight& outside);
 
 /// Light that arrives at sides, one entry a list.
 struct ArrivingLight
@@ -88,6 +88,7 @@ struct ArrivingLight
 
 /// The same where somebody else has settled what they gather.
 LitSides sidesFrom(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
-                   ArrivingLight light, std::span<const uint8_t> shines, glm::vec3 ambient);
+                   ArrivingLight light, std::span<const uint8_t> shines,
+                   const OutsideLight& outside);
 
 } // namespace relamp

@@ -7,6 +7,8 @@
 #include "shading/lit_sides_indirect.comp.h"
 #include "shading/lit_sides_mean.comp.h"
 
+#include <algorithm>
+
 namespace relamp
 {
 namespace
@@ -55,12 +57,13 @@ std::vector<float> litOf(std::span<const float> lit, size_t surfels)
 LitSidesGpu::LitSidesGpu(const gpu::Device& device, const HitLists& hits,
                          const SurfelRadiance& radiance, const SurfelTraits& traits)
     : surfels_(traits.shines.size()), knows_(traitsOf(radiance)),
-      shown_(fieldOnGpu(fieldOf(radiance))), gather_(device), litSides_(device, kLitSidesSpirv),
-      excess_(device, kLitSidesExcessSpirv), mean_(device, kLitSidesMeanSpirv),
-      indirectOf_(device, kLitSidesIndirectSpirv), lists_(device, hits, surfels_),
-      backOf_(device, backsOf(hits, surfels_)), burntOut_(device, burntOutOf(radiance)),
-      traits_(device, surfels_), lit_(device, litOf(traits.lit, surfels_)),
-      start_(device, shown_.size()), field_(device, shown_.size()), evenField_(device, shown_),
+      shown_(fieldOnGpu(fieldOf(radiance))), begin_(shown_), gather_(device),
+      litSides_(device, kLitSidesSpirv), excess_(device, kLitSidesExcessSpirv),
+      mean_(device, kLitSidesMeanSpirv), indirectOf_(device, kLitSidesIndirectSpirv),
+      lists_(device, hits, surfels_), backOf_(device, backsOf(hits, surfels_)),
+      burntOut_(device, burntOutOf(radiance)), traits_(device, surfels_),
+      lit_(device, litOf(traits.lit, surfels_)), start_(device, shown_.size()),
+      field_(device, shown_.size()), evenField_(device, shown_),
       settling_(device, hits, lists_, gather_, {device, plainOf(radiance)}),
       gathered_(device, lists_.count),
       even_(device, surfels_), work_{{device, surfels_}, {device, surfels_}},
@@ -72,21 +75,28 @@ LitSidesGpu::LitSidesGpu(const gpu::Device& device, const HitLists& hits,
 void LitSidesGpu::setShining(std::span<const uint8_t> shines)
 {
     std::vector<uint32_t> traits = knows_;
-    std::vector<glm::uvec2> start = shown_;
+    std::copy_n(shown_.begin(), 3 * surfels_, begin_.begin());
     for (size_t s = 0; s < surfels_; ++s) {
         if (shines[s] == 0) continue;
         traits[s] |= kShines;
-        start[surfels_ + s] = glm::uvec2(0); // of its burnt-out texels
+        begin_[surfels_ + s] = glm::uvec2(0); // of its burnt-out texels
     }
     traits_.upload(traits);
-    start_.upload(start);
+    start_.upload(begin_);
+}
+
+void LitSidesGpu::setOutside(const OutsideLight& outside)
+{
+    for (size_t part = 0; part < HitTarget::kMostParts; ++part)
+        begin_[3 * surfels_ + part] = packedHalves(glm::vec4(outside[part], 0.0f));
+    start_.upload(begin_);
+    evenField_.upload(begin_); // what is not plain follows
 }
 
 void LitSidesGpu::settle(gpu::Commands& commands, const GpuSurfels& surfels,
-                         const gpu::Array<glm::uvec2>& direct, glm::vec3 ambient) const
+                         const gpu::Array<glm::uvec2>& direct) const
 {
     LitSidesArguments arguments{.gathered = gathered_.ref(),
-                                .missed = settling_.missed().ref(),
                                 .direct = direct.ref(),
                                 .backOf = backOf_.ref(),
                                 .burntOut = burntOut_.ref(),
@@ -95,7 +105,6 @@ void LitSidesGpu::settle(gpu::Commands& commands, const GpuSurfels& surfels,
                                 .neighbor = surfels.neighbor.ref(),
                                 .plain = field_.ref(),
                                 .field = field_.ref(),
-                                .ambient = ambient,
                                 .mostBurntOut = kMostRadiance,
                                 .count = static_cast<uint32_t>(surfels_)};
     for (int round = 0; round < kLitSidesRounds; ++round) {
@@ -110,7 +119,7 @@ void LitSidesGpu::settle(gpu::Commands& commands, const GpuSurfels& surfels,
 }
 
 void LitSidesGpu::light(gpu::Commands& commands, const GpuSurfels& surfels,
-                        const gpu::Array<glm::uvec2>& direct, glm::vec3 ambient) const
+                        const gpu::Array<glm::uvec2>& direct) const
 {
     const auto count = static_cast<uint32_t>(surfels_);
     const auto first = surfels.firstNeighbor.ref();
@@ -118,7 +127,7 @@ void LitSidesGpu::light(gpu::Commands& commands, const GpuSurfels& surfels,
     // Every time from what the texture shows: the same light gives the same bits.
     commands.copy(start_.buffer(), 0, field_.buffer(), 0, start_.buffer().size());
     commands.barrier();
-    settle(commands, surfels, direct, ambient);
+    settle(commands, surfels, direct);
     gather_.gather(commands, lists_, evenField_, even_, surfels_);
     commands.dispatch(
         excess_, surfels_,
@@ -132,9 +141,8 @@ void LitSidesGpu::light(gpu::Commands& commands, const GpuSurfels& surfels,
     }
     const int last = kExcessSmoothings % 2;
     commands.dispatch(indirectOf_, surfels_,
-                      IndirectArguments{even_.irradiance.ref(), even_.missed.ref(),
-                                        work_[last].ref(), first, neighbor, lit_.ref(),
-                                        indirect_.ref(), ambient, count});
+                      IndirectArguments{even_.irradiance.ref(), work_[last].ref(), first, neighbor,
+                                        lit_.ref(), indirect_.ref(), count});
     commands.barrier();
 }
 

@@ -28,11 +28,12 @@ public:
 
     /// As SurfelTraits::shines, from now on.
     void setShining(std::span<const uint8_t> shines);
+    void setOutside(const OutsideLight& outside);
 
     /// Settles the light of all sides and finds indirect(). `direct` is irradiance from all lamps,
     /// one a list, as halves.
     void light(gpu::Commands& commands, const GpuSurfels& surfels,
-               const gpu::Array<glm::uvec2>& direct, glm::vec3 ambient) const;
+               const gpu::Array<glm::uvec2>& direct) const;
 
     /// Irradiance at surfels' fronts that did not come from a lamp; w: `lit`.
     [[nodiscard]] const gpu::Array<glm::vec4>& indirect() const { return indirect_; }
@@ -42,11 +43,12 @@ public:
 
 private:
     void settle(gpu::Commands& commands, const GpuSurfels& surfels,
-                const gpu::Array<glm::uvec2>& direct, glm::vec3 ambient) const;
+                const gpu::Array<glm::uvec2>& direct) const;
 
     size_t surfels_;
     std::vector<uint32_t> knows_;   // traits of surfels where none shines,
     std::vector<glm::uvec2> shown_; // and what they send then
+    std::vector<glm::uvec2> begin_; // the field before anything is known
     GatherGpu gather_;
     gpu::Program litSides_;
     gpu::Program excess_;
@@ -58,7 +60,7 @@ private:
     gpu::Array<glm::uvec2> burntOut_;
     gpu::Array<uint32_t> traits_;
     gpu::Array<float> lit_;
-    gpu::Array<glm::uvec2> start_; // the field before anything is known
+    gpu::Array<glm::uvec2> start_; // begin_
     gpu::Array<glm::uvec2> field_;
     gpu::Array<glm::uvec2> evenField_; // nothing in it sends more than white
     SettlingGatherGpu settling_;

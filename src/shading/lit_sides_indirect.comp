@@ -7,13 +7,6 @@
 
 ARGUMENTS(IndirectArguments)
 
-// w: noise
-vec4 evenAt(uint surfel)
-{
-    const vec4 even = arguments.even.at[surfel]; // whole: see docs/dev/gpu.md
-    return even + vec4(arguments.ambient * arguments.missed.at[surfel], 0.0);
-}
-
 void main()
 {
     const uint surfel = threadIndex();
@@ -23,12 +16,12 @@ void main()
     vec3 sum = vec3(0.0);
     float squaredNoise = 0.0;
     for (uint i = begin; i < end; ++i) {
-        const vec4 even = evenAt(arguments.neighbor.at[i]);
+        const vec4 even = arguments.even.at[arguments.neighbor.at[i]]; // whole: see docs/dev/gpu.md
         sum += even.rgb;
         squaredNoise += even.w * even.w;
     }
     const float around = float(end - begin);
-    const vec3 own = evenAt(surfel).rgb;
+    const vec3 own = arguments.even.at[surfel].rgb;
     const vec3 way = sum / around - own;
     const float share = shareOfNoise(luminance(abs(way)), squaredNoise / around);
     arguments.irradiance.at[surfel] =

@@ -190,8 +190,7 @@ TEST(LitSides, IndirectOfAFurnaceIsWhatItsWallsSend)
     const scenes::Surfaces box(scenes::room(kSidesRoom, 32, scenes::plain(glm::vec3(0.4f))));
     const HitLists hits = scenes::hitListsOf(box, 16);
     const LitSides sides = litBy(box, hits, everywhere(hits, kPi));
-    for (const glm::vec3 irradiance :
-         indirectOfFronts(box.texels.surfels, hits, sides, glm::vec3(0.0f)))
+    for (const glm::vec3 irradiance : indirectOfFronts(box.texels.surfels, hits, sides))
         EXPECT_NEAR(irradiance.g, 0.4f * kPi, 2e-3f); // direct light is none of it
 }
 

@@ -116,7 +116,7 @@ TracedRoom tracedRoomOf(const Texels& texels, const FoundRoom& room, std::vector
                       .emission = std::move(emission),
                       .isClipped = room.radiance.isClipped,
                       .lamps = LampSurface(lampTexels(texels, room.radiance, shiners)),
-                      .ambient = room.found.ambient,
+                      .ambient = evenOf(room.found.outside, room.hits.shareOfPart),
                       .outside = {},
                       .unseenLights = {}};
     if (const auto& sun = room.sun)

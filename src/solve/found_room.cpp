@@ -113,7 +113,7 @@ LitSides sidesOf(const Texels& texels, const RayScene& scene, FoundRoom& room)
     std::vector<glm::vec3> direct = directOf(texels, scene, room.hits, room.found);
     if (room.sun) addDirect(room.sun->onSides, sunRadiance(room.sun->sun), direct);
     return lightSides(texels, room.hits, room.radiance, std::move(direct), room.shines,
-                      room.found.ambient);
+                      room.found.outside);
 }
 
 SunOnRoom sunOn(const Sun& sun, const Texels& texels, const HitLists& hits, RayScene outside)
@@ -138,8 +138,7 @@ void letIn(SunOnRoom sun, const Texels& texels, const RayScene& scene, FoundRoom
 {
     room.shines = shinesOf(room);
     room.sides = sidesOf(texels, scene, room);
-    sun.inShade =
-        markShade(sun.sun, texels, room.radiance, room.sides, room.found.ambient, sun.onSides);
+    sun.inShade = markShade(sun.sun, texels, room.radiance, room.sides, sun.onSides);
     room.sun = std::move(sun);
     room.sides = sidesOf(texels, scene, room);
 }
@@ -229,7 +228,7 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
 Lights lightsOf(const FoundRoom& room)
 {
     Lights lights;
-    lights.ambient = room.found.ambient;
+    lights.ambient = evenOf(room.found.outside, room.hits.shareOfPart);
     if (room.sun) lights.sun = room.sun->sun;
     for (const FoundLamp& lamp : room.found.lamps) {
         if (lamp.isSunlit) continue;

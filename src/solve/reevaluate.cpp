@@ -19,7 +19,7 @@ constexpr float kHardlyLit = 1e-3f; // irradiance
 std::vector<glm::vec3> indirectOf(const Texels& texels, const SolvedRoom& room)
 {
     const FoundRoom& found = room.found;
-    return indirectOfFronts(texels.surfels, found.hits, found.sides, found.found.ambient);
+    return indirectOfFronts(texels.surfels, found.hits, found.sides);
 }
 
 /// What a lamp would bring to every surfel's front with nothing in the way, of all the light there.
@@ -109,7 +109,7 @@ std::span<const AreaSample> onSidesOf(const SolvedRoom& room, size_t lamp)
 
 LampPowers powersOf(const SolvedRoom& room)
 {
-    LampPowers powers{.ambient = room.found.found.ambient};
+    LampPowers powers{.outside = room.found.found.outside};
     for (const LitLamp& lamp : room.light->lamps) powers.lamps.push_back(lamp.radiance);
     return powers;
 }
@@ -118,8 +118,8 @@ void reevaluate(const Texels& texels, SolvedRoom& room, const LampPowers& powers
 {
     FoundRoom& found = room.found;
     found.sides = lightSides(texels, found.hits, found.radiance, directUnder(room, powers),
-                             found.shines, powers.ambient);
-    found.found.ambient = powers.ambient;
+                             found.shines, powers.outside);
+    found.found.outside = powers.outside;
     shine(texels, room, powers, indirectOf(texels, room));
 }
 
@@ -131,8 +131,8 @@ void reevaluate(const Texels& texels, SolvedRoom& room, const LampPowers& powers
                       .missed = std::move(found.sides.gathered.missed)}; // of the mesh alone
     found.sides =
         sidesFrom(texels, found.hits, found.radiance,
-                  {directUnder(room, powers), std::move(gathered)}, found.shines, powers.ambient);
-    found.found.ambient = powers.ambient;
+                  {directUnder(room, powers), std::move(gathered)}, found.shines, powers.outside);
+    found.found.outside = powers.outside;
     shine(texels, room, powers, std::move(light.indirect));
 }
 

@@ -34,7 +34,7 @@ SolvedRoom solvedRoom(
 struct LampPowers
 {
     std::vector<glm::vec3> lamps; // radiance of each of SolvedRoom::light
-    glm::vec3 ambient{0.0f};      // radiance
+    OutsideLight outside;
 
     bool operator==(const LampPowers&) const = default;
 };

@@ -93,7 +93,7 @@ TEST_F(GpuReevaluateEngine, DoesTheSameOnEither)
     expectAlike(found.found.sides.field.back, expected.found.sides.field.back);
     expectAlike(found.found.sides.direct, expected.found.sides.direct);
     EXPECT_EQ(found.found.sides.gathered.missed, expected.found.sides.gathered.missed);
-    EXPECT_EQ(found.found.found.ambient, expected.found.found.ambient);
+    EXPECT_EQ(found.found.found.outside, expected.found.found.outside);
 }
 
 // Results are asked for layers long after others were re-evaluated, on the same device.
@@ -121,7 +121,7 @@ TEST_F(GpuReevaluateEngine, ALampThatIsOffSendsOnWhatItGets)
     Room gpu({.engine = Engine::gpu});
     const LampPowers on = times(cpu.found, 1.1f);
     LampPowers off = times(cpu.found, 0.0f);
-    off.ambient = glm::vec3(0.5f);
+    off.outside = glm::vec3(0.5f);
     expectLightAlike(gpu.layers(gpu.reevaluate(on)), cpu.layers(cpu.reevaluate(on)));
     for (Room* room : {&cpu, &gpu}) {
         std::vector<uint8_t>& shines = room->room.solved.found.shines;

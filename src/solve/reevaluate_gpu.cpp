@@ -107,16 +107,17 @@ std::vector<gpu::Timing> ReevaluateGpu::gather(const LampPowers& powers,
         shines_.assign(shines.begin(), shines.end());
         ++shining_;
     }
-    std::vector<double> inputs = numbersOf({&powers.ambient, 1});
+    std::vector<double> inputs = numbersOf(powers.outside.parts());
     inputs.insert(inputs.end(), {powers_.version(), shining_});
     if (!gathered_.change(std::move(inputs))) return {};
+    sides_.setOutside(powers.outside);
     gpu::Commands commands(device_);
     commands.mark("gather");
     if (areNew) {
         lamps_.setPowers(commands, powers.lamps);
         lamps_.sum(commands, termsOfLists_, directOfLists_);
     }
-    sides_.light(commands, surfels_, directOfLists_, powers.ambient);
+    sides_.light(commands, surfels_, directOfLists_);
     commands.run();
     return commands.timings();
 }

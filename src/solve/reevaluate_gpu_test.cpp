@@ -50,7 +50,7 @@ LampPowers others(LampPowers powers)
 {
     for (size_t l = 0; l < powers.lamps.size(); ++l)
         powers.lamps[l] *= glm::vec3(1.7f, 1.5f, 1.2f - 0.3f * static_cast<float>(l % 2));
-    powers.ambient += glm::vec3(0.02f, 0.03f, 0.05f);
+    powers.outside = powers.outside[0] + glm::vec3(0.02f, 0.03f, 0.05f);
     return powers;
 }
 

@@ -25,7 +25,7 @@ std::vector<glm::vec3> irradianceOf(const SolvedRoom& room)
 Rating rate(const Texels& texels, const SolvedRoom& room)
 {
     const FoundRoom& found = room.found;
-    Rating rating{closeLoop(found.hits, found.radiance, found.sides, found.found.ambient),
+    Rating rating{closeLoop(found.hits, found.radiance, found.sides),
                   trustByView(found.hits, texels.surfels.count())};
     doubtEdges(texels.surfels, found.radiance, room.lighting, rating.trust);
     return rating;

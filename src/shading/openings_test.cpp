@@ -1,0 +1,99 @@
+#include "shading/openings.h"
+
+#include "scenes/axes.h"
+#include "scenes/surfaces.h"
+#include "shading/gather.h"
+
+#include <numeric>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr glm::vec3 kOpenRoom(3.0f, 2.0f, 4.0f);
+enum Wall { kMissingCeiling = 1, kMissingSide }; // the second: x = 0
+
+scenes::Surfaces withoutWall(Wall wall)
+{
+    std::vector<scenes::Panel> walls = scenes::wallsOf(kOpenRoom);
+    walls.erase(walls.begin() + wall);
+    return scenes::Surfaces(scenes::panels(walls, 32, scenes::plain(glm::vec3(0.4f))));
+}
+
+/// Irradiance on a list by each part of what lies outside, at radiance 1.
+std::vector<float> missedOn(const HitLists& hits, uint32_t list)
+{
+    return missedOf(hits, {&list, 1}, hits.shareOfPart.size());
+}
+
+} // namespace
+
+TEST(Openings, ClosedRoomHasNone)
+{
+    const scenes::Surfaces box(scenes::room(kOpenRoom, 32, scenes::plain(glm::vec3(0.4f))));
+    const HitLists hits = scenes::hitListsOf(box, 32);
+    EXPECT_EQ(hits.shareOfPart.size(), 1u);
+    EXPECT_THAT(openingsOf(box.texels, hits), testing::IsEmpty());
+}
+
+// One radiance for everything outside, however many parts that has: as if it had none.
+TEST(Openings, EvenOutsideGivesWhatOnePartGives)
+{
+    const glm::vec3 outside(0.7f, 0.5f, 0.2f);
+    for (const Wall wall : {kMissingCeiling, kMissingSide}) {
+        const scenes::Surfaces box(withoutWall(wall));
+        const HitLists hits = scenes::hitListsOf(box, 32);
+        const Gathered dark = gather(hits, fieldOf(box.radiance));
+        RadianceField field = fieldOf(box.radiance);
+        field.outside = OutsideLight(std::vector(hits.shareOfPart.size(), outside));
+        const Gathered lit = gather(hits, field);
+        for (size_t i = 0; i < lit.irradiance.size(); ++i)
+            ASSERT_LT(
+                glm::distance(lit.irradiance[i], dark.irradiance[i] + dark.missed[i] * outside),
+                1e-5f);
+        EXPECT_LT(glm::distance(evenOf(field.outside, hits.shareOfPart), outside), 1e-6f);
+    }
+}
+
+TEST(Openings, CeilingThatIsMissingIsOnePartUnderSquaresThatFaceDown)
+{
+    const scenes::Surfaces box(withoutWall(kMissingCeiling));
+    const HitLists hits = scenes::hitListsOf(box, 32);
+    ASSERT_EQ(hits.shareOfPart.size(), 2u);
+    EXPECT_GT(hits.shareOfPart[1], 20.0f * hits.shareOfPart[0]);
+    float area = 0.0f;
+    for (const Candidate& square : openingsOf(box.texels, hits)) {
+        EXPECT_EQ(square.normal, scenes::kDown);
+        EXPECT_GT(square.centre.y, kOpenRoom.y);
+        EXPECT_LT(square.centre.y, kOpenRoom.y + 0.3f);
+        area += square.area;
+    }
+    EXPECT_NEAR(area, kOpenRoom.x * kOpenRoom.z, 0.3f * kOpenRoom.x * kOpenRoom.z);
+}
+
+// What a floor sees through a window is sky, what a ceiling sees is ground.
+TEST(Openings, WindowShowsTheFloorTheSkyAndTheCeilingTheGround)
+{
+    const scenes::Surfaces box(withoutWall(kMissingSide));
+    const HitLists hits = scenes::hitListsOf(box, 32);
+    ASSERT_EQ(hits.shareOfPart.size(), 3u);
+    float sky = 0.0f;
+    for (const uint32_t s : box.facing(scenes::kUp)) {
+        sky += missedOn(hits, s)[1];
+        EXPECT_EQ(missedOn(hits, s)[2], 0.0f);
+    }
+    float ground = 0.0f;
+    for (const uint32_t s : box.facing(scenes::kDown)) {
+        ground += missedOn(hits, s)[2];
+        EXPECT_EQ(missedOn(hits, s)[1], 0.0f);
+    }
+    EXPECT_GT(sky, 1.0f);
+    EXPECT_NEAR(ground, sky, 0.05f * sky);                         // a box is the same upside down
+    EXPECT_THAT(openingsOf(box.texels, hits), testing::IsEmpty()); // it is far, and no lamp
+}
+
+} // namespace relamp
