@@ -79,7 +79,7 @@ private:
     void drop(const LightFit& fit);
     bool grow(const LightFit& fit);
     void lookCloser();
-    void join();
+    bool join();
     void findColors();
     [[nodiscard]] std::vector<Piece> lamps() const;
     FoundLamps result();
@@ -326,13 +326,16 @@ void LampSearch::lookCloser()
     observe();
 }
 
-void LampSearch::join()
+/// One lamp of the pieces that are one; false where none are.
+bool LampSearch::join()
 {
     for (size_t f = 0; f < pieces_.size(); ++f)
         pieces_[f].radiance = glm::vec3(static_cast<float>(std::exp(estimate_.log[f])));
     std::vector<Piece> lamps = this->lamps();
+    const size_t before = lamps.size();
     joinPieces(lamps);
     const size_t count = lamps.size();
+    if (count == before) return false;
     for (size_t f = 0; f < pieces_.size(); ++f)
         if (emits_[f] == 0 && !pieces_[f].isUnseen) lamps.push_back(std::move(pieces_[f]));
     pieces_ = std::move(lamps);
@@ -345,6 +348,7 @@ void LampSearch::join()
         estimate_.log.push_back(std::log(static_cast<double>(luminance(piece.radiance))));
     estimate_.log.insert(estimate_.log.end(), outside.begin(), outside.end());
     observe();
+    return true;
 }
 
 /// Each channel by itself, near the luminance; burnt-out walls and backs settle in that light, and
@@ -421,8 +425,7 @@ FoundLamps LampSearch::run()
     stage_.advance();
     lookCloser();
     choose(LampEvidence::kPairsFirst);
-    join();
-    choose(LampEvidence::kPairsFirst);
+    for (int round = 0; round < kChoices && join(); ++round) choose(LampEvidence::kPairsFirst);
     stage_.advance();
     findColors();
     return result();
