@@ -47,4 +47,15 @@ inline glm::vec3 evenOf(const OutsideLight& outside, std::span<const float> shar
     return all > 0.0f ? sum / all : outside[0];
 }
 
+/// `outside`, whose even radiance is `even`, as bright as `wanted`; its parts keep their ratios.
+inline OutsideLight scaled(const OutsideLight& outside, glm::vec3 even, glm::vec3 wanted)
+{
+    if (wanted == even) return outside;
+    std::vector<glm::vec3> parts(outside.parts().begin(), outside.parts().end());
+    for (glm::vec3& part : parts)
+        for (int c = 0; c < 3; ++c)
+            part[c] = even[c] > 0.0f ? part[c] * wanted[c] / even[c] : wanted[c];
+    return OutsideLight(std::move(parts));
+}
+
 } // namespace relamp
