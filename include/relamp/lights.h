@@ -76,9 +76,8 @@ struct Lights
     // Radiance of what lies outside the scan, seen through its holes; to the thesis solver,
     // irradiance / pi, the same everywhere.
     glm::vec3 ambient{0.0f};
-    // The same by parts, large holes apart, of which `ambient` is the mean:
-    // docs/method/openings.md. Empty: it is even. Where it is not the mean, it is right and they
-    // are taken for ratios; where they are not those of a scan, they are passed over.
+    // How many times that its parts have, small holes together and each large one:
+    // docs/method/openings.md. Empty: all the same. Those of another scan are passed over.
     std::vector<glm::vec3> openings;
     std::optional<Sun> sun; // the thesis solver has none
 

@@ -240,8 +240,8 @@ std::string lightsAsJson(const Lights& lights)
     for (const PointLight& light : lights.points)
         document["lights"].push_back(toJson(light, lights));
     document["ambient"] = toJson(lights.ambient);
-    for (const glm::vec3 radiance : lights.openings)
-        document["openings"].push_back({{"radiance", toJson(radiance)}});
+    for (const glm::vec3 times : lights.openings)
+        document["openings"].push_back({{"timesAmbient", toJson(times)}});
     if (lights.sun) document["sun"] = toJson(*lights.sun);
     return textOf(document);
 }
@@ -269,8 +269,8 @@ Lights lightsFrom(const JsonDocument& document, std::vector<std::string>& warnin
     dropDark(lights.points);
     if (top.has("ambient")) lights.ambient = top.lightAt("ambient");
     top.forEachIn("openings", "opening", [&](const JsonItem& item) {
-        item.warnOfUnknown({"radiance"}, warnings);
-        lights.openings.push_back(item.lightAt("radiance"));
+        item.warnOfUnknown({"timesAmbient"}, warnings);
+        lights.openings.push_back(item.lightAt("timesAmbient"));
     });
     lights.sun = sunOf(top, warnings);
     if (lights.points.empty() && lights.ambient == glm::vec3(0.0f) && !lights.sun)

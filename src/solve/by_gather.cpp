@@ -139,8 +139,7 @@ void GatherSolver::keep(SolvedRoom room, const DelightOptions& asked,
 LampPowers GatherSolver::setPowers(const Lights& lights)
 {
     FoundRoom& room = kept_->room.found;
-    LampPowers powers{.outside =
-                          scaled(kept_->powers.outside, kept_->found.ambient, lights.ambient)};
+    LampPowers powers{.outside = {lights.ambient, kept_->powers.outside.ratios()}};
     glm::vec3 share(1.0f);
     if (room.sun) {
         room.sun->sun.irradiance = lights.sun ? lights.sun->irradiance : glm::vec3(0.0f);

@@ -171,10 +171,8 @@ void take(const Lights& given, const DelightOptions& options, const Texels& texe
     const std::vector<std::vector<ClippedPatch>> surfaces =
         surfacesOf(given.fixtures, known, texels, scene, room.warnings);
     room.found = asGiven(given, surfaces);
-    if (given.openings.size() == room.hits.shareOfPart.size()) {
-        const OutsideLight parts(given.openings);
-        room.found.outside = scaled(parts, evenOf(parts, room.hits.shareOfPart), given.ambient);
-    }
+    if (given.openings.size() == room.hits.shareOfPart.size())
+        room.found.outside = {given.ambient, given.openings};
     room.shines = shinesOf(room);
     room.sides = sidesOf(texels, scene, room);
     if (!given.sun) return;
@@ -232,9 +230,8 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
 Lights lightsOf(const FoundRoom& room)
 {
     Lights lights;
-    lights.ambient = evenOf(room.found.outside, room.hits.shareOfPart);
-    if (const auto parts = room.found.outside.parts(); parts.size() > 1)
-        lights.openings.assign(parts.begin(), parts.end());
+    lights.ambient = room.found.outside.even();
+    lights.openings = room.found.outside.ratios();
     if (room.sun) lights.sun = room.sun->sun;
     for (const FoundLamp& lamp : room.found.lamps) {
         if (lamp.isSunlit) continue;
