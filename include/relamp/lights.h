@@ -76,6 +76,9 @@ struct Lights
     // Radiance of what lies outside the scan, seen through its holes; to the thesis solver,
     // irradiance / pi, the same everywhere.
     glm::vec3 ambient{0.0f};
+    // How many times that its parts have, small holes together and each large one:
+    // docs/method/openings.md. Empty: all the same. Those of another scan are passed over.
+    std::vector<glm::vec3> openings;
     std::optional<Sun> sun; // the thesis solver has none
 
     /// The number of a fixture by its place in the list; those without one are counted behind all

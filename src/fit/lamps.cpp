@@ -380,7 +380,7 @@ void LampSearch::findColors()
         std::vector<glm::vec3> outside;
         for (size_t o = 0; o < model_.outsides; ++o)
             outside.push_back(radianceOf(pieces_.size() + o));
-        outside_ = OutsideLight(std::move(outside));
+        outside_ = outsideOf(outside, hits_.shareOfPart);
         if (round > 0) return;
         std::vector<Piece> lamps = this->lamps();
         evidence_.settle(lamps, outside_);

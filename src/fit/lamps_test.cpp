@@ -162,9 +162,9 @@ TEST(Lamps, LampInACeilingThatWasNotScannedIsFound)
         centre += powerOf(lamp).g * candidateOf(lamp.patches).centre;
     }
     centre /= power.g;
-    EXPECT_LT(glm::distance(centre, LitRoom::kLampCentre), 0.4f);
+    EXPECT_LT(glm::distance(centre, LitRoom::kLampCentre), 0.4f); // it is sought in squares of 0.5
     const glm::vec3 ratio = power / (LitRoom::kLampArea * LitRoom::kLampRadiance);
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0f, 0.25f) << "channel " << c;
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0f, 0.3f) << "channel " << c;
 }
 
 TEST(Lamps, SurfelsOfLampsShine)

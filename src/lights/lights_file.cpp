@@ -240,6 +240,8 @@ std::string lightsAsJson(const Lights& lights)
     for (const PointLight& light : lights.points)
         document["lights"].push_back(toJson(light, lights));
     document["ambient"] = toJson(lights.ambient);
+    for (const glm::vec3 times : lights.openings)
+        document["openings"].push_back({{"timesAmbient", toJson(times)}});
     if (lights.sun) document["sun"] = toJson(*lights.sun);
     return textOf(document);
 }
@@ -252,7 +254,8 @@ Lights readLights(const std::filesystem::path& file, std::vector<std::string>& w
 Lights lightsFrom(const JsonDocument& document, std::vector<std::string>& warnings)
 {
     const JsonItem top = document.top();
-    top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient", "sun"}, warnings);
+    top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient", "openings", "sun"},
+                      warnings);
 
     Lights lights;
     top.forEachIn("fixtures", "fixture", [&](const JsonItem& item) {
@@ -265,6 +268,10 @@ Lights lightsFrom(const JsonDocument& document, std::vector<std::string>& warnin
     addLightsOfWholeFixtures(lights);
     dropDark(lights.points);
     if (top.has("ambient")) lights.ambient = top.lightAt("ambient");
+    top.forEachIn("openings", "opening", [&](const JsonItem& item) {
+        item.warnOfUnknown({"timesAmbient"}, warnings);
+        lights.openings.push_back(item.lightAt("timesAmbient"));
+    });
     lights.sun = sunOf(top, warnings);
     if (lights.points.empty() && lights.ambient == glm::vec3(0.0f) && !lights.sun)
         malformed(top.what, "holds no light: it needs \"lights\", \"fixtures\", \"ambient\" or "

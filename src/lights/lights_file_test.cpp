@@ -133,6 +133,7 @@ TEST(LightsFile, WhatWasWrittenIsReadAgain)
     lights.points.push_back({{0.1f, 2.4f, -1.0f}, {0, -1, 0}, {0.5f, 0.25f, 0.125f}, 0.3f, 0});
     lights.points.push_back({{3, 2, 1}, {0, 0, 0}, {1, 1, 1}, 0.0f, -1});
     lights.ambient = {0.1f, 0.2f, 0.3f};
+    lights.openings = {{0.1f, 0.1f, 0.2f}, {5.0f, 6.0f, 7.0f}};
     const Lights again = read(lightsAsJson(lights));
     ASSERT_THAT(again.fixtures, SizeIs(1));
     EXPECT_EQ(again.fixtures[0].centre, lights.fixtures[0].centre);
@@ -147,6 +148,7 @@ TEST(LightsFile, WhatWasWrittenIsReadAgain)
         EXPECT_EQ(again.points[i].fixture, lights.points[i].fixture);
     }
     EXPECT_EQ(again.ambient, lights.ambient);
+    EXPECT_EQ(again.openings, lights.openings);
     EXPECT_THAT(lastWarnings, IsEmpty());
 }
 

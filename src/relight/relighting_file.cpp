@@ -296,8 +296,9 @@ void LightsReader::readWhite(const JsonItem& top)
 
 Relighting LightsReader::read(const JsonItem& top)
 {
-    top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient", "sun", "sky", "white"},
-                      warnings_);
+    top.warnOfUnknown(
+        {"format", "units", "fixtures", "lights", "ambient", "openings", "sun", "sky", "white"},
+        warnings_);
     lighting_ = darkened(captured_);
     readWhite(top);
     readFixtures(top);

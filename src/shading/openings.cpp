@@ -255,6 +255,7 @@ void tellPartsApart(const Texels& texels, HitLists& hits)
 
 std::vector<Candidate> openingsOf(const Texels& texels, const HitLists& hits)
 {
+    if (hits.shareOfPart.size() == 1) return {};
     const Squares squares(boxAround(texels.surfels), kSquare);
     const std::vector<double> shares = sharesOf(squares, texels, hits);
     if (std::accumulate(shares.begin(), shares.end(), 0.0) < kLeastOutside) return {};
@@ -262,9 +263,11 @@ std::vector<Candidate> openingsOf(const Texels& texels, const HitLists& hits)
     std::iota(order.begin(), order.end(), size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [&](size_t a, size_t b) { return shares[a] > shares[b]; });
+    const Parts parts = partsOf(squares, shares);
     std::vector<Candidate> openings;
     for (const size_t square : order) {
-        if (shares[square] < kLeastShare || openings.size() == kMost) break;
+        if (openings.size() == kMost) break;
+        if (parts.ofSquare[square] == 0) continue;                // a small hole
         if (Squares::isUpright(squares.sideOf(square))) continue; // what is there is far
         openings.push_back(squares[square]);
     }

@@ -49,13 +49,13 @@ TEST(Openings, EvenOutsideGivesWhatOnePartGives)
         const HitLists hits = scenes::hitListsOf(box, 32);
         const Gathered dark = gather(hits, fieldOf(box.radiance));
         RadianceField field = fieldOf(box.radiance);
-        field.outside = OutsideLight(std::vector(hits.shareOfPart.size(), outside));
+        field.outside = outsideOf(std::vector(hits.shareOfPart.size(), outside), hits.shareOfPart);
         const Gathered lit = gather(hits, field);
         for (size_t i = 0; i < lit.irradiance.size(); ++i)
             ASSERT_LT(
                 glm::distance(lit.irradiance[i], dark.irradiance[i] + dark.missed[i] * outside),
                 1e-5f);
-        EXPECT_LT(glm::distance(evenOf(field.outside, hits.shareOfPart), outside), 1e-6f);
+        EXPECT_LT(glm::distance(field.outside.even(), outside), 1e-6f);
     }
 }
 

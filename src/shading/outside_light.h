@@ -1,7 +1,5 @@
 #pragma once
 
-#include "base/radiometry.shared.h"
-
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -17,34 +15,42 @@ class OutsideLight
 {
 public:
     OutsideLight() : OutsideLight(glm::vec3(0.0f)) {}
-    /// The same everywhere.
-    OutsideLight(glm::vec3 even) : parts_{even} {} // NOLINT(google-explicit-constructor)
-    /// At least one; what they do not name is as the last.
-    explicit OutsideLight(std::vector<glm::vec3> parts) : parts_(std::move(parts)) {}
+    /// Each part is as many times `even` as `ratios` says; one that they do not name is just that.
+    OutsideLight(glm::vec3 even, // NOLINT(google-explicit-constructor)
+                 std::vector<glm::vec3> ratios = {})
+        : even_(even), ratios_(std::move(ratios))
+    {}
 
     [[nodiscard]] glm::vec3 operator[](size_t part) const
     {
-        return part < parts_.size() ? parts_[part] : parts_.back();
+        return part < ratios_.size() ? even_ * ratios_[part] : even_;
     }
-    [[nodiscard]] std::span<const glm::vec3> parts() const { return parts_; }
+    [[nodiscard]] glm::vec3 even() const { return even_; }
+    [[nodiscard]] const std::vector<glm::vec3>& ratios() const { return ratios_; }
 
     bool operator==(const OutsideLight&) const = default;
 
 private:
-    std::vector<glm::vec3> parts_;
+    glm::vec3 even_;
+    std::vector<glm::vec3> ratios_;
 };
 
-/// The even radiance that lets as much light in: the mean by parts' `shares` of that.
-inline glm::vec3 evenOf(const OutsideLight& outside, std::span<const float> shares)
+/// Parts of these radiances. Even is the mean by the `shares` of all light that parts let in.
+inline OutsideLight outsideOf(std::span<const glm::vec3> parts, std::span<const float> shares)
 {
-    if (outside.parts().size() == 1) return outside[0];
-    glm::vec3 sum(0.0f);
+    if (parts.size() == 1) return parts[0];
+    glm::vec3 even(0.0f);
     float all = 0.0f;
-    for (size_t part = 0; part < shares.size(); ++part) {
-        sum += shares[part] * outside[part];
+    for (size_t part = 0; part < parts.size(); ++part) {
+        even += shares[part] * parts[part];
         all += shares[part];
     }
-    return all > 0.0f ? sum / all : outside[0];
+    even = all > 0.0f ? even / all : parts[0];
+    std::vector<glm::vec3> ratios(parts.size(), glm::vec3(1.0f));
+    for (size_t part = 0; part < parts.size(); ++part)
+        for (int c = 0; c < 3; ++c)
+            if (even[c] > 0.0f) ratios[part][c] = parts[part][c] / even[c];
+    return {even, std::move(ratios)};
 }
 
 } // namespace relamp

@@ -90,17 +90,6 @@ glm::vec3 shareOf(glm::vec3 part, glm::vec3 whole)
     return share;
 }
 
-/// The parts of what lies outside keep their ratios.
-OutsideLight scaled(const OutsideLight& found, glm::vec3 even, glm::vec3 wanted)
-{
-    if (wanted == even) return found;
-    std::vector<glm::vec3> parts(found.parts().begin(), found.parts().end());
-    for (glm::vec3& part : parts)
-        for (int c = 0; c < 3; ++c)
-            part[c] = even[c] > 0.0f ? part[c] * wanted[c] / even[c] : wanted[c];
-    return OutsideLight(std::move(parts));
-}
-
 } // namespace
 
 bool GatherSolver::isOfKept(const DelightOptions& options) const
@@ -150,8 +139,7 @@ void GatherSolver::keep(SolvedRoom room, const DelightOptions& asked,
 LampPowers GatherSolver::setPowers(const Lights& lights)
 {
     FoundRoom& room = kept_->room.found;
-    LampPowers powers{.outside =
-                          scaled(kept_->powers.outside, kept_->found.ambient, lights.ambient)};
+    LampPowers powers{.outside = {lights.ambient, kept_->powers.outside.ratios()}};
     glm::vec3 share(1.0f);
     if (room.sun) {
         room.sun->sun.irradiance = lights.sun ? lights.sun->irradiance : glm::vec3(0.0f);

@@ -116,7 +116,7 @@ TracedRoom tracedRoomOf(const Texels& texels, const FoundRoom& room, std::vector
                       .emission = std::move(emission),
                       .isClipped = room.radiance.isClipped,
                       .lamps = LampSurface(lampTexels(texels, room.radiance, shiners)),
-                      .ambient = evenOf(room.found.outside, room.hits.shareOfPart),
+                      .ambient = room.found.outside.even(),
                       .outside = {},
                       .unseenLights = {}};
     if (const auto& sun = room.sun)

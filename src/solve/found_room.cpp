@@ -171,6 +171,8 @@ void take(const Lights& given, const DelightOptions& options, const Texels& texe
     const std::vector<std::vector<ClippedPatch>> surfaces =
         surfacesOf(given.fixtures, known, texels, scene, room.warnings);
     room.found = asGiven(given, surfaces);
+    if (given.openings.size() == room.hits.shareOfPart.size())
+        room.found.outside = {given.ambient, given.openings};
     room.shines = shinesOf(room);
     room.sides = sidesOf(texels, scene, room);
     if (!given.sun) return;
@@ -228,7 +230,8 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
 Lights lightsOf(const FoundRoom& room)
 {
     Lights lights;
-    lights.ambient = evenOf(room.found.outside, room.hits.shareOfPart);
+    lights.ambient = room.found.outside.even();
+    lights.openings = room.found.outside.ratios();
     if (room.sun) lights.sun = room.sun->sun;
     for (const FoundLamp& lamp : room.found.lamps) {
         if (lamp.isSunlit) continue;

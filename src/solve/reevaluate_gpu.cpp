@@ -107,7 +107,8 @@ std::vector<gpu::Timing> ReevaluateGpu::gather(const LampPowers& powers,
         shines_.assign(shines.begin(), shines.end());
         ++shining_;
     }
-    std::vector<double> inputs = numbersOf(powers.outside.parts());
+    const glm::vec3 even = powers.outside.even(); // the ratios of its parts are the room's
+    std::vector<double> inputs = numbersOf({&even, 1});
     inputs.insert(inputs.end(), {powers_.version(), shining_});
     if (!gathered_.change(std::move(inputs))) return {};
     sides_.setOutside(powers.outside);

@@ -39,7 +39,7 @@ Scan roomOfTwoPages()
 Scan roomWithoutLamps()
 {
     std::vector<scenes::Panel> walls = scenes::wallsOf({4.0f, 2.5f, 5.0f});
-    walls.erase(walls.begin() + 1);
+    walls.erase(walls.begin() + 2); // a side: in a ceiling that is missing lamps are sought
     return scenes::panels(walls, 96, [](glm::vec3 p, glm::vec3 n) {
         return glm::vec3(0.4f, 0.3f, 0.2f) + 0.1f * n + 0.02f * p;
     });
