@@ -33,7 +33,7 @@ struct FoundLamps
 {
     std::vector<FoundLamp> lamps; // by falling power
     OutsideLight outside;
-    float residual = 0.0f;        // of the fit, in log radiance
+    float residual = 0.0f; // of the fit, in log radiance
     std::vector<std::string> warnings;
 };
 
