@@ -25,8 +25,8 @@ namespace
 
 constexpr size_t kMostPieces = 96;
 constexpr size_t kSearchSteps = 4;    // of the search, as progress tells
-constexpr double kLampNats = 1.5;     // that it takes to believe in a lamp
-constexpr double kModelNats = 0.75;   // where one of its model emits, or one that it is part of
+constexpr double kLampNats = 2.0;     // that it takes to believe in a lamp
+constexpr double kModelNats = 0.75;   // where one of its model emits
 constexpr double kFirstNoise = 0.08;  // log: between places of one paint, before it is measured
 constexpr double kFirstWidth = 6.0;   // times the noise: what the first loss forgives
 constexpr double kNoiseOfPairs = 0.7; // of the median difference of pairs: half are of two paints
@@ -178,8 +178,8 @@ double LampSearch::costOf(uint32_t piece) const
     const auto anyOf = [&](const std::vector<uint32_t>& others) {
         return std::any_of(others.begin(), others.end(), emits);
     };
-    if (pieces_[piece].isUnseen) return 0.0;
-    return anyOf(kin_.model[piece]) || anyOf(kin_.leansOn[piece]) ? kModelNats : kLampNats;
+    if (anyOf(kin_.leansOn[piece])) return 0.0;
+    return anyOf(kin_.model[piece]) ? kModelNats : kLampNats;
 }
 
 /// A piece with all that leans on nothing else.
@@ -329,8 +329,10 @@ void LampSearch::lookCloser()
 /// One lamp of the pieces that are one; false where none are.
 bool LampSearch::join()
 {
-    for (size_t f = 0; f < pieces_.size(); ++f)
+    for (size_t f = 0; f < pieces_.size(); ++f) {
         pieces_[f].radiance = glm::vec3(static_cast<float>(std::exp(estimate_.log[f])));
+        pieces_[f].error = static_cast<float>(estimate_.error[f]);
+    }
     std::vector<Piece> lamps = this->lamps();
     const size_t before = lamps.size();
     joinPieces(lamps);

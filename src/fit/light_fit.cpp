@@ -32,7 +32,7 @@ constexpr double kAlbedoSpread = 0.4;   // log: of that mean between rooms
 constexpr double kBrightestPaper = 0.9; // albedo
 constexpr double kBurntOutPaper = 0.75; // albedo of what burns out first
 constexpr double kDarkerPaper = 0.8;    // log: how much less that may be, and the light on it
-constexpr double kWhiterPaper = 0.4;    // log: how much more
+constexpr double kWhiterPaper = 0.3;    // log: how much more
 constexpr double kLeastMatters = 0.003; // of the light at places: a wall that sends less may be of
                                         // any paint
 constexpr double kBoundNoise = 0.6;     // log: of the light on a wall that is burnt out

@@ -26,15 +26,24 @@ constexpr float kWhole = 0.3f;        // length of a mean normal; what is shorte
 constexpr float kSameBody = 1.3f;     // ratio of areas
 constexpr float kSliver = 0.02f; // ratio of areas; too small beside a lamp to be one of its own
 
+/// Whether they touch in one plane, as panes of one window do.
+bool areInOnePlane(const Candidate& a, const Candidate& b)
+{
+    return glm::dot(a.normal, b.normal) > kOneFacing &&
+           std::abs(glm::dot(b.centre - a.centre, a.normal)) < kOneLevel &&
+           areWithin(a, b, kTouching);
+}
+
+/// Parts of a pane may be as unequal as their errors allow: what each does, its neighbour does.
 bool areOneLamp(const Piece& a, const Piece& b)
 {
     if (!a.ends.empty() || !b.ends.empty()) return false;
-    if (a.isOpening != b.isOpening) return false;
     if (a.body == b.body) return true;
-    const float ratio = luminance(a.radiance) / luminance(b.radiance);
-    const bool isEqual = ratio < kAboutEqual && ratio > 1.0f / kAboutEqual;
+    const float errors = areInOnePlane(a.candidate, b.candidate) ? a.error + b.error : 0.0f;
+    const float step = std::log(luminance(a.radiance) / luminance(b.radiance));
+    const bool areEqual = std::abs(step) < std::log(kAboutEqual) + errors;
     const auto [less, more] = std::minmax(a.candidate.area, b.candidate.area);
-    return (isEqual || less < kSliver * more) && areWithin(a.candidate, b.candidate, kTouching);
+    return (areEqual || less < kSliver * more) && areWithin(a.candidate, b.candidate, kTouching);
 }
 
 void add(const Piece& piece, Piece& whole)
@@ -60,14 +69,6 @@ bool areOneModel(const Piece& a, const Piece& b)
     const Candidate& p = a.candidate;
     const Candidate& q = b.candidate;
     return std::min(p.area, q.area) >= kLeastModel && (areAlike(p, q) || areAlikeBodies(p, q));
-}
-
-/// Whether they touch in one plane, as panes of one window do.
-bool areInOnePlane(const Candidate& a, const Candidate& b)
-{
-    return glm::dot(a.normal, b.normal) > kOneFacing &&
-           std::abs(glm::dot(b.centre - a.centre, a.normal)) < kOneLevel &&
-           areWithin(a, b, kTouching);
 }
 
 } // namespace
