@@ -172,7 +172,7 @@ void LampEvidence::addLightOnPieces(std::span<const Piece> pieces, LightModel& m
     }
 }
 
-void LampEvidence::settle(std::span<Piece> lamps, glm::vec3 ambient)
+LitSides LampEvidence::settle(std::span<Piece> lamps, glm::vec3 ambient)
 {
     std::vector<glm::vec3> direct(hits_.sideOfList.size(), glm::vec3(0.0f));
     std::vector<uint8_t> shines(field_.shines.size(), 0);
@@ -183,7 +183,9 @@ void LampEvidence::settle(std::span<Piece> lamps, glm::vec3 ambient)
         for (const ClippedPatch& patch : lamps[f].candidate.patches)
             if (patch.surfel != Surfels::kNone) shines[patch.surfel] = 1;
     }
-    field_ = lightSides(texels_, hits_, radiance_, std::move(direct), shines, ambient).field;
+    LitSides sides = lightSides(texels_, hits_, radiance_, std::move(direct), shines, ambient);
+    field_ = sides.field;
+    return sides;
 }
 
 } // namespace relamp

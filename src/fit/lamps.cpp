@@ -6,13 +6,18 @@
 #include "fit/lamp_evidence.h"
 #include "fit/lamp_groups.h"
 #include "fit/light_fit.h"
+#include "fit/outside.h"
 #include "fit/pieces.h"
+#include "fit/sun.h"
+#include "fit/sun_directions.h"
+#include "fit/sun_trial.h"
 #include "lights/lamp_body.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <sstream>
@@ -29,14 +34,16 @@ namespace
 constexpr size_t kMostPieces = 96;
 constexpr size_t kSearchSteps = 4;   // of the search, as progress tells
 constexpr size_t kRaysPerOrigin = 6; // at a place, to what emits: noise would make it weak
-const double kLampNats = knob("K_LAMPNATS", 1.5);   // that it takes to believe in a lamp
-const double kModelNats = knob("K_MODELNATS", 0.75);  // where one of its model is there
-constexpr double kFirstWidth = 6.0;  // times the noise: what the first loss forgives
-constexpr size_t kTries = 4;         // of the most promising pieces, each time one is added
-constexpr int kChoices = 4;           // of taking away and adding, at most
-constexpr double kUnknown = 0.7;     // standard error of log radiance: about a factor of two
+const double kLampNats = knob("K_LAMPNATS", 1.5);    // that it takes to believe in a lamp
+const double kModelNats = knob("K_MODELNATS", 0.75); // where one of its model is there
+constexpr double kFirstWidth = 6.0; // times the noise: what the first loss forgives
+constexpr size_t kTries = 4;        // of the most promising pieces, each time one is added
+constexpr int kChoices = 4;         // of taking away and adding, at most
+constexpr double kUnknown = 0.7;    // standard error of log radiance: about a factor of two
+const double kSunLog =
+    std::log(1e5); // of a sun's radiance, 1 = white, where a search for it starts
 constexpr double kColourSpread = 0.5; // log: of a lamp's channels about its luminance
-constexpr double kColourWidth = 2.0; // times the noise: where the loss for a channel begins
+constexpr double kColourWidth = 2.0;  // times the noise: where the loss for a channel begins
 
 std::string unknownAt(glm::vec3 place, size_t lamps)
 {
@@ -85,12 +92,25 @@ private:
     void lookCloser();
     void join();
     void findColors();
+    struct SunFit
+    {
+        SunTrial trial;
+        std::vector<uint8_t> emits; // of pieces, and of the sun
+        LightEstimate estimate{};
+        double evidence = 0.0; // nats
+    };
+    [[nodiscard]] SunFit fitOf(SunTrial trial, const SunDirections& directions) const;
+    void letSunIn(const LitSides& sides);
+    void adopt(SunFit fit);
     [[nodiscard]] std::vector<Piece> lamps() const;
     FoundLamps result();
     void dump(const char* title) const;
 
     const Texels& texels_;
     const RayScene& scene_;
+    const HitLists& hits_;
+    const SurfelRadiance& radiance_;
+    bool isSunSought_;
     Progress::Stage stage_;
     LampEvidence evidence_;
     std::vector<Piece> pieces_;
@@ -100,12 +120,15 @@ private:
     LightEstimate estimate_;
     glm::vec3 ambient_{0.0f};
     std::vector<std::string> warnings_;
+    std::shared_ptr<const RayScene> outside_;
+    std::optional<SunTrial> sun_; // the last piece
 };
 
 LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
                        const SurfelRadiance& radiance, const GatherOptions& options,
                        Progress& progress)
-    : texels_(texels), scene_(scene), stage_(progress, "lamps", kSearchSteps),
+    : texels_(texels), scene_(scene), hits_(hits), radiance_(radiance), isSunSought_(options.sun),
+      stage_(progress, "lamps", kSearchSteps),
       evidence_(texels, scene, hits, radiance, options.quality)
 {
     callAll([&] { takeCandidates(options, radiance); }, [&] { evidence_.drawAllPairs(); });
@@ -210,16 +233,17 @@ void LampSearch::dump(const char* title) const
     double total = estimate_.nats;
     for (uint32_t f = 0; f < pieces_.size(); ++f)
         if (emits_[f]) total += costOf(f, emits_);
-    fmt::print(stderr, "-- {} TOTAL {:.2f} nats {:.2f} residual {:.3f} outside {:.3f}\n", title, total, estimate_.nats,
-               estimate_.residual, std::exp(estimate_.log.back()));
+    fmt::print(stderr, "-- {} TOTAL {:.2f} nats {:.2f} residual {:.3f} outside {:.3f}\n", title,
+               total, estimate_.nats, estimate_.residual, std::exp(estimate_.log.back()));
     for (uint32_t f = 0; f < pieces_.size(); ++f) {
         if (emits_[f] == 0) continue;
         const Piece& p = pieces_[f];
         fmt::print(stderr,
-                   "{:3} {} {:6.4f} m2 at {:.2f} {:.2f} {:.2f}{} r {:8.2f} err {:.2f} wall {:.2f} cost {:.0f}\n",
+                   "{:3} {} {:6.4f} m2 at {:.2f} {:.2f} {:.2f}{} r {:8.2f} err {:.2f} wall {:.2f} "
+                   "cost {:.0f}\n",
                    f, emits_[f] ? "LAMP" : "wall", p.candidate.area, p.candidate.centre.x,
                    p.candidate.centre.y, p.candidate.centre.z, p.isUnseen ? " far" : "",
-                   std::exp(estimate_.log[f]), estimate_.error[f], 
+                   std::exp(estimate_.log[f]), estimate_.error[f],
                    std::exp(fit.reflected(f, estimate_.log)), costOf(f, emits_));
     }
 }
@@ -272,7 +296,8 @@ bool LampSearch::drop(const LightFit& fit)
             std::min_element(trials.begin(), trials.end(),
                              [](const Trial& a, const Trial& b) { return a.lost < b.lost; });
         if (least == trials.end() || least->lost >= 0.0) return isAny;
-        if (std::getenv("K_DUMP")) fmt::print(stderr, "drop {} lost {:.1f}\n", least - trials.begin(), least->lost);
+        if (std::getenv("K_DUMP"))
+            fmt::print(stderr, "drop {} lost {:.1f}\n", least - trials.begin(), least->lost);
         emits_ = std::move(least->emits);
         estimate_ = std::move(least->estimate);
     }
@@ -322,7 +347,9 @@ bool LampSearch::grow(const LightFit& fit)
     for (bool isAny = false;; isAny = true) {
         std::optional<Addition> best = bestAddition(fit, emits_, estimate_, {});
         if (!best) return isAny;
-        if (std::getenv("K_DUMP")) fmt::print(stderr, "add {} gain {:.1f} r {:.2f}\n", best->piece, best->gain, std::exp(best->estimate.log[best->piece]));
+        if (std::getenv("K_DUMP"))
+            fmt::print(stderr, "add {} gain {:.1f} r {:.2f}\n", best->piece, best->gain,
+                       std::exp(best->estimate.log[best->piece]));
         emits_[best->piece] = 1;
         estimate_ = std::move(best->estimate);
     }
@@ -342,7 +369,9 @@ bool LampSearch::exchange(const LightFit& fit)
         const double lost = less.nats - estimate_.nats - removal.cost;
         std::optional<Addition> best = bestAddition(fit, emits, less, removal);
         if ((best ? best->gain : 0.0) <= lost) continue;
-        if (std::getenv("K_DUMP")) fmt::print(stderr, "exchange {} lost {:.1f} for {} gain {:.1f}\n", f, lost, best?(int)best->piece:-1, best?best->gain:0.0);
+        if (std::getenv("K_DUMP"))
+            fmt::print(stderr, "exchange {} lost {:.1f} for {} gain {:.1f}\n", f, lost,
+                       best ? (int)best->piece : -1, best ? best->gain : 0.0);
         isAny = true;
         emits_ = std::move(emits);
         if (best) emits_[best->piece] = 1;
@@ -415,11 +444,12 @@ void LampSearch::findColors()
         estimate_ = fit.solve(emits_, estimate_.log, 1.0);
         std::array<LightEstimate, 3> colors;
         forEach(3, [&](size_t c) {
-            LightFit channel(model_, evidence_.pairs(LampEvidence::kPairs), kin_.alike,
+            const LightModel model = sun_ ? sun_->channelOf(static_cast<int>(c)) : model_;
+            LightFit channel(model, evidence_.pairs(LampEvidence::kPairs), kin_.alike,
                              static_cast<int>(c));
             channel.expectLeaks(estimate_.log);
-            colors[c] = channel.solve(emits_, estimate_.log, kColourWidth,
-                                      {estimate_.log, kColourSpread});
+            colors[c] =
+                channel.solve(emits_, estimate_.log, kColourWidth, {estimate_.log, kColourSpread});
         });
         const auto radianceOf = [&](size_t f) {
             glm::vec3 rgb;
@@ -434,12 +464,92 @@ void LampSearch::findColors()
         ambient_ = radianceOf(pieces_.size());
         if (round > 0) return;
         std::vector<Piece> lamps = this->lamps();
-        evidence_.settle(lamps, ambient_);
+        const LitSides sides = evidence_.settle(lamps, ambient_);
         auto next = lamps.begin();
         for (size_t f = 0; f < pieces_.size(); ++f)
             if (emits_[f] != 0) pieces_[f] = std::move(*next++);
         observe();
+        if (isSunSought_) letSunIn(sides);
     }
+}
+
+/// The room with a sun against the room without one, all else as likely as it can be. What shines
+/// in softly does not count: the rim alone must tell, and the rest must not speak against it.
+LampSearch::SunFit LampSearch::fitOf(SunTrial trial, const SunDirections& directions) const
+{
+    const std::span<const MaterialPair> drawn = evidence_.pairs(LampEvidence::kPairsFirst);
+    std::vector<MaterialPair> pairs(drawn.begin(), drawn.end());
+    const std::vector<MaterialPair> across = trial.pairs(drawn.size());
+    pairs.insert(pairs.end(), across.begin(), across.end());
+    std::vector<uint8_t> emits = emits_;
+    emits.push_back(0);
+    std::vector<double> start = estimate_.log;
+    start.insert(start.end() - 1, 0.0);
+    const LightFit shade(trial.without, pairs, kin_.alike);
+    const LightEstimate without = shade.solve(emits, start, 1.0);
+    double saved = 0.0;
+    for (const SunPatch& patch : trial.patches) {
+        if (emits[patch.piece] != 0) saved += costOf(static_cast<uint32_t>(patch.piece), emits);
+        emits[patch.piece] = 0;
+    }
+    const LightFit light(trial.with, pairs, kin_.alike);
+    start = without.log;
+    const size_t sun = trial.sun();
+    start[sun] = 0.0;
+    if (light.gain({.log = start}, sun, start[sun]) <= 0.0) start[sun] = kSunLog;
+    emits[sun] = 1;
+    LightEstimate with = light.solve(emits, start, kFirstWidth);
+    const double gained = without.nats - with.nats + saved;
+    const double byRim =
+        shade.costOfPairs(drawn.size(), without.log) - light.costOfPairs(drawn.size(), with.log);
+    const double tries = std::log(static_cast<double>(directions.tried));
+    if (std::getenv("K_DUMP"))
+        fmt::print(stderr,
+                   "sun {:.3f} {:.3f} {:.3f}: gained {:.1f} by rim {:.1f} of {} tries {:.1f} "
+                   "irradiance {:.2f} patches {}\n",
+                   trial.towards.x, trial.towards.y, trial.towards.z, gained, byRim, across.size(),
+                   tries, std::exp(with.log[sun]) * kPi * kSunHalfAngle * kSunHalfAngle,
+                   trial.patches.size());
+    return {std::move(trial), std::move(emits), std::move(with), std::min(gained, byRim) - tries};
+}
+
+void LampSearch::letSunIn(const LitSides& sides)
+{
+    FoundLamps known;
+    for (const Piece& piece : lamps()) known.lamps.push_back({.patches = piece.candidate.patches});
+    outside_ = std::make_shared<const RayScene>(sceneWithoutPanes(texels_, radiance_, known));
+    std::vector<glm::vec3> irradiance(texels_.surfels.count());
+    for (size_t s = 0; s < irradiance.size(); ++s)
+        irradiance[s] =
+            sides.direct[s] + sides.gathered.irradiance[s] + ambient_ * sides.gathered.missed[s];
+    const SunDirections directions = sunDirections(texels_, *outside_, radiance_, irradiance);
+    std::optional<SunFit> best;
+    for (const glm::vec3 towards : directions.towards) {
+        const AreaLight disc(sunDisc({.direction = towards}, *texels_.scan));
+        SunFit fit = fitOf({texels_,
+                            radiance_,
+                            {sides, ambient_, pieces_, emits_, model_, evidence_.places()},
+                            towards,
+                            directOfLists(texels_, *outside_, hits_, {disc})},
+                           directions);
+        if (fit.evidence > (best ? best->evidence : 0.0)) best = std::move(fit);
+    }
+    if (best) adopt(std::move(*best));
+}
+
+/// A sun that is believed in is a piece like all others, and they are chosen again.
+void LampSearch::adopt(SunFit fit)
+{
+    for (const size_t perPlace : {LampEvidence::kPairsFirst, LampEvidence::kPairs})
+        evidence_.addPairs(perPlace, fit.trial.pairs(evidence_.pairs(perPlace).size()));
+    model_ = fit.trial.with;
+    emits_ = std::move(fit.emits);
+    estimate_ = std::move(fit.estimate);
+    pieces_.push_back({.isGiven = true, .body = pieces_.size()});
+    kin_.model.emplace_back();
+    kin_.leansOn.emplace_back();
+    sun_ = std::move(fit.trial);
+    choose(LampEvidence::kPairsFirst);
 }
 
 FoundLamps LampSearch::result()
@@ -447,6 +557,19 @@ FoundLamps LampSearch::result()
     FoundLamps found{.ambient = ambient_,
                      .residual = static_cast<float>(estimate_.residual),
                      .warnings = std::move(warnings_)};
+    if (sun_) {
+        const Piece& piece = pieces_[sun_->sun()];
+        const glm::vec3 irradiance = piece.radiance * kPi * kSunHalfAngle * kSunHalfAngle;
+        found.sun = {.sun = {sun_->towards, irradiance, glm::vec3(piece.error),
+                             static_cast<double>(piece.error) < kUnknown},
+                     .outside = outside_,
+                     .onSides = sun_->onSides};
+        for (const SunPatch& patch : sun_->patches)
+            found.lamps.push_back({.patches = pieces_[patch.piece].candidate.patches,
+                                   .radiance = patch.perRadiance * piece.radiance,
+                                   .isSunlit = true});
+        emits_[sun_->sun()] = 0;
+    }
     std::vector<Piece> lamps = this->lamps();
     const auto power = [](const Piece& lamp) {
         return lamp.candidate.area * luminance(lamp.radiance);

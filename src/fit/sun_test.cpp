@@ -17,6 +17,7 @@ namespace relamp
 namespace
 {
 
+using scenes::Panel;
 using scenes::SunRoom;
 
 const glm::vec3 kBurning(60.0f, 52.0f, 40.0f); // irradiance on the floor; burns it out
@@ -161,6 +162,57 @@ TEST(Sun, IsNotSeenWhereNoneShinesIn)
     EXPECT_FALSE(solve(SunRoom(glm::vec3(0.0f)).scan).lights().sun);
     EXPECT_FALSE(solve(SunRoom(glm::vec3(0.0f), 6.0f).scan).lights().sun);
     EXPECT_FALSE(solve(scenes::LitRoom().scan).lights().sun);
+}
+
+TEST(Sun, IsNotLookedForWhereAPersonSaysSo)
+{
+    const Decomposition result = solve(SunRoom(kBurning).scan, {.gather = {.sun = false}});
+    EXPECT_FALSE(result.lights().sun);
+    EXPECT_EQ(result.lights().fixtures.size(), 2u); // the panel, and the patch for want of a sun
+}
+
+// A white rug just where the sun would throw its patch, on a dark floor: no brighter than paint.
+TEST(Sun, IsNoRugPaintedLikeItsPatch)
+{
+    const auto albedo = [](glm::vec3 place, glm::vec3 normal) {
+        const Panel rug = SunRoom::patchPanel();
+        const glm::vec3 way = place - rug.corner;
+        const float u = glm::dot(way, rug.alongU) / glm::dot(rug.alongU, rug.alongU);
+        const float v = glm::dot(way, rug.alongV) / glm::dot(rug.alongV, rug.alongV);
+        const bool isOnRug = normal.y > 0.5f && std::min(u, v) > 0.0f && std::max(u, v) < 1.0f;
+        return isOnRug ? glm::vec3(0.85f) : 0.5f * SunRoom::albedo(place, normal);
+    };
+    EXPECT_FALSE(
+        solve(SunRoom(glm::vec3(0.0f), 0.0f, SunRoom::kTowardsSun, albedo).scan).lights().sun);
+}
+
+// What a lamp of 0.4 m in the corridor throws through the window has soft edges, and they part.
+TEST(Sun, IsNoLampBehindAnOpening)
+{
+    const SunRoom dark(glm::vec3(0.0f));
+    const auto photo = [&](glm::vec3 place, glm::vec3 normal) {
+        constexpr int kAcross = 8;
+        float sum = 0.0f;
+        for (int i = 0; i < kAcross * kAcross; ++i) {
+            const glm::vec3 lamp(SunRoom::kSize.x + 1.5f,
+                                 2.3f + 0.4f * (static_cast<float>(i % kAcross) + 0.5f) / kAcross,
+                                 2.6f + 0.4f * (static_cast<float>(i / kAcross) + 0.5f) / kAcross);
+            const glm::vec3 way = lamp - place;
+            const float reached = (SunRoom::kSize.x - place.x) / way.x; // share, at the window
+            const glm::vec3 through = place + reached * way - SunRoom::window().corner;
+            const bool isSeen = through.y > 0.0f && through.z > 0.0f &&
+                                through.y < SunRoom::window().alongV.y &&
+                                through.z < SunRoom::window().alongU.z;
+            const float distance2 = glm::dot(way, way);
+            if (isSeen && glm::dot(way, normal) > 0.0f)
+                sum += glm::dot(way, normal) * way.x / (distance2 * distance2);
+        }
+        const float irradiance = 60.0f * 0.16f * sum / (kAcross * kAcross);
+        return glm::min(dark.box.photo(place, normal) +
+                            SunRoom::albedo(place, normal) * irradiance / kPi,
+                        1.0f);
+    };
+    EXPECT_FALSE(solve(SunRoom::scanOf(photo)).lights().sun);
 }
 
 TEST(Sun, GivenOneIsBelieved)
