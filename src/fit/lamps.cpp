@@ -9,8 +9,7 @@
 #include "fit/outside.h"
 #include "fit/pieces.h"
 #include "fit/sun.h"
-#include "fit/sun_directions.h"
-#include "fit/sun_trial.h"
+#include "fit/sun_search.h"
 #include "lights/lamp_body.h"
 
 #include <algorithm>
@@ -34,16 +33,14 @@ namespace
 constexpr size_t kMostPieces = 96;
 constexpr size_t kSearchSteps = 4;   // of the search, as progress tells
 constexpr size_t kRaysPerOrigin = 6; // at a place, to what emits: noise would make it weak
-const double kLampNats = knob("K_LAMPNATS", 1.5);    // that it takes to believe in a lamp
-const double kModelNats = knob("K_MODELNATS", 0.75); // where one of its model is there
-constexpr double kFirstWidth = 6.0; // times the noise: what the first loss forgives
-constexpr size_t kTries = 4;        // of the most promising pieces, each time one is added
-constexpr int kChoices = 4;         // of taking away and adding, at most
-constexpr double kUnknown = 0.7;    // standard error of log radiance: about a factor of two
-const double kSunLog =
-    std::log(1e5); // of a sun's radiance, 1 = white, where a search for it starts
+const double kLampNats = knob("K_LAMPNATS", 1.5);   // that it takes to believe in a lamp
+const double kModelNats = knob("K_MODELNATS", 0.75);  // where one of its model is there
+constexpr double kFirstWidth = 6.0;  // times the noise: what the first loss forgives
+constexpr size_t kTries = 4;         // of the most promising pieces, each time one is added
+constexpr int kChoices = 4;           // of taking away and adding, at most
+constexpr double kUnknown = 0.7;     // standard error of log radiance: about a factor of two
 constexpr double kColourSpread = 0.5; // log: of a lamp's channels about its luminance
-constexpr double kColourWidth = 2.0;  // times the noise: where the loss for a channel begins
+constexpr double kColourWidth = 2.0; // times the noise: where the loss for a channel begins
 
 std::string unknownAt(glm::vec3 place, size_t lamps)
 {
@@ -92,16 +89,8 @@ private:
     void lookCloser();
     void join();
     void findColors();
-    struct SunFit
-    {
-        SunTrial trial;
-        std::vector<uint8_t> emits; // of pieces, and of the sun
-        LightEstimate estimate{};
-        double evidence = 0.0; // nats
-    };
-    [[nodiscard]] SunFit fitOf(SunTrial trial, const SunDirections& directions) const;
     void letSunIn(const LitSides& sides);
-    void adopt(SunFit fit);
+    void takeSun(FoundLamps& found);
     [[nodiscard]] std::vector<Piece> lamps() const;
     FoundLamps result();
     void dump(const char* title) const;
@@ -233,17 +222,16 @@ void LampSearch::dump(const char* title) const
     double total = estimate_.nats;
     for (uint32_t f = 0; f < pieces_.size(); ++f)
         if (emits_[f]) total += costOf(f, emits_);
-    fmt::print(stderr, "-- {} TOTAL {:.2f} nats {:.2f} residual {:.3f} outside {:.3f}\n", title,
-               total, estimate_.nats, estimate_.residual, std::exp(estimate_.log.back()));
+    fmt::print(stderr, "-- {} TOTAL {:.2f} nats {:.2f} residual {:.3f} outside {:.3f}\n", title, total, estimate_.nats,
+               estimate_.residual, std::exp(estimate_.log.back()));
     for (uint32_t f = 0; f < pieces_.size(); ++f) {
         if (emits_[f] == 0) continue;
         const Piece& p = pieces_[f];
         fmt::print(stderr,
-                   "{:3} {} {:6.4f} m2 at {:.2f} {:.2f} {:.2f}{} r {:8.2f} err {:.2f} wall {:.2f} "
-                   "cost {:.0f}\n",
+                   "{:3} {} {:6.4f} m2 at {:.2f} {:.2f} {:.2f}{} r {:8.2f} err {:.2f} wall {:.2f} cost {:.0f}\n",
                    f, emits_[f] ? "LAMP" : "wall", p.candidate.area, p.candidate.centre.x,
                    p.candidate.centre.y, p.candidate.centre.z, p.isUnseen ? " far" : "",
-                   std::exp(estimate_.log[f]), estimate_.error[f],
+                   std::exp(estimate_.log[f]), estimate_.error[f], 
                    std::exp(fit.reflected(f, estimate_.log)), costOf(f, emits_));
     }
 }
@@ -296,8 +284,7 @@ bool LampSearch::drop(const LightFit& fit)
             std::min_element(trials.begin(), trials.end(),
                              [](const Trial& a, const Trial& b) { return a.lost < b.lost; });
         if (least == trials.end() || least->lost >= 0.0) return isAny;
-        if (std::getenv("K_DUMP"))
-            fmt::print(stderr, "drop {} lost {:.1f}\n", least - trials.begin(), least->lost);
+        if (std::getenv("K_DUMP")) fmt::print(stderr, "drop {} lost {:.1f}\n", least - trials.begin(), least->lost);
         emits_ = std::move(least->emits);
         estimate_ = std::move(least->estimate);
     }
@@ -347,9 +334,7 @@ bool LampSearch::grow(const LightFit& fit)
     for (bool isAny = false;; isAny = true) {
         std::optional<Addition> best = bestAddition(fit, emits_, estimate_, {});
         if (!best) return isAny;
-        if (std::getenv("K_DUMP"))
-            fmt::print(stderr, "add {} gain {:.1f} r {:.2f}\n", best->piece, best->gain,
-                       std::exp(best->estimate.log[best->piece]));
+        if (std::getenv("K_DUMP")) fmt::print(stderr, "add {} gain {:.1f} r {:.2f}\n", best->piece, best->gain, std::exp(best->estimate.log[best->piece]));
         emits_[best->piece] = 1;
         estimate_ = std::move(best->estimate);
     }
@@ -369,9 +354,7 @@ bool LampSearch::exchange(const LightFit& fit)
         const double lost = less.nats - estimate_.nats - removal.cost;
         std::optional<Addition> best = bestAddition(fit, emits, less, removal);
         if ((best ? best->gain : 0.0) <= lost) continue;
-        if (std::getenv("K_DUMP"))
-            fmt::print(stderr, "exchange {} lost {:.1f} for {} gain {:.1f}\n", f, lost,
-                       best ? (int)best->piece : -1, best ? best->gain : 0.0);
+        if (std::getenv("K_DUMP")) fmt::print(stderr, "exchange {} lost {:.1f} for {} gain {:.1f}\n", f, lost, best?(int)best->piece:-1, best?best->gain:0.0);
         isAny = true;
         emits_ = std::move(emits);
         if (best) emits_[best->piece] = 1;
@@ -399,7 +382,7 @@ std::vector<Piece> LampSearch::lamps() const
 {
     std::vector<Piece> lamps;
     for (size_t f = 0; f < pieces_.size(); ++f)
-        if (emits_[f] != 0) lamps.push_back(pieces_[f]);
+        if (emits_[f] != 0 && !(sun_ && f == sun_->sun())) lamps.push_back(pieces_[f]);
     return lamps;
 }
 
@@ -448,8 +431,8 @@ void LampSearch::findColors()
             LightFit channel(model, evidence_.pairs(LampEvidence::kPairs), kin_.alike,
                              static_cast<int>(c));
             channel.expectLeaks(estimate_.log);
-            colors[c] =
-                channel.solve(emits_, estimate_.log, kColourWidth, {estimate_.log, kColourSpread});
+            colors[c] = channel.solve(emits_, estimate_.log, kColourWidth,
+                                      {estimate_.log, kColourSpread});
         });
         const auto radianceOf = [&](size_t f) {
             glm::vec3 rgb;
@@ -473,83 +456,48 @@ void LampSearch::findColors()
     }
 }
 
-/// The room with a sun against the room without one, all else as likely as it can be. What shines
-/// in softly does not count: the rim alone must tell, and the rest must not speak against it.
-LampSearch::SunFit LampSearch::fitOf(SunTrial trial, const SunDirections& directions) const
-{
-    const std::span<const MaterialPair> drawn = evidence_.pairs(LampEvidence::kPairsFirst);
-    std::vector<MaterialPair> pairs(drawn.begin(), drawn.end());
-    const std::vector<MaterialPair> across = trial.pairs(drawn.size());
-    pairs.insert(pairs.end(), across.begin(), across.end());
-    std::vector<uint8_t> emits = emits_;
-    emits.push_back(0);
-    std::vector<double> start = estimate_.log;
-    start.insert(start.end() - 1, 0.0);
-    const LightFit shade(trial.without, pairs, kin_.alike);
-    const LightEstimate without = shade.solve(emits, start, 1.0);
-    double saved = 0.0;
-    for (const SunPatch& patch : trial.patches) {
-        if (emits[patch.piece] != 0) saved += costOf(static_cast<uint32_t>(patch.piece), emits);
-        emits[patch.piece] = 0;
-    }
-    const LightFit light(trial.with, pairs, kin_.alike);
-    start = without.log;
-    const size_t sun = trial.sun();
-    start[sun] = 0.0;
-    if (light.gain({.log = start}, sun, start[sun]) <= 0.0) start[sun] = kSunLog;
-    emits[sun] = 1;
-    LightEstimate with = light.solve(emits, start, kFirstWidth);
-    const double gained = without.nats - with.nats + saved;
-    const double byRim =
-        shade.costOfPairs(drawn.size(), without.log) - light.costOfPairs(drawn.size(), with.log);
-    const double tries = std::log(static_cast<double>(directions.tried));
-    if (std::getenv("K_DUMP"))
-        fmt::print(stderr,
-                   "sun {:.3f} {:.3f} {:.3f}: gained {:.1f} by rim {:.1f} of {} tries {:.1f} "
-                   "irradiance {:.2f} patches {}\n",
-                   trial.towards.x, trial.towards.y, trial.towards.z, gained, byRim, across.size(),
-                   tries, std::exp(with.log[sun]) * kPi * kSunHalfAngle * kSunHalfAngle,
-                   trial.patches.size());
-    return {std::move(trial), std::move(emits), std::move(with), std::min(gained, byRim) - tries};
-}
-
+/// A sun that is believed in is a piece like all others, and they are chosen again.
 void LampSearch::letSunIn(const LitSides& sides)
 {
     FoundLamps known;
     for (const Piece& piece : lamps()) known.lamps.push_back({.patches = piece.candidate.patches});
-    outside_ = std::make_shared<const RayScene>(sceneWithoutPanes(texels_, radiance_, known));
-    std::vector<glm::vec3> irradiance(texels_.surfels.count());
-    for (size_t s = 0; s < irradiance.size(); ++s)
-        irradiance[s] =
-            sides.direct[s] + sides.gathered.irradiance[s] + ambient_ * sides.gathered.missed[s];
-    const SunDirections directions = sunDirections(texels_, *outside_, radiance_, irradiance);
-    std::optional<SunFit> best;
-    for (const glm::vec3 towards : directions.towards) {
-        const AreaLight disc(sunDisc({.direction = towards}, *texels_.scan));
-        SunFit fit = fitOf({texels_,
-                            radiance_,
-                            {sides, ambient_, pieces_, emits_, model_, evidence_.places()},
-                            towards,
-                            directOfLists(texels_, *outside_, hits_, {disc})},
-                           directions);
-        if (fit.evidence > (best ? best->evidence : 0.0)) best = std::move(fit);
-    }
-    if (best) adopt(std::move(*best));
-}
-
-/// A sun that is believed in is a piece like all others, and they are chosen again.
-void LampSearch::adopt(SunFit fit)
-{
+    auto outside =
+        std::make_shared<const RayScene>(sceneWithoutPanes(texels_, radiance_, known));
+    std::vector<double> cost;
+    for (uint32_t f = 0; f < pieces_.size(); ++f) cost.push_back(costOf(f, emits_));
+    std::optional<SunFit> fit = findSun(
+        texels_, *outside, hits_, radiance_,
+        {sides, ambient_, pieces_, emits_, cost, estimate_.log, model_, evidence_.places(),
+         evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike});
+    if (!fit) return;
     for (const size_t perPlace : {LampEvidence::kPairsFirst, LampEvidence::kPairs})
-        evidence_.addPairs(perPlace, fit.trial.pairs(evidence_.pairs(perPlace).size()));
-    model_ = fit.trial.with;
-    emits_ = std::move(fit.emits);
-    estimate_ = std::move(fit.estimate);
+        evidence_.addPairs(perPlace, fit->trial.pairs(evidence_.pairs(perPlace).size()));
+    outside_ = std::move(outside);
+    sun_ = std::move(fit->trial);
+    model_ = sun_->with;
+    emits_ = std::move(fit->emits);
+    estimate_ = std::move(fit->estimate);
     pieces_.push_back({.isGiven = true, .body = pieces_.size()});
     kin_.model.emplace_back();
     kin_.leansOn.emplace_back();
-    sun_ = std::move(fit.trial);
     choose(LampEvidence::kPairsFirst);
+}
+
+/// The sun goes from the pieces into what is found, and burnt-out patches of it come behind lamps.
+void LampSearch::takeSun(FoundLamps& found)
+{
+    if (!sun_) return;
+    const Piece& sun = pieces_[sun_->sun()];
+    found.sun = {.sun = {.direction = sun_->towards,
+                         .irradiance = sun.radiance * kSunSolidAngle,
+                         .error = glm::vec3(sun.error),
+                         .determined = static_cast<double>(sun.error) < kUnknown},
+                 .outside = std::move(outside_),
+                 .onSides = std::move(sun_->onSides)};
+    for (const SunPatch& patch : sun_->patches)
+        found.lamps.push_back({.patches = std::move(pieces_[patch.piece].candidate.patches),
+                               .radiance = patch.perRadiance * sun.radiance,
+                               .isSunlit = true});
 }
 
 FoundLamps LampSearch::result()
@@ -557,19 +505,6 @@ FoundLamps LampSearch::result()
     FoundLamps found{.ambient = ambient_,
                      .residual = static_cast<float>(estimate_.residual),
                      .warnings = std::move(warnings_)};
-    if (sun_) {
-        const Piece& piece = pieces_[sun_->sun()];
-        const glm::vec3 irradiance = piece.radiance * kPi * kSunHalfAngle * kSunHalfAngle;
-        found.sun = {.sun = {sun_->towards, irradiance, glm::vec3(piece.error),
-                             static_cast<double>(piece.error) < kUnknown},
-                     .outside = outside_,
-                     .onSides = sun_->onSides};
-        for (const SunPatch& patch : sun_->patches)
-            found.lamps.push_back({.patches = pieces_[patch.piece].candidate.patches,
-                                   .radiance = patch.perRadiance * piece.radiance,
-                                   .isSunlit = true});
-        emits_[sun_->sun()] = 0;
-    }
     std::vector<Piece> lamps = this->lamps();
     const auto power = [](const Piece& lamp) {
         return lamp.candidate.area * luminance(lamp.radiance);
@@ -584,6 +519,7 @@ FoundLamps LampSearch::result()
                                glm::vec3(lamp.error), std::move(lamp.onSides), false, isDetermined,
                                std::move(lamp.ends)});
     }
+    takeSun(found);
     stage_.advance();
     return found;
 }

@@ -35,7 +35,7 @@ std::vector<ClippedPatch> sunDisc(const Sun& sun, const Scan& scan)
 
 glm::vec3 sunRadiance(const Sun& sun)
 {
-    return sun.irradiance / (kPi * kSunHalfAngle * kSunHalfAngle);
+    return sun.irradiance / kSunSolidAngle;
 }
 
 std::optional<Ray> rayToSun(glm::vec3 place, glm::vec3 normal, glm::vec3 towards)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/radiometry.shared.h"
 #include "lights/surfel_radiance.h"
 #include "relamp/lights.h"
 #include "scan/rays.h"
@@ -15,6 +16,7 @@ namespace relamp
 {
 
 constexpr float kSunHalfAngle = 0.00465f; // radians of the disc, seen from the earth
+constexpr float kSunSolidAngle = kPi * kSunHalfAngle * kSunHalfAngle; // sr
 
 /// The sun as a piece of lamp far beyond the scan, a disc of its angular size. Its radiance is
 /// sunRadiance(sun).

@@ -5,6 +5,7 @@
 #include "base/radiometry.shared.h"
 #include "base/sampling.shared.h"
 #include "fit/sun.h"
+#include "fit/sun_rim.h"
 
 #include <algorithm>
 #include <array>
@@ -79,7 +80,7 @@ class DirectionSearch
 {
 public:
     DirectionSearch(const Texels& texels, const RayScene& outside, const SurfelRadiance& radiance,
-                    std::span<const glm::vec3> irradiance);
+                    std::span<const float> albedo);
 
     [[nodiscard]] SunDirections run() const;
 
@@ -97,18 +98,14 @@ private:
 };
 
 DirectionSearch::DirectionSearch(const Texels& texels, const RayScene& outside,
-                                 const SurfelRadiance& radiance,
-                                 std::span<const glm::vec3> irradiance)
+                                 const SurfelRadiance& radiance, std::span<const float> albedo)
     : surfels_(texels.surfels), outside_(outside), look_(texels.surfels.count())
 {
     for (uint32_t s = 0; s < look_.size(); ++s) {
-        const bool isBurntOut = radiance.clippedArea[s] > radiance.plainArea[s];
-        const float shown = isBurntOut ? 1.0f : luminance(radiance.plain[s]);
-        const float albedo = kPi * shown / std::max(luminance(irradiance[s]), 1e-3f);
-        if (albedo > kTooBright)
+        if (albedo[s] > kTooBright)
             look_[s] = Look::bright;
-        else if (!isBurntOut)
-            look_[s] = albedo < 1.0f / kTooBright ? Look::dark : Look::other;
+        else if (!isMostlyBurntOut(radiance, s))
+            look_[s] = albedo[s] < 1.0f / kTooBright ? Look::dark : Look::other;
     }
 }
 
@@ -251,9 +248,9 @@ SunDirections DirectionSearch::run() const
 } // namespace
 
 SunDirections sunDirections(const Texels& texels, const RayScene& outside,
-                            const SurfelRadiance& radiance, std::span<const glm::vec3> irradiance)
+                            const SurfelRadiance& radiance, std::span<const float> albedo)
 {
-    return DirectionSearch(texels, outside, radiance, irradiance).run();
+    return DirectionSearch(texels, outside, radiance, albedo).run();
 }
 
 } // namespace relamp

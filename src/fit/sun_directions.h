@@ -24,8 +24,9 @@ struct SunDirections
 /// what else is there does not. A lamp, a highlight or a poster rarely has one, and whoever fits
 /// the sun must ask what the many tries are worth.
 ///
-/// `irradiance` is known light, one a surfel; `outside` comes from sceneWithoutPanes.
+/// `albedo`: one a surfel, of luminance, that it would have in the light that is known; above 1
+/// where that is too little. `outside` comes from sceneWithoutPanes.
 SunDirections sunDirections(const Texels& texels, const RayScene& outside,
-                            const SurfelRadiance& radiance, std::span<const glm::vec3> irradiance);
+                            const SurfelRadiance& radiance, std::span<const float> albedo);
 
 } // namespace relamp

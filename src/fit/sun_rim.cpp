@@ -33,18 +33,17 @@ SunRim::SunRim(const Texels& texels, const SurfelRadiance& radiance,
     const Surfels& surfels = texels.surfels;
     std::map<Cell, std::vector<uint32_t>> lit;
     std::map<Cell, std::vector<uint32_t>> dark;
-    const auto isBurntOut = [&](uint32_t s) {
-        return radiance.clippedArea[s] > radiance.plainArea[s];
-    };
     for (uint32_t s = 0; s < surfels.count(); ++s) {
         if (onSides[s].open <= 0.0f) continue;
         const bool isLit = onSides[s].visible > 0.5f * onSides[s].open;
-        if (isLit || !isBurntOut(s)) (isLit ? lit : dark)[cellOf(surfels.position[s])].push_back(s);
+        if (isLit || !isMostlyBurntOut(radiance, s))
+            (isLit ? lit : dark)[cellOf(surfels.position[s])].push_back(s);
     }
     const auto arePair = [&](uint32_t p, uint32_t q) {
         const float across = glm::distance(surfels.position[p], surfels.position[q]);
         return across > kLeastAcross && across < kAcross && areOnOnePlane(surfels, p, q) &&
-               (isBurntOut(p) || haveOneColor(radiance.plain[p], radiance.plain[q]));
+               (isMostlyBurntOut(radiance, p) ||
+                haveOneColor(radiance.plain[p], radiance.plain[q]));
     };
     for (const auto& [cell, ofCell] : lit) {
         std::vector<MaterialPair> pairs;

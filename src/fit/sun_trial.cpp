@@ -34,6 +34,14 @@ private:
 
 } // namespace
 
+std::vector<glm::vec3> shownOf(const SurfelRadiance& radiance)
+{
+    std::vector<glm::vec3> shown = radiance.plain;
+    for (const ClippedPatch& patch : radiance.clipped)
+        if (isMostlyBurntOut(radiance, patch.surfel)) shown[patch.surfel] = patch.radiance;
+    return shown;
+}
+
 SunTrial::SunTrial(const Texels& texels, const SurfelRadiance& radiance, const LightSoFar& light,
                    glm::vec3 direction, std::vector<AreaSample> seen)
     : towards(direction), onSides(std::move(seen)), rim(texels, radiance, onSides)
@@ -75,11 +83,11 @@ void SunTrial::addRows(const SurfelRadiance& radiance, const Surfels& surfels,
     for (size_t i = 0; i < before.places(); ++i) copyRow(i, onSides[light.places[i]].visible);
     model.isBurntOut.assign(before.places(), 0);
     firstOfRim_ = before.places();
+    const std::vector<glm::vec3> shown = shownOf(radiance);
     for (const uint32_t s : rim.surfels()) {
         const LightAt at(surfels, s);
-        const bool isBurntOut = radiance.clippedArea[s] > radiance.plainArea[s];
         const std::span<float> row = addRow(
-            isBurntOut ? glm::vec3(1.0f) : radiance.plain[s],
+            shown[s],
             at.mean<glm::vec3>([&](uint32_t n) { return light.sides.gathered.irradiance[n]; }),
             at.mean<float>([&](uint32_t n) { return light.sides.gathered.missed[n]; }),
             onSides[s].visible);
@@ -87,7 +95,7 @@ void SunTrial::addRows(const SurfelRadiance& radiance, const Surfels& surfels,
             if (light.emits[f] != 0)
                 row[f] =
                     at.mean<float>([&](uint32_t n) { return light.pieces[f].onSides[n].visible; });
-        model.isBurntOut.push_back(isBurntOut ? 1 : 0);
+        model.isBurntOut.push_back(isMostlyBurntOut(radiance, s) ? 1 : 0);
     }
     for (size_t f = 0; f < before.pieces; ++f) {
         float lit = 0.0f;

@@ -17,15 +17,22 @@
 namespace relamp
 {
 
+/// What surfels show, one each: of those that are mostly burnt out, these texels; they sent more.
+std::vector<glm::vec3> shownOf(const SurfelRadiance& radiance);
+
 /// The light of a room as far as it is known without a sun.
 struct LightSoFar
 {
     const LitSides& sides;
     glm::vec3 ambient{0.0f};
-    std::span<const Piece> pieces; // those that emit know their `onSides`
-    std::span<const uint8_t> emits;
-    const LightModel& model; // of these pieces, at:
-    std::span<const uint32_t> places;
+    std::span<const Piece> pieces;       // those that emit know their `onSides`
+    std::span<const uint8_t> emits;      // of pieces
+    std::span<const double> cost;        // of pieces, nats that it takes to believe in one
+    std::span<const double> log;         // as LightEstimate
+    const LightModel& model;             // of these pieces, at:
+    std::span<const uint32_t> places;    // surfels
+    std::span<const MaterialPair> pairs; // of these
+    std::span<const AlikePieces> alike;
 };
 
 /// A burnt-out piece that is a patch of sun: paint, whose colour is that of what lies beside it.

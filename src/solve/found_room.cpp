@@ -140,6 +140,7 @@ void search(const Texels& texels, const RayScene& scene, Progress& progress, Fou
 {
     room.found = findLamps(texels, scene, room.hits, room.radiance, room.options, progress);
     room.warnings = room.found.warnings;
+    const Progress::Stage stage(progress, "sun");
     if (room.found.sun) {
         letIn(sunOn(*std::exchange(room.found.sun, {}), texels), texels, scene, room);
     } else {
@@ -164,7 +165,8 @@ void take(const Lights& given, const DelightOptions& options, const Texels& texe
     if (!given.sun) return;
     FoundLamps panes;
     for (const auto& surface : surfaces) panes.lamps.push_back({.patches = surface});
-    const auto outside = std::make_shared<const RayScene>(sceneWithoutPanes(texels, room.radiance, panes));
+    const auto outside =
+        std::make_shared<const RayScene>(sceneWithoutPanes(texels, room.radiance, panes));
     const AreaLight disc(sunDisc(*given.sun, *texels.scan));
     std::vector<AreaSample> onSides = directOfLists(texels, *outside, room.hits, {disc});
     letIn(sunOn({*given.sun, outside, std::move(onSides)}, texels), texels, scene, room);
