@@ -20,7 +20,7 @@ namespace relamp
 namespace
 {
 
-constexpr float kTooBright = 1.3f;   // albedo; paper's 0.9 and a third more, as light errs
+constexpr float kTooBright = 1.1f;   // albedo; the whitest paper has 0.9, and light errs by a fifth
 constexpr float kLeastPatch = 0.03f; // m^2; of a smaller one little hangs
 constexpr float kSeesOut = 0.6f;     // share of a patch: the first directions are 3 degrees apart
 constexpr size_t kMostPatches = 8;   // largest; for time alone

@@ -118,6 +118,8 @@ TEST(Sun, PatchIsDividedOutWhereItIsNotBurntOut)
     const Decomposition result = solve(room.scan);
     ASSERT_TRUE(result.lights().sun);
     EXPECT_LT(degreesOff(*result.lights().sun), 1.0f);
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(ratioOf(*result.lights().sun, kFaint, 1.2f, c), 1.0f, 0.1f);
     const FloorAlbedo floor(room, result);
     EXPECT_NEAR(floor.beside, SunRoom::kFloor.g, 0.1f * SunRoom::kFloor.g);
     EXPECT_NEAR(floor.inPatch, floor.beside, 0.1f * floor.beside);

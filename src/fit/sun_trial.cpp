@@ -2,6 +2,7 @@
 
 #include "base/radiometry.shared.h"
 #include "fit/light_fit.h"
+#include "image/burnt_out.shared.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,7 @@ SunTrial::SunTrial(const Texels& texels, const SurfelRadiance& radiance, const L
     : towards(direction), onSides(std::move(seen)), rim(texels, radiance, onSides)
 {
     addRows(radiance, texels.surfels, light);
+    setChannel(without, -1);
     findPatches(light);
     with = without;
     for (const SunPatch& patch : patches) {
@@ -54,7 +56,7 @@ SunTrial::SunTrial(const Texels& texels, const SurfelRadiance& radiance, const L
         for (size_t i = 0; i < with.shown.size(); ++i)
             with.direct[i * with.pieces + patch.piece] = 0.0f;
     }
-    addBounce(with, -1);
+    setChannel(with, -1);
 }
 
 /// Rows of the rim come behind the places, a column and a row for the sun come last.
@@ -81,7 +83,6 @@ void SunTrial::addRows(const SurfelRadiance& radiance, const Surfels& surfels,
         std::copy_n(before.directAt(i).begin(), before.pieces, row.begin());
     };
     for (size_t i = 0; i < before.places(); ++i) copyRow(i, onSides[light.places[i]].visible);
-    model.isBurntOut.assign(before.places(), 0);
     firstOfRim_ = before.places();
     const std::vector<glm::vec3> shown = shownOf(radiance);
     for (const uint32_t s : rim.surfels()) {
@@ -95,7 +96,6 @@ void SunTrial::addRows(const SurfelRadiance& radiance, const Surfels& surfels,
             if (light.emits[f] != 0)
                 row[f] =
                     at.mean<float>([&](uint32_t n) { return light.pieces[f].onSides[n].visible; });
-        model.isBurntOut.push_back(isMostlyBurntOut(radiance, s) ? 1 : 0);
     }
     for (size_t f = 0; f < before.pieces; ++f) {
         float lit = 0.0f;
@@ -135,16 +135,18 @@ void SunTrial::findPatches(const LightSoFar& light)
     }
 }
 
-void SunTrial::addBounce(LightModel& model, int channel) const
+/// Where one channel alone is burnt out, the others are as seen, and so is most of the luminance.
+void SunTrial::setChannel(LightModel& model, int channel) const
 {
+    const auto pick = [&](glm::vec3 rgb) { return channel < 0 ? luminance(rgb) : rgb[channel]; };
+    model.isBurntOut.assign(model.places(), 0);
+    for (size_t i = firstOfRim_; i < model.places(); ++i)
+        model.isBurntOut[i] = pick(model.shown[i]) >= kSafelyBelow ? 1 : 0;
     for (size_t i = 0; i < model.shown.size(); ++i) {
         float& ofSun = model.direct[i * model.pieces + sun()];
         ofSun = straight_[i];
-        for (const SunPatch& patch : patches) {
-            const float sent =
-                channel < 0 ? luminance(patch.perRadiance) : patch.perRadiance[channel];
-            ofSun += sent * without.directAt(i)[patch.piece];
-        }
+        for (const SunPatch& patch : patches)
+            ofSun += pick(patch.perRadiance) * without.directAt(i)[patch.piece];
     }
 }
 
@@ -157,7 +159,7 @@ std::vector<MaterialPair> SunTrial::pairs(size_t drawn) const
 LightModel SunTrial::channelOf(int channel) const
 {
     LightModel model = with;
-    addBounce(model, channel);
+    setChannel(model, channel);
     return model;
 }
 

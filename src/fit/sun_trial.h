@@ -63,12 +63,12 @@ struct SunTrial
     [[nodiscard]] std::vector<MaterialPair> pairs(size_t drawn) const;
     /// `with` as one channel sees it: patches have colours.
     [[nodiscard]] LightModel channelOf(int channel) const;
-    [[nodiscard]] size_t sun() const { return with.pieces - 1; }
+    [[nodiscard]] size_t sun() const { return without.pieces - 1; }
 
 private:
     void addRows(const SurfelRadiance& radiance, const Surfels& surfels, const LightSoFar& light);
     void findPatches(const LightSoFar& light);
-    void addBounce(LightModel& model, int channel) const;
+    void setChannel(LightModel& model, int channel) const;
 
     std::vector<float> straight_; // of the sun, at rows of a model
     size_t firstOfRim_ = 0;
