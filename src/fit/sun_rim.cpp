@@ -19,10 +19,25 @@ constexpr float kLeastAcross = 0.1f; // m; twice what a reconstruction moves an 
 
 using Cell = std::array<int, 3>;
 
+using Cells = std::map<Cell, std::vector<uint32_t>>; // surfels
+
 Cell cellOf(glm::vec3 place)
 {
     const glm::vec3 at = glm::floor(place / kAcross);
     return {static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.z)};
+}
+
+/// All in a cell and the 26 around it.
+std::vector<uint32_t> aroundOf(const Cells& cells, const Cell& cell)
+{
+    std::vector<uint32_t> around;
+    for (int i = 0; i < 27; ++i) {
+        const auto found =
+            cells.find({cell[0] + i % 3 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i / 9 - 1});
+        if (found != cells.end())
+            around.insert(around.end(), found->second.begin(), found->second.end());
+    }
+    return around;
 }
 
 } // namespace
@@ -31,8 +46,8 @@ SunRim::SunRim(const Texels& texels, const SurfelRadiance& radiance,
                std::span<const AreaSample> onSides)
 {
     const Surfels& surfels = texels.surfels;
-    std::map<Cell, std::vector<uint32_t>> lit;
-    std::map<Cell, std::vector<uint32_t>> dark;
+    Cells lit;
+    Cells dark; // and not burnt out: what is tells nothing of its paint
     for (uint32_t s = 0; s < surfels.count(); ++s) {
         if (onSides[s].open <= 0.0f) continue;
         const bool isLit = onSides[s].visible > 0.5f * onSides[s].open;
@@ -48,20 +63,13 @@ SunRim::SunRim(const Texels& texels, const SurfelRadiance& radiance,
     for (const auto& [cell, ofCell] : lit) {
         std::vector<MaterialPair> pairs;
         for (const uint32_t p : ofCell) {
-            std::vector<uint32_t> others;
-            for (int i = 0; i < 27; ++i) {
-                const auto found =
-                    dark.find({cell[0] + i % 3 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i / 9 - 1});
-                if (found == dark.end()) continue;
-                for (const uint32_t q : found->second)
-                    if (arePair(p, q)) others.push_back(q);
-            }
+            std::vector<uint32_t> others = aroundOf(dark, cell);
+            std::erase_if(others, [&](uint32_t q) { return !arePair(p, q); });
             if (!others.empty()) pairs.push_back({p, others[p % others.size()]});
         }
-        if (pairs.empty()) continue;
-        for (const MaterialPair pair : pairs) surfels_.insert(surfels_.end(), {pair.p, pair.q});
-        cells_.push_back(std::move(pairs));
+        if (!pairs.empty()) cells_.push_back(std::move(pairs));
     }
+    for (const MaterialPair pair : all()) surfels_.insert(surfels_.end(), {pair.p, pair.q});
     std::sort(surfels_.begin(), surfels_.end());
     surfels_.erase(std::unique(surfels_.begin(), surfels_.end()), surfels_.end());
 }

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <utility>
 
 namespace relamp
@@ -67,12 +65,6 @@ std::optional<SunFit> fitOf(SunTrial trial, const LightSoFar& light)
     const double onTheWhole = without.nats - with.nats + saved;
     const double byRim = shade.costOfPairs(light.pairs.size(), without.log) -
                          sunny.costOfPairs(light.pairs.size(), with.log);
-    if (std::getenv("K_DUMP"))
-        std::fprintf(
-            stderr, "sun %.3f %.3f %.3f: whole %.1f rim %.1f of %zu irradiance %.2f patches %zu\n",
-            static_cast<double>(trial.towards.x), static_cast<double>(trial.towards.y),
-            static_cast<double>(trial.towards.z), onTheWhole, byRim, across.size(),
-            std::exp(with.log[sun]) * static_cast<double>(kSunSolidAngle), trial.patches.size());
     return SunFit{std::move(trial), std::move(emits), std::move(with), std::min(onTheWhole, byRim)};
 }
 

@@ -209,7 +209,7 @@ TEST(Sun, IsNoLampBehindAnOpening)
             if (isSeen && glm::dot(way, normal) > 0.0f)
                 sum += glm::dot(way, normal) * way.x / (distance2 * distance2);
         }
-        const float irradiance = 60.0f * 0.16f * sum / (kAcross * kAcross);
+        const float irradiance = 900.0f * 0.16f * sum / (kAcross * kAcross);
         return glm::min(dark.box.photo(place, normal) +
                             SunRoom::albedo(place, normal) * irradiance / kPi,
                         1.0f);

@@ -13,25 +13,28 @@ namespace relamp
 namespace
 {
 
-constexpr float kMostly = 0.8f; // of a burnt-out piece that the sun reaches: it is a patch of it
+constexpr float kMostly = 0.8f; // of a piece's area that the sun reaches: of half a lampshade it
+                                // reaches 0.64 at most
 
-/// Light at the front of a surfel, in the mean of its neighbours: its own few rays are noise.
-class LightAt
+/// Mean over a surfel and its neighbours: of light that changes slowly, its own few rays are noise.
+template<class T, class Of>
+T meanAround(const Surfels& surfels, uint32_t surfel, const Of& of)
 {
-public:
-    LightAt(const Surfels& surfels, uint32_t surfel) : around_(surfels.neighborsOf(surfel)) {}
+    const std::span around = surfels.neighborsOf(surfel);
+    T sum{0.0f};
+    for (const uint32_t n : around) sum += of(n);
+    return sum / static_cast<float>(around.size());
+}
 
-    template<class T, class Of>
-    [[nodiscard]] T mean(const Of& of) const
-    {
-        T sum{0.0f};
-        for (const uint32_t n : around_) sum += of(n);
-        return sum / static_cast<float>(around_.size());
-    }
-
-private:
-    std::span<const uint32_t> around_;
-};
+/// Area of a piece of which `of` tells how much.
+template<class Of>
+float areaOf(const Piece& piece, const Of& of)
+{
+    float area = 0.0f;
+    for (const ClippedPatch& patch : piece.candidate.patches)
+        if (patch.surfel != Surfels::kNone) area += patch.area * of(patch.surfel);
+    return area;
+}
 
 } // namespace
 
@@ -59,79 +62,90 @@ SunTrial::SunTrial(const Texels& texels, const SurfelRadiance& radiance, const L
     setChannel(with, -1);
 }
 
+std::span<float> SunTrial::addRow(glm::vec3 shown, glm::vec3 gathered, float missed, float ofSun)
+{
+    without.shown.push_back(shown);
+    without.gathered.push_back(gathered);
+    without.missed.push_back(missed);
+    without.direct.resize(without.shown.size() * without.pieces, 0.0f);
+    straight_.push_back(ofSun);
+    return std::span(without.direct).last(without.pieces);
+}
+
+void SunTrial::copyRow(const LightModel& before, size_t row, float ofSun)
+{
+    const std::span<float> copy =
+        addRow(before.shown[row], before.gathered[row], before.missed[row], ofSun);
+    std::copy_n(before.directAt(row).begin(), before.pieces, copy.begin());
+}
+
 /// Rows of the rim come behind the places, a column and a row for the sun come last.
 void SunTrial::addRows(const SurfelRadiance& radiance, const Surfels& surfels,
                        const LightSoFar& light)
 {
     const LightModel& before = light.model;
-    LightModel& model = without;
-    model.pieces = before.pieces + 1;
-    model.area = before.area;
-    model.area.push_back(0.0f);
-    const auto addRow = [&](glm::vec3 shown, glm::vec3 gathered, float missed, float ofSun) {
-        model.shown.push_back(shown);
-        model.gathered.push_back(gathered);
-        model.missed.push_back(missed);
-        model.direct.resize(model.shown.size() * model.pieces, 0.0f);
-        model.direct.back() = ofSun;
-        straight_.push_back(ofSun);
-        return std::span(model.direct).last(model.pieces);
-    };
-    const auto copyRow = [&](size_t i, float ofSun) {
-        const std::span<float> row =
-            addRow(before.shown[i], before.gathered[i], before.missed[i], ofSun);
-        std::copy_n(before.directAt(i).begin(), before.pieces, row.begin());
-    };
-    for (size_t i = 0; i < before.places(); ++i) copyRow(i, onSides[light.places[i]].visible);
-    firstOfRim_ = before.places();
-    const std::vector<glm::vec3> shown = shownOf(radiance);
-    for (const uint32_t s : rim.surfels()) {
-        const LightAt at(surfels, s);
-        const std::span<float> row = addRow(
-            shown[s],
-            at.mean<glm::vec3>([&](uint32_t n) { return light.sides.gathered.irradiance[n]; }),
-            at.mean<float>([&](uint32_t n) { return light.sides.gathered.missed[n]; }),
-            onSides[s].visible);
-        for (size_t f = 0; f < before.pieces; ++f)
-            if (light.emits[f] != 0)
-                row[f] =
-                    at.mean<float>([&](uint32_t n) { return light.pieces[f].onSides[n].visible; });
-    }
+    without.pieces = before.pieces + 1;
+    without.area = before.area;
+    without.area.push_back(0.0f);
+    for (size_t i = 0; i < before.places(); ++i)
+        copyRow(before, i, onSides[light.places[i]].visible);
+    addRim(radiance, surfels, light);
     for (size_t f = 0; f < before.pieces; ++f) {
-        float lit = 0.0f;
-        for (const ClippedPatch& patch : light.pieces[f].candidate.patches)
-            if (patch.surfel != Surfels::kNone) lit += patch.area * onSides[patch.surfel].visible;
-        copyRow(before.placeOf(f), lit / std::max(light.pieces[f].candidate.area, 1e-9f));
+        const Piece& piece = light.pieces[f];
+        const float lit = areaOf(piece, [&](uint32_t s) { return onSides[s].visible; });
+        copyRow(before, before.placeOf(f), lit / std::max(piece.candidate.area, 1e-9f));
     }
     addRow(glm::vec3(0.0f), glm::vec3(0.0f), 0.0f, 0.0f);
 }
 
+void SunTrial::addRim(const SurfelRadiance& radiance, const Surfels& surfels,
+                      const LightSoFar& light)
+{
+    const Gathered& gathered = light.sides.gathered;
+    const std::vector<glm::vec3> shown = shownOf(radiance);
+    firstOfRim_ = light.model.places();
+    for (const uint32_t s : rim.surfels()) {
+        const std::span<float> row = addRow(
+            shown[s],
+            meanAround<glm::vec3>(surfels, s, [&](uint32_t n) { return gathered.irradiance[n]; }),
+            meanAround<float>(surfels, s, [&](uint32_t n) { return gathered.missed[n]; }),
+            onSides[s].visible);
+        for (size_t f = 0; f < light.pieces.size(); ++f)
+            if (light.emits[f] != 0)
+                row[f] = meanAround<float>(
+                    surfels, s, [&](uint32_t n) { return light.pieces[f].onSides[n].visible; });
+    }
+}
+
+/// Albedo across the rim from a piece; where it has no rim, across all of it.
+glm::vec3 SunTrial::paintBeside(const Piece& piece, const LightSoFar& light) const
+{
+    std::vector<uint8_t> isOfPiece(light.sides.albedo.size(), 0);
+    for (const ClippedPatch& patch : piece.candidate.patches)
+        if (patch.surfel != Surfels::kNone) isOfPiece[patch.surfel] = 1;
+    glm::vec3 sum(0.0f);
+    glm::vec3 sumOfAll(0.0f);
+    float count = 0.0f;
+    const std::vector<MaterialPair> across = rim.all();
+    for (const auto& [lit, dark] : across) {
+        sumOfAll += light.sides.albedo[dark];
+        if (isOfPiece[lit] == 0) continue;
+        sum += light.sides.albedo[dark];
+        count += 1.0f;
+    }
+    if (count > 0.0f) return sum / count;
+    return sumOfAll / std::max(static_cast<float>(across.size()), 1.0f);
+}
+
 void SunTrial::findPatches(const LightSoFar& light)
 {
-    const std::vector<MaterialPair> across = rim.all();
-    const auto paintBeside = [&](const std::vector<uint8_t>& isOfPiece) {
-        glm::vec3 sum(0.0f);
-        float count = 0.0f;
-        for (const MaterialPair pair : across) {
-            if (!isOfPiece.empty() && isOfPiece[pair.p] == 0) continue;
-            sum += light.sides.albedo[pair.q];
-            count += 1.0f;
-        }
-        return std::pair(sum / std::max(count, 1.0f), count > 0.0f);
-    };
-    const glm::vec3 anywhere = paintBeside({}).first;
     for (size_t f = 0; f < light.pieces.size(); ++f) {
-        std::vector<uint8_t> isOfPiece(light.sides.albedo.size(), 0);
-        float lit = 0.0f;
-        for (const ClippedPatch& patch : light.pieces[f].candidate.patches) {
-            if (patch.surfel == Surfels::kNone) continue;
-            isOfPiece[patch.surfel] = 1;
-            const AreaSample& sample = onSides[patch.surfel];
-            if (sample.open > 0.0f) lit += patch.area * sample.visible / sample.open;
-        }
-        if (lit < kMostly * light.pieces[f].candidate.area) continue;
-        const auto [paint, isKnown] = paintBeside(isOfPiece);
-        patches.push_back({f, (isKnown ? paint : anywhere) / kPi * straight_[without.placeOf(f)]});
+        const Piece& piece = light.pieces[f];
+        const float lit = areaOf(piece, [&](uint32_t s) {
+            return onSides[s].open > 0.0f ? onSides[s].visible / onSides[s].open : 0.0f;
+        });
+        if (lit < kMostly * piece.candidate.area) continue;
+        patches.push_back({f, paintBeside(piece, light) / kPi * straight_[without.placeOf(f)]});
     }
 }
 

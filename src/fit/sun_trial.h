@@ -66,7 +66,11 @@ struct SunTrial
     [[nodiscard]] size_t sun() const { return without.pieces - 1; }
 
 private:
+    std::span<float> addRow(glm::vec3 shown, glm::vec3 gathered, float missed, float ofSun);
+    void copyRow(const LightModel& before, size_t row, float ofSun);
     void addRows(const SurfelRadiance& radiance, const Surfels& surfels, const LightSoFar& light);
+    void addRim(const SurfelRadiance& radiance, const Surfels& surfels, const LightSoFar& light);
+    [[nodiscard]] glm::vec3 paintBeside(const Piece& piece, const LightSoFar& light) const;
     void findPatches(const LightSoFar& light);
     void setChannel(LightModel& model, int channel) const;
 
