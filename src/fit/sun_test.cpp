@@ -188,31 +188,33 @@ TEST(Sun, IsNoRugPaintedLikeItsPatch)
         solve(SunRoom(glm::vec3(0.0f), 0.0f, SunRoom::kTowardsSun, albedo).scan).lights().sun);
 }
 
-// What a lamp of 0.4 m in the corridor throws through the window has soft edges, and they part.
+// What a lamp of 1.2 m throws through the window from 5 m away has soft edges, and they part.
 TEST(Sun, IsNoLampBehindAnOpening)
 {
     const SunRoom dark(glm::vec3(0.0f));
-    const auto photo = [&](glm::vec3 place, glm::vec3 normal) {
-        constexpr int kAcross = 8;
+    const Panel window = SunRoom::window();
+    const Panel lamp{window.corner + glm::vec3(5.0f, 3.2f, 0.0f), {0, 0, 1.2f}, {0, 1.2f, 0}};
+    const auto irradianceAt = [&](glm::vec3 place, glm::vec3 normal) {
+        constexpr int kAcross = 12;
         float sum = 0.0f;
         for (int i = 0; i < kAcross * kAcross; ++i) {
-            const glm::vec3 lamp(SunRoom::kSize.x + 1.5f,
-                                 2.3f + 0.4f * (static_cast<float>(i % kAcross) + 0.5f) / kAcross,
-                                 2.6f + 0.4f * (static_cast<float>(i / kAcross) + 0.5f) / kAcross);
-            const glm::vec3 way = lamp - place;
-            const float reached = (SunRoom::kSize.x - place.x) / way.x; // share, at the window
-            const glm::vec3 through = place + reached * way - SunRoom::window().corner;
-            const bool isSeen = through.y > 0.0f && through.z > 0.0f &&
-                                through.y < SunRoom::window().alongV.y &&
-                                through.z < SunRoom::window().alongU.z;
+            const glm::vec3 way = lamp.at((static_cast<float>(i % kAcross) + 0.5f) / kAcross,
+                                          (static_cast<float>(i / kAcross) + 0.5f) / kAcross) -
+                                  place;
+            const float share = (window.corner.x - place.x) / way.x; // of it, to the window
+            const glm::vec3 through = place + share * way - window.corner;
+            const bool isSeen = std::min(through.y, through.z) > 0.0f &&
+                                through.y < window.alongV.y && through.z < window.alongU.z;
             const float distance2 = glm::dot(way, way);
-            if (isSeen && glm::dot(way, normal) > 0.0f)
-                sum += glm::dot(way, normal) * way.x / (distance2 * distance2);
+            if (isSeen)
+                sum += std::max(glm::dot(way, normal), 0.0f) * way.x / (distance2 * distance2);
         }
-        const float irradiance = 900.0f * 0.16f * sum / (kAcross * kAcross);
-        return glm::min(dark.box.photo(place, normal) +
-                            SunRoom::albedo(place, normal) * irradiance / kPi,
-                        1.0f);
+        constexpr float kRadiance = 440.0f;
+        return kRadiance * 1.44f * sum / (kAcross * kAcross);
+    };
+    const auto photo = [&](glm::vec3 place, glm::vec3 normal) {
+        const glm::vec3 more = SunRoom::albedo(place, normal) * irradianceAt(place, normal) / kPi;
+        return glm::min(dark.box.photo(place, normal) + more, 1.0f);
     };
     EXPECT_FALSE(solve(SunRoom::scanOf(photo)).lights().sun);
 }
