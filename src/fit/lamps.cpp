@@ -427,8 +427,9 @@ void LampSearch::findColors()
         estimate_ = fit.solve(emits_, estimate_.log, 1.0);
         std::array<LightEstimate, 3> colors;
         forEach(3, [&](size_t c) {
-            const LightModel model = sun_ ? sun_->channelOf(static_cast<int>(c)) : model_;
-            LightFit channel(model, evidence_.pairs(LampEvidence::kPairs), kin_.alike,
+            const std::optional<LightModel> sunny =
+                sun_ ? std::optional(sun_->channelOf(static_cast<int>(c))) : std::nullopt;
+            LightFit channel(sunny ? *sunny : model_, evidence_.pairs(LampEvidence::kPairs), kin_.alike,
                              static_cast<int>(c));
             channel.expectLeaks(estimate_.log);
             colors[c] = channel.solve(emits_, estimate_.log, kColourWidth,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include <glm/geometric.hpp>
@@ -55,16 +56,21 @@ SunRim::SunRim(const Texels& texels, const SurfelRadiance& radiance,
             (isLit ? lit : dark)[cellOf(surfels.position[s])].push_back(s);
     }
     const auto arePair = [&](uint32_t p, uint32_t q) {
-        const float across = glm::distance(surfels.position[p], surfels.position[q]);
-        return across > kLeastAcross && across < kAcross && areOnOnePlane(surfels, p, q) &&
+        const glm::vec3 way = surfels.position[q] - surfels.position[p];
+        const float across2 = glm::dot(way, way);
+        return across2 > kLeastAcross * kLeastAcross && across2 < kAcross * kAcross &&
+               areOnOnePlane(surfels, p, q) &&
                (isMostlyBurntOut(radiance, p) ||
                 haveOneColor(radiance.plain[p], radiance.plain[q]));
     };
     for (const auto& [cell, ofCell] : lit) {
+        const std::vector<uint32_t> around = aroundOf(dark, cell);
         std::vector<MaterialPair> pairs;
+        std::vector<uint32_t> others;
         for (const uint32_t p : ofCell) {
-            std::vector<uint32_t> others = aroundOf(dark, cell);
-            std::erase_if(others, [&](uint32_t q) { return !arePair(p, q); });
+            others.clear();
+            std::copy_if(around.begin(), around.end(), std::back_inserter(others),
+                         [&](uint32_t q) { return arePair(p, q); });
             if (!others.empty()) pairs.push_back({p, others[p % others.size()]});
         }
         if (!pairs.empty()) cells_.push_back(std::move(pairs));

@@ -13,8 +13,6 @@ namespace relamp
 namespace
 {
 
-constexpr double kWidest = 6.0; // times the noise: what the first loss forgives, as of lamps
-
 /// Albedo that surfels would have in the light that is known. Lamps send what they were fitted
 /// with, other burnt-out surfaces at least what they show.
 std::vector<float> apparentAlbedo(const SurfelRadiance& radiance, const LightSoFar& light)
@@ -36,21 +34,23 @@ std::vector<float> apparentAlbedo(const SurfelRadiance& radiance, const LightSoF
 
 /// The room with a sun against the room without one, all else as likely as it can be. Soft light
 /// from outside does much the same on the whole: the rim alone must tell, and all the rest not
-/// speak against it.
-std::optional<SunFit> fitOf(SunTrial trial, const LightSoFar& light)
+/// speak against it. `tries`: nats that it must gain; none where it does not.
+std::optional<SunFit> fitOf(SunTrial trial, const LightSoFar& light, double tries)
 {
     std::vector<MaterialPair> pairs(light.pairs.begin(), light.pairs.end());
     const std::vector<MaterialPair> across = trial.pairs(pairs.size());
     pairs.insert(pairs.end(), across.begin(), across.end());
-    const size_t sun = trial.sun();
     std::vector<uint8_t> emits(light.emits.begin(), light.emits.end());
     emits.push_back(0);
     std::vector<double> start(light.log.begin(), light.log.end());
     start.insert(start.end() - 1, 0.0);
+    const LightFit sunny(trial.with, pairs, light.alike);
+    const size_t sun = trial.sun();
+    double log = 0.0;
+    if (sunny.gain({.log = start}, sun, log) < tries) return std::nullopt; // saves two fits
 
     const LightFit shade(trial.without, pairs, light.alike);
-    const LightEstimate without = shade.solve(emits, start, kWidest);
-
+    const LightEstimate without = shade.solve(emits, start, 1.0);
     double saved = 0.0;
     for (const SunPatch& patch : trial.patches) {
         if (emits[patch.piece] != 0) saved += light.cost[patch.piece];
@@ -58,14 +58,15 @@ std::optional<SunFit> fitOf(SunTrial trial, const LightSoFar& light)
     }
     emits[sun] = 1;
     start = without.log;
-    const LightFit sunny(trial.with, pairs, light.alike);
-    if (sunny.gain({.log = start}, sun, start[sun]) <= 0.0) return std::nullopt;
-    LightEstimate with = sunny.solve(emits, start, kWidest);
+    start[sun] = log;
+    LightEstimate with = sunny.solve(emits, start, 1.0);
 
     const double onTheWhole = without.nats - with.nats + saved;
     const double byRim = shade.costOfPairs(light.pairs.size(), without.log) -
                          sunny.costOfPairs(light.pairs.size(), with.log);
-    return SunFit{std::move(trial), std::move(emits), std::move(with), std::min(onTheWhole, byRim)};
+    const double evidence = std::min(onTheWhole, byRim) - tries;
+    if (evidence <= 0.0) return std::nullopt;
+    return SunFit{std::move(trial), std::move(emits), std::move(with), evidence};
 }
 
 } // namespace
@@ -81,10 +82,8 @@ std::optional<SunFit> findSun(const Texels& texels, const RayScene& outside, con
         const AreaLight disc(sunDisc({.direction = towards}, *texels.scan));
         std::optional<SunFit> fit =
             fitOf({texels, radiance, light, towards, directOfLists(texels, outside, hits, {disc})},
-                  light);
-        if (!fit) continue;
-        fit->evidence -= tries;
-        if (fit->evidence > (best ? best->evidence : 0.0)) best = std::move(fit);
+                  light, tries);
+        if (fit && (!best || fit->evidence > best->evidence)) best = std::move(fit);
     }
     return best;
 }
