@@ -146,6 +146,10 @@ void addGatherParameters(CLI::App& command, DelightArguments& arguments)
     addPlaces(command, "--not-a-light", arguments.notLightsAt,
               "What is burnt out at this place is no lamp (repeatable)");
     command
+        .add_flag_callback(
+            "--no-sun", [&gather] { gather.sun = false; }, "Look for no sun")
+        ->group(kGatherGroup);
+    command
         .add_option(
             "--rays", gather.rays,
             "Rays from every small piece of surface that look for bounce light [by quality]")

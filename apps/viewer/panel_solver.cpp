@@ -24,6 +24,7 @@ void drawGather(relamp::GatherOptions& gather)
     if (gather.rays > 0) gather.rays = std::max(gather.rays, 4);
     ImGui::SliderInt("Shadow rays", &gather.shadowRays, 0, 1024,
                      gather.shadowRays == 0 ? "by quality" : "%d", ImGuiSliderFlags_AlwaysClamp);
+    ImGui::Checkbox("Look for the sun", &gather.sun);
     if (!gather.lights.empty() || !gather.notLights.empty()) {
         ImGui::TextDisabled("Lamps by hand: %d, none: %d", static_cast<int>(gather.lights.size()),
                             static_cast<int>(gather.notLights.size()));

@@ -117,6 +117,7 @@ const std::map<std::string, std::function<void(SolverParameters&, const Words&)>
              d.gather.shadowRays = 0;
              if (w[1] != "auto") setNumber(d.gather.shadowRays, w, 1.0f, 1024.0f);
          }},
+        {"parameter.sun", [](D& d, const W& w) { d.gather.sun = flag(w); }},
         {"parameter.samples",
          [](D& d, const W& w) { setNumber(d.pathtrace.samples, w, 1.0f, 65536.0f); }},
         {"parameter.seed", [](D& d, const W& w) { d.pathtrace.seed = wholeNumberOf(w[1]); }},

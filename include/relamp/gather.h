@@ -23,6 +23,7 @@ struct GatherOptions
     int shadowRays = 0;            // of a place in a penumbra, to each lamp, 1..1024; 0: by quality
     std::vector<glm::vec3> lights; // places, m, whose burnt-out surface shines
     std::vector<glm::vec3> notLights; // places, m, whose burnt-out surface does not
+    bool sun = true;                  // false: no sun is looked for
     uint32_t seed = 1; // of where rays start and go and of which places are compared; the same seed
                        // gives the same result
 

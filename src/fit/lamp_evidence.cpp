@@ -179,7 +179,7 @@ void LampEvidence::addLightOnPieces(std::span<const Piece> pieces, LightModel& m
     }
 }
 
-void LampEvidence::settle(std::span<Piece> lamps, const OutsideLight& outside)
+LitSides LampEvidence::settle(std::span<Piece> lamps, const OutsideLight& outside)
 {
     std::vector<glm::vec3> direct(hits_.sideOfList.size(), glm::vec3(0.0f));
     std::vector<uint8_t> shines(field_.shines.size(), 0);
@@ -190,8 +190,10 @@ void LampEvidence::settle(std::span<Piece> lamps, const OutsideLight& outside)
         for (const ClippedPatch& patch : lamps[f].candidate.patches)
             if (patch.surfel != Surfels::kNone) shines[patch.surfel] = 1;
     }
-    field_ = lightSides(texels_, hits_, radiance_, std::move(direct), shines, outside).field;
+    LitSides sides = lightSides(texels_, hits_, radiance_, std::move(direct), shines, outside);
+    field_ = sides.field;
     field_.outside = {}; // fitted apart
+    return sides;
 }
 
 } // namespace relamp

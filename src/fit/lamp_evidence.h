@@ -36,14 +36,21 @@ public:
     /// `perPlace` is kPairsFirst or kPairs; drawAllPairs() comes before.
     [[nodiscard]] std::span<const MaterialPair> pairs(size_t perPlace) const;
 
+    /// Further pairs, of places that the caller adds to the model.
+    void addPairs(size_t perPlace, std::span<const MaterialPair> pairs)
+    {
+        pairs_.at(perPlace).insert(pairs_.at(perPlace).end(), pairs.begin(), pairs.end());
+    }
+    [[nodiscard]] std::span<const uint32_t> places() const { return places_; } // surfels
+
     /// Fills in what each piece does at all places, by no fewer rays from each origin there, and no
     /// more than kMostRays: few rays are noise, which makes the light of a lamp seem weaker.
     void look(std::span<Piece> pieces, size_t fewestRays) const;
     /// The light of all of these, emit they or reflect, at places and on the pieces.
     [[nodiscard]] LightModel modelOf(std::span<const Piece> pieces);
     /// Lets burnt-out walls and backs settle in the light of these lamps, and fills in their
-    /// `onSides`.
-    void settle(std::span<Piece> lamps, const OutsideLight& outside);
+    /// `onSides`. Returns their light.
+    LitSides settle(std::span<Piece> lamps, const OutsideLight& outside);
 
     static constexpr size_t kMostRays = 6;
     static constexpr size_t kPairsFirst = 1; // a place, for what only tells which pieces emit

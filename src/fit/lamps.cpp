@@ -6,13 +6,17 @@
 #include "fit/lamp_evidence.h"
 #include "fit/lamp_groups.h"
 #include "fit/light_fit.h"
+#include "fit/outside.h"
 #include "fit/pieces.h"
+#include "fit/sun.h"
+#include "fit/sun_search.h"
 #include "lights/lamp_body.h"
 #include "shading/openings.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -81,12 +85,16 @@ private:
     void lookCloser();
     bool join();
     void findColors();
+    void letSunIn(const LitSides& sides);
+    void takeSun(FoundLamps& found);
     [[nodiscard]] std::vector<Piece> lamps() const;
     FoundLamps result();
 
     const Texels& texels_;
     const RayScene& scene_;
     const HitLists& hits_;
+    const SurfelRadiance& radiance_;
+    bool isSunSought_;
     Progress::Stage stage_;
     LampEvidence evidence_;
     std::vector<Piece> pieces_;
@@ -97,12 +105,15 @@ private:
     double noise_ = kFirstNoise; // log: between places of one paint
     OutsideLight outside_;
     std::vector<std::string> warnings_;
+    std::shared_ptr<const RayScene> beforeSun_; // what stands before it
+    std::optional<SunTrial> sun_;               // the last piece
 };
 
 LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
                        const SurfelRadiance& radiance, const GatherOptions& options,
                        Progress& progress)
-    : texels_(texels), scene_(scene), hits_(hits), stage_(progress, "lamps", kSearchSteps),
+    : texels_(texels), scene_(scene), hits_(hits), radiance_(radiance), isSunSought_(options.sun),
+      stage_(progress, "lamps", kSearchSteps),
       evidence_(texels, scene, hits, radiance, options.quality)
 {
     callAll([&] { takeCandidates(options, radiance); }, [&] { evidence_.drawAllPairs(); });
@@ -311,7 +322,7 @@ std::vector<Piece> LampSearch::lamps() const
 {
     std::vector<Piece> lamps;
     for (size_t f = 0; f < pieces_.size(); ++f)
-        if (emits_[f] != 0) lamps.push_back(pieces_[f]);
+        if (emits_[f] != 0 && !(sun_ && f == sun_->sun())) lamps.push_back(pieces_[f]);
     return lamps;
 }
 
@@ -363,8 +374,10 @@ void LampSearch::findColors()
         estimate_ = fit.solve(emits_, estimate_.log, 1.0);
         std::array<LightEstimate, 3> colors;
         forEach(3, [&](size_t c) {
-            LightFit channel(model_, evidence_.pairs(LampEvidence::kPairs), kin_.alike, noise_,
-                             static_cast<int>(c));
+            const std::optional<LightModel> sunny =
+                sun_ ? std::optional(sun_->channelOf(static_cast<int>(c))) : std::nullopt;
+            LightFit channel(sunny ? *sunny : model_, evidence_.pairs(LampEvidence::kPairs),
+                             kin_.alike, noise_, static_cast<int>(c));
             channel.expectLeaks(estimate_.log);
             colors[c] =
                 channel.solve(emits_, estimate_.log, kColorWidth, {estimate_.log, kColorSpread});
@@ -385,12 +398,56 @@ void LampSearch::findColors()
         outside_ = outsideOf(outside, hits_.shareOfPart);
         if (round > 0) return;
         std::vector<Piece> lamps = this->lamps();
-        evidence_.settle(lamps, outside_);
+        const LitSides sides = evidence_.settle(lamps, outside_);
         auto next = lamps.begin();
         for (size_t f = 0; f < pieces_.size(); ++f)
             if (emits_[f] != 0) pieces_[f] = std::move(*next++);
         observe();
+        if (isSunSought_) letSunIn(sides);
     }
+}
+
+/// A sun that is believed in is a piece like all others, and they are chosen again.
+void LampSearch::letSunIn(const LitSides& sides)
+{
+    FoundLamps known;
+    for (const Piece& piece : lamps()) known.lamps.push_back({.patches = piece.candidate.patches});
+    auto outside = std::make_shared<const RayScene>(sceneWithoutPanes(texels_, radiance_, known));
+    std::vector<double> cost;
+    for (uint32_t f = 0; f < pieces_.size(); ++f) cost.push_back(costOf(f));
+    std::optional<SunFit> fit =
+        findSun(texels_, *outside, hits_, radiance_,
+                {sides, pieces_, emits_, cost, estimate_.log, model_, evidence_.places(),
+                 evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, noise_});
+    if (!fit) return;
+    for (const size_t perPlace : {LampEvidence::kPairsFirst, LampEvidence::kPairs})
+        evidence_.addPairs(perPlace, fit->trial.pairs(evidence_.pairs(perPlace).size()));
+    beforeSun_ = std::move(outside);
+    sun_ = std::move(fit->trial);
+    model_ = sun_->with;
+    emits_ = std::move(fit->emits);
+    estimate_ = std::move(fit->estimate);
+    pieces_.push_back({.isGiven = true, .body = pieces_.size()});
+    kin_.model.emplace_back();
+    kin_.leansOn.emplace_back();
+    choose(LampEvidence::kPairsFirst);
+}
+
+/// The sun goes from the pieces into what is found, and burnt-out patches of it come behind lamps.
+void LampSearch::takeSun(FoundLamps& found)
+{
+    if (!sun_) return;
+    const Piece& sun = pieces_[sun_->sun()];
+    found.sun = {.sun = {.direction = sun_->towards,
+                         .irradiance = sun.radiance * kSunSolidAngle,
+                         .error = glm::vec3(sun.error),
+                         .determined = static_cast<double>(sun.error) < kUnknown},
+                 .outside = std::move(beforeSun_),
+                 .onSides = std::move(sun_->onSides)};
+    for (const SunPatch& patch : sun_->patches)
+        found.lamps.push_back({.patches = std::move(pieces_[patch.piece].candidate.patches),
+                               .radiance = patch.perRadiance * sun.radiance,
+                               .isSunlit = true});
 }
 
 FoundLamps LampSearch::result()
@@ -412,6 +469,7 @@ FoundLamps LampSearch::result()
                                glm::vec3(lamp.error), std::move(lamp.onSides), false, isDetermined,
                                std::move(lamp.ends)});
     }
+    takeSun(found);
     stage_.advance();
     return found;
 }

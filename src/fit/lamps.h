@@ -3,11 +3,14 @@
 #include "lights/candidates.h"
 #include "lights/fixture_labels.h"
 #include "relamp/gather.h"
+#include "relamp/lights.h"
 #include "relamp/progress.h"
 #include "scan/rays.h"
 #include "shading/hit_lists.h"
 #include "shading/lit_sides.h"
 
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,11 +32,20 @@ struct FoundLamp
     std::vector<FixtureLabel> labels{}; // of each of these; empty: none has one yet
 };
 
+/// The sun, by the patch that it throws into the room.
+struct FoundSun
+{
+    Sun sun;
+    std::shared_ptr<const RayScene> outside; // what stands before it
+    std::vector<AreaSample> onSides;         // at radiance 1, one a hit list
+};
+
 struct FoundLamps
 {
     std::vector<FoundLamp> lamps; // by falling power
     OutsideLight outside;
     float residual = 0.0f; // of the fit, in log radiance
+    std::optional<FoundSun> sun{};
     std::vector<std::string> warnings;
 };
 

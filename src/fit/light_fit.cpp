@@ -579,6 +579,25 @@ double LightFit::gain(const LightEstimate& estimate, size_t piece, double& best)
     return most + boundCost(piece, std::log(irradiance(model_.placeOf(piece), radiance)));
 }
 
+double LightFit::costOfPairs(size_t first, std::span<const double> log) const
+{
+    const std::vector<double> radiance = exponentials(log);
+    double sum = 0.0;
+    for (size_t k = first; k < pairs_.size(); ++k) {
+        const auto [p, q] = pairs_[k];
+        const double residual = logShown_[p] - logShown_[q] - std::log(irradiance(p, radiance)) +
+                                std::log(irradiance(q, radiance));
+        const double off = residual / noiseOf(k, residual);
+        sum += std::log1p(off * off);
+    }
+    return perPair() * sum;
+}
+
+double LightFit::effectivePairs()
+{
+    return kEffectivePairs;
+}
+
 LightEstimate LightFit::solve(std::span<const uint8_t> emits, std::vector<double> start,
                               double widest, const EmissionPrior& prior) const
 {

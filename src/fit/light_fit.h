@@ -68,9 +68,13 @@ public:
     [[nodiscard]] double gain(const LightEstimate& estimate, size_t piece, double& log) const;
     /// Log radiance of a piece if it only reflects, in this light.
     [[nodiscard]] double reflected(size_t piece, std::span<const double> log) const;
+    /// Nats of the pairs from `first` on.
+    [[nodiscard]] double costOfPairs(size_t first, std::span<const double> log) const;
+    static double effectivePairs(); // how many independent ones all pairs are worth
 
 private:
     friend class LightFitSearch;
+    static constexpr double kUnbounded = 1e6; // log: noise of what tells nothing
     [[nodiscard]] double pick(glm::vec3 rgb) const;
     [[nodiscard]] double irradiance(size_t place, std::span<const double> radiance) const;
     [[nodiscard]] double reflectedIn(size_t piece, std::span<const double> radiance) const;
@@ -78,7 +82,9 @@ private:
     [[nodiscard]] double lack(size_t piece, double logIrradiance) const;
     [[nodiscard]] double noiseOf(size_t pair, double residual) const
     {
-        return residual > 0.0 ? noiseAbove_[pair] : noiseBelow_[pair];
+        if (residual > 0.0) return noiseAbove_[pair];
+        const bool isBound = !model_.isBurntOut.empty() && model_.isBurntOut[pairs_[pair].p] != 0;
+        return isBound ? kUnbounded : noiseBelow_[pair];
     }
     [[nodiscard]] double perPair() const;
 

@@ -2,6 +2,7 @@
 
 #include "base/radiometry.shared.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -42,14 +43,31 @@ std::vector<PairPlace> placesOf(std::span<const glm::vec3> shown, std::span<cons
     return places;
 }
 
+bool areOnOnePlane(glm::vec3 p, glm::vec3 normalOfP, glm::vec3 q, glm::vec3 normalOfQ)
+{
+    return glm::dot(normalOfP, normalOfQ) >= kSamePlaneFacing &&
+           std::abs(glm::dot(q - p, normalOfP)) <= kSamePlaneStep;
+}
+
 bool couldBeOneMaterial(const PairPlace& p, const PairPlace& q)
 {
-    return !p.isDark && !q.isDark && glm::dot(p.normal, q.normal) >= kSamePlaneFacing &&
-           std::abs(glm::dot(q.position - p.position, p.normal)) <= kSamePlaneStep &&
+    return !p.isDark && !q.isDark && areOnOnePlane(p.position, p.normal, q.position, q.normal) &&
            glm::distance(p.chroma, q.chroma) < kSameColor;
 }
 
 } // namespace
+
+bool areOnOnePlane(const Surfels& surfels, uint32_t p, uint32_t q)
+{
+    return areOnOnePlane(surfels.position[p], surfels.normal[p], surfels.position[q],
+                         surfels.normal[q]);
+}
+
+bool haveOneColor(glm::vec3 shownP, glm::vec3 shownQ)
+{
+    return std::min(luminance(shownP), luminance(shownQ)) >= kDarkestPaired &&
+           glm::distance(chromaOf(shownP), chromaOf(shownQ)) < kSameColor;
+}
 
 std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
                                     std::span<const uint32_t> surfels, const Surfels& all,

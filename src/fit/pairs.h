@@ -9,6 +9,11 @@
 namespace relamp
 {
 
+/// Whether two surfels lie on one plane, as walls, floors and table tops are.
+bool areOnOnePlane(const Surfels& surfels, uint32_t p, uint32_t q);
+/// Whether two radiances do not rule out one material under differently coloured light.
+bool haveOneColor(glm::vec3 shownP, glm::vec3 shownQ);
+
 /// Draws pairs of places that lie on one plane, as walls, floors and table tops do, near and far,
 /// and whose colours do not rule out one material under differently coloured light.
 ///

@@ -3,6 +3,7 @@
 #include "fit/light_model.h"
 #include "lights/area_light.h"
 #include "lights/candidates.h"
+#include "shading/area_direct.h"
 
 #include <cstddef>
 #include <cstdint>

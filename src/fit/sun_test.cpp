@@ -17,6 +17,7 @@ namespace relamp
 namespace
 {
 
+using scenes::Panel;
 using scenes::SunRoom;
 
 const glm::vec3 kBurning(60.0f, 52.0f, 40.0f); // irradiance on the floor; burns it out
@@ -117,6 +118,8 @@ TEST(Sun, PatchIsDividedOutWhereItIsNotBurntOut)
     const Decomposition result = solve(room.scan);
     ASSERT_TRUE(result.lights().sun);
     EXPECT_LT(degreesOff(*result.lights().sun), 1.0f);
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(ratioOf(*result.lights().sun, kFaint, 1.2f, c), 1.0f, 0.1f);
     const FloorAlbedo floor(room, result);
     EXPECT_NEAR(floor.beside, SunRoom::kFloor.g, 0.1f * SunRoom::kFloor.g);
     EXPECT_NEAR(floor.inPatch, floor.beside, 0.1f * floor.beside);
@@ -161,6 +164,59 @@ TEST(Sun, IsNotSeenWhereNoneShinesIn)
     EXPECT_FALSE(solve(SunRoom(glm::vec3(0.0f)).scan).lights().sun);
     EXPECT_FALSE(solve(SunRoom(glm::vec3(0.0f), 6.0f).scan).lights().sun);
     EXPECT_FALSE(solve(scenes::LitRoom().scan).lights().sun);
+}
+
+TEST(Sun, IsNotLookedForWhereAPersonSaysSo)
+{
+    const Decomposition result = solve(SunRoom(kBurning).scan, {.gather = {.sun = false}});
+    EXPECT_FALSE(result.lights().sun);
+    EXPECT_EQ(result.lights().fixtures.size(), 2u); // the panel, and the patch for want of a sun
+}
+
+// A white rug just where the sun would throw its patch, on a dark floor: no brighter than paint.
+TEST(Sun, IsNoRugPaintedLikeItsPatch)
+{
+    const auto albedo = [](glm::vec3 place, glm::vec3 normal) {
+        const Panel rug = SunRoom::patchPanel();
+        const glm::vec3 way = place - rug.corner;
+        const float u = glm::dot(way, rug.alongU) / glm::dot(rug.alongU, rug.alongU);
+        const float v = glm::dot(way, rug.alongV) / glm::dot(rug.alongV, rug.alongV);
+        const bool isOnRug = normal.y > 0.5f && std::min(u, v) > 0.0f && std::max(u, v) < 1.0f;
+        return isOnRug ? glm::vec3(0.85f) : 0.5f * SunRoom::albedo(place, normal);
+    };
+    EXPECT_FALSE(
+        solve(SunRoom(glm::vec3(0.0f), 0.0f, SunRoom::kTowardsSun, albedo).scan).lights().sun);
+}
+
+// What a lamp of 1.2 m throws through the window from 5 m away has soft edges, and they part.
+TEST(Sun, IsNoLampBehindAnOpening)
+{
+    const SunRoom dark(glm::vec3(0.0f));
+    const Panel window = SunRoom::window();
+    const Panel lamp{window.corner + glm::vec3(5.0f, 3.2f, 0.0f), {0, 0, 1.2f}, {0, 1.2f, 0}};
+    const auto irradianceAt = [&](glm::vec3 place, glm::vec3 normal) {
+        constexpr int kAcross = 12;
+        float sum = 0.0f;
+        for (int i = 0; i < kAcross * kAcross; ++i) {
+            const glm::vec3 way = lamp.at((static_cast<float>(i % kAcross) + 0.5f) / kAcross,
+                                          (static_cast<float>(i / kAcross) + 0.5f) / kAcross) -
+                                  place;
+            const float share = (window.corner.x - place.x) / way.x; // of it, to the window
+            const glm::vec3 through = place + share * way - window.corner;
+            const bool isSeen = std::min(through.y, through.z) > 0.0f &&
+                                through.y < window.alongV.y && through.z < window.alongU.z;
+            const float distance2 = glm::dot(way, way);
+            if (isSeen)
+                sum += std::max(glm::dot(way, normal), 0.0f) * way.x / (distance2 * distance2);
+        }
+        constexpr float kRadiance = 440.0f;
+        return kRadiance * 1.44f * sum / (kAcross * kAcross);
+    };
+    const auto photo = [&](glm::vec3 place, glm::vec3 normal) {
+        const glm::vec3 more = SunRoom::albedo(place, normal) * irradianceAt(place, normal) / kPi;
+        return glm::min(dark.box.photo(place, normal) + more, 1.0f);
+    };
+    EXPECT_FALSE(solve(SunRoom::scanOf(photo)).lights().sun);
 }
 
 TEST(Sun, GivenOneIsBelieved)

@@ -80,6 +80,7 @@ ordered_json optionsAsJson(const GatherOptions& gather)
             {"shadowRays", gather.shadowRays},
             {"lights", placesAsJson(gather.lights)},
             {"notLights", placesAsJson(gather.notLights)},
+            {"sun", gather.sun},
             {"raySeed", gather.seed}};
 }
 

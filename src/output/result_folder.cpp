@@ -55,6 +55,7 @@ FormerRun runFrom(const JsonItem& report, const std::filesystem::path& folder)
     run.gather.seed = static_cast<uint32_t>(options.whole("raySeed", 0, kMostSeed, 1));
     run.gather.lights = options.vectors("lights");
     run.gather.notLights = options.vectors("notLights");
+    run.gather.sun = options.flag("sun", true);
     return run;
 }
 

@@ -116,21 +116,13 @@ LitSides sidesOf(const Texels& texels, const RayScene& scene, FoundRoom& room)
                       room.found.outside);
 }
 
-SunOnRoom sunOn(const Sun& sun, const Texels& texels, const HitLists& hits, RayScene outside)
+SunOnRoom sunOn(FoundSun found, const Texels& texels)
 {
-    AreaLight disc(sunDisc(sun, *texels.scan));
-    std::vector<AreaSample> onSides = directOfLists(texels, outside, hits, {disc});
-    return {.sun = sun,
+    AreaLight disc(sunDisc(found.sun, *texels.scan));
+    return {.sun = found.sun,
             .disc = std::move(disc),
-            .outside = std::make_shared<const RayScene>(std::move(outside)),
-            .onSides = std::move(onSides)};
-}
-
-/// Burnt-out patches of sun that were taken for lamps light the room like these, and are none.
-void markSunlit(const SunOnRoom& sun, std::vector<FoundLamp>& lamps)
-{
-    for (FoundLamp& lamp : lamps)
-        lamp.isSunlit = lamp.isSunlit || isSunlit(*sun.outside, sun.sun, lamp);
+            .outside = std::move(found.outside),
+            .onSides = std::move(found.onSides)};
 }
 
 /// The sun lights what it is seen from; what the texture shows to lie in shade, it does not.
@@ -149,14 +141,11 @@ void search(const Texels& texels, const RayScene& scene, Progress& progress, Fou
     room.found = findLamps(texels, scene, room.hits, room.radiance, room.options, progress);
     room.warnings = room.found.warnings;
     const Progress::Stage stage(progress, "sun");
-    room.shines = shinesOf(room);
-    room.sides = sidesOf(texels, scene, room);
-    RayScene outside = sceneWithoutPanes(texels, room.radiance, room.found);
-    if (const std::optional<Sun> sun =
-            findSun(texels, outside, room.hits, room.radiance, room.sides, room.found)) {
-        SunOnRoom found = sunOn(*sun, texels, room.hits, std::move(outside));
-        markSunlit(found, room.found.lamps);
-        letIn(std::move(found), texels, scene, room);
+    if (room.found.sun) {
+        letIn(sunOn(*std::exchange(room.found.sun, {}), texels), texels, scene, room);
+    } else {
+        room.shines = shinesOf(room);
+        room.sides = sidesOf(texels, scene, room);
     }
     label(room.found, texels, progress);
 }
@@ -178,8 +167,11 @@ void take(const Lights& given, const DelightOptions& options, const Texels& texe
     if (!given.sun) return;
     FoundLamps panes;
     for (const auto& surface : surfaces) panes.lamps.push_back({.patches = surface});
-    RayScene outside = sceneWithoutPanes(texels, room.radiance, panes);
-    letIn(sunOn(*given.sun, texels, room.hits, std::move(outside)), texels, scene, room);
+    const auto outside =
+        std::make_shared<const RayScene>(sceneWithoutPanes(texels, room.radiance, panes));
+    const AreaLight disc(sunDisc(*given.sun, *texels.scan));
+    std::vector<AreaSample> onSides = directOfLists(texels, *outside, room.hits, {disc});
+    letIn(sunOn({*given.sun, outside, std::move(onSides)}, texels), texels, scene, room);
 }
 
 /// Where the lamps are that shine, and no more of them.

@@ -150,8 +150,9 @@ bool LitBox::isLamp(glm::vec3 place, glm::vec3 normal) const
 
 glm::vec3 LitBox::photo(glm::vec3 place, glm::vec3 normal) const
 {
-    if (isLamp(place, normal)) return glm::vec3(1.0f);
-    const glm::vec3 radiance = albedo_(place, normal) * irradiance(place, normal) / kPi;
+    glm::vec3 radiance = albedo_(place, normal) * irradiance(place, normal) / kPi;
+    for (const ShiningPanel& lamp : lamps_)
+        if (holds(lamp.panel, place, normal)) radiance = lamp.radiance;
     return {inSteps(radiance.r), inSteps(radiance.g), inSteps(radiance.b)};
 }
 

@@ -69,8 +69,13 @@ glm::vec3 SunRoom::albedo(glm::vec3 place, glm::vec3 normal)
     return normal.y < -0.5f ? glm::vec3(0.7f) : glm::vec3(0.55f, 0.52f, 0.5f);
 }
 
-SunRoom::SunRoom(glm::vec3 sun, float paneRadiance, glm::vec3 towardsSun)
-    : box(kSize, lampsOf(kFloor * sun / kPi, paneRadiance, towardsSun), albedo),
+Scan SunRoom::scanOf(const Paint& photo)
+{
+    return panels(panelsOf(false), kSunPixels, photo);
+}
+
+SunRoom::SunRoom(glm::vec3 sun, float paneRadiance, glm::vec3 towardsSun, const Paint& paint)
+    : box(kSize, lampsOf(kFloor * sun / kPi, paneRadiance, towardsSun), paint),
       scan(panels(panelsOf(paneRadiance > 0.0f), kSunPixels,
                   [this](glm::vec3 p, glm::vec3 n) { return box.photo(p, n); }))
 {}

@@ -18,7 +18,10 @@ struct SunRoom
 
     /// `sun` is the irradiance in the patch, from it and all else; the panel alone gives about 1.
     /// `paneRadiance` 0: there is none.
-    explicit SunRoom(glm::vec3 sun, float paneRadiance = 0.0f, glm::vec3 towardsSun = kTowardsSun);
+    explicit SunRoom(glm::vec3 sun, float paneRadiance = 0.0f, glm::vec3 towardsSun = kTowardsSun,
+                     const Paint& paint = albedo);
+    /// Its surfaces without a pane, with what a photo shows of them.
+    [[nodiscard]] static Scan scanOf(const Paint& photo);
 
     [[nodiscard]] static Panel patchPanel(glm::vec3 towardsSun = kTowardsSun);
     [[nodiscard]] static Panel window();

@@ -1,0 +1,184 @@
+#include "fit/sun_trial.h"
+
+#include "base/radiometry.shared.h"
+#include "fit/light_fit.h"
+#include "image/burnt_out.shared.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kMostly = 0.8f; // of a piece's area that the sun reaches: of half a lampshade it
+                                // reaches 0.64 at most
+
+/// Mean over a surfel and its neighbours: of light that changes slowly, its own few rays are noise.
+template<class T, class Of>
+T meanAround(const Surfels& surfels, uint32_t surfel, const Of& of)
+{
+    const std::span around = surfels.neighborsOf(surfel);
+    T sum{0.0f};
+    for (const uint32_t n : around) sum += of(n);
+    return sum / static_cast<float>(around.size());
+}
+
+/// Area of a piece of which `of` tells how much.
+template<class Of>
+float areaOf(const Piece& piece, const Of& of)
+{
+    float area = 0.0f;
+    for (const ClippedPatch& patch : piece.candidate.patches)
+        if (patch.surfel != Surfels::kNone) area += patch.area * of(patch.surfel);
+    return area;
+}
+
+} // namespace
+
+std::vector<glm::vec3> shownOf(const SurfelRadiance& radiance)
+{
+    std::vector<glm::vec3> shown = radiance.plain;
+    for (const ClippedPatch& patch : radiance.clipped)
+        if (isMostlyBurntOut(radiance, patch.surfel)) shown[patch.surfel] = patch.radiance;
+    return shown;
+}
+
+SunTrial::SunTrial(const Texels& texels, const SurfelRadiance& radiance, const LightSoFar& light,
+                   glm::vec3 direction, std::vector<AreaSample> seen)
+    : towards(direction), onSides(std::move(seen)), rim(texels, radiance, onSides)
+{
+    addRows(radiance, texels.surfels, light);
+    setChannel(without, -1);
+    findPatches(light);
+    with = without;
+    for (const SunPatch& patch : patches) {
+        with.area[patch.piece] = 0.0f;
+        for (size_t i = 0; i < with.shown.size(); ++i)
+            with.direct[i * with.pieces + patch.piece] = 0.0f;
+    }
+    setChannel(with, -1);
+}
+
+/// Without light from outside.
+std::span<float> SunTrial::addRow(glm::vec3 shown, glm::vec3 gathered, float ofSun)
+{
+    without.shown.push_back(shown);
+    without.gathered.push_back(gathered);
+    without.missed.resize(without.shown.size() * without.outsides, 0.0f);
+    without.direct.resize(without.shown.size() * without.pieces, 0.0f);
+    straight_.push_back(ofSun);
+    return std::span(without.direct).last(without.pieces);
+}
+
+void SunTrial::copyRow(const LightModel& before, size_t row, float ofSun)
+{
+    const std::span<float> copy = addRow(before.shown[row], before.gathered[row], ofSun);
+    std::copy_n(before.missed.end() -
+                    static_cast<ptrdiff_t>((before.shown.size() - row) * before.outsides),
+                before.outsides, without.missed.end() - static_cast<ptrdiff_t>(before.outsides));
+    std::copy_n(before.directAt(row).begin(), before.pieces, copy.begin());
+}
+
+/// Rows of the rim come behind the places, a column and a row for the sun come last.
+void SunTrial::addRows(const SurfelRadiance& radiance, const Surfels& surfels,
+                       const LightSoFar& light)
+{
+    const LightModel& before = light.model;
+    without.pieces = before.pieces + 1;
+    without.outsides = before.outsides;
+    without.area = before.area;
+    without.area.push_back(0.0f);
+    for (size_t i = 0; i < before.places(); ++i)
+        copyRow(before, i, onSides[light.places[i]].visible);
+    addRim(radiance, surfels, light);
+    for (size_t f = 0; f < before.pieces; ++f) {
+        const Piece& piece = light.pieces[f];
+        const float lit = areaOf(piece, [&](uint32_t s) { return onSides[s].visible; });
+        copyRow(before, before.placeOf(f), lit / std::max(piece.candidate.area, 1e-9f));
+    }
+    addRow(glm::vec3(0.0f), glm::vec3(0.0f), 0.0f);
+}
+
+/// What comes from outside is gathered there as it was last.
+void SunTrial::addRim(const SurfelRadiance& radiance, const Surfels& surfels,
+                      const LightSoFar& light)
+{
+    const Gathered& gathered = light.sides.gathered;
+    const std::vector<glm::vec3> shown = shownOf(radiance);
+    firstOfRim_ = light.model.places();
+    for (const uint32_t s : rim.surfels()) {
+        const std::span<float> row = addRow(
+            shown[s],
+            meanAround<glm::vec3>(surfels, s, [&](uint32_t n) { return gathered.irradiance[n]; }),
+            onSides[s].visible);
+        for (size_t f = 0; f < light.pieces.size(); ++f)
+            if (light.emits[f] != 0)
+                row[f] = meanAround<float>(
+                    surfels, s, [&](uint32_t n) { return light.pieces[f].onSides[n].visible; });
+    }
+}
+
+/// Albedo across the rim from a piece; where it has no rim, across all of it.
+glm::vec3 SunTrial::paintBeside(const Piece& piece, const LightSoFar& light) const
+{
+    std::vector<uint8_t> isOfPiece(light.sides.albedo.size(), 0);
+    for (const ClippedPatch& patch : piece.candidate.patches)
+        if (patch.surfel != Surfels::kNone) isOfPiece[patch.surfel] = 1;
+    glm::vec3 sum(0.0f);
+    glm::vec3 sumOfAll(0.0f);
+    float count = 0.0f;
+    const std::vector<MaterialPair> across = rim.all();
+    for (const auto& [lit, dark] : across) {
+        sumOfAll += light.sides.albedo[dark];
+        if (isOfPiece[lit] == 0) continue;
+        sum += light.sides.albedo[dark];
+        count += 1.0f;
+    }
+    if (count > 0.0f) return sum / count;
+    return sumOfAll / std::max(static_cast<float>(across.size()), 1.0f);
+}
+
+void SunTrial::findPatches(const LightSoFar& light)
+{
+    for (size_t f = 0; f < light.pieces.size(); ++f) {
+        const Piece& piece = light.pieces[f];
+        const float lit = areaOf(piece, [&](uint32_t s) {
+            return onSides[s].open > 0.0f ? onSides[s].visible / onSides[s].open : 0.0f;
+        });
+        if (lit < kMostly * piece.candidate.area) continue;
+        patches.push_back({f, paintBeside(piece, light) / kPi * straight_[without.placeOf(f)]});
+    }
+}
+
+/// Where one channel alone is burnt out, the others are as seen, and so is most of the luminance.
+void SunTrial::setChannel(LightModel& model, int channel) const
+{
+    const auto pick = [&](glm::vec3 rgb) { return channel < 0 ? luminance(rgb) : rgb[channel]; };
+    model.isBurntOut.assign(model.places(), 0);
+    for (size_t i = firstOfRim_; i < model.places(); ++i)
+        model.isBurntOut[i] = pick(model.shown[i]) >= kSafelyBelow ? 1 : 0;
+    for (size_t i = 0; i < model.shown.size(); ++i) {
+        float& ofSun = model.direct[i * model.pieces + sun()];
+        ofSun = straight_[i];
+        for (const SunPatch& patch : patches)
+            ofSun += pick(patch.perRadiance) * without.directAt(i)[patch.piece];
+    }
+}
+
+std::vector<MaterialPair> SunTrial::pairs(size_t drawn) const
+{
+    const double perCell = static_cast<double>(drawn) / LightFit::effectivePairs();
+    return rim.pairs(static_cast<size_t>(std::ceil(perCell)), static_cast<uint32_t>(firstOfRim_));
+}
+
+LightModel SunTrial::channelOf(int channel) const
+{
+    LightModel model = with;
+    setChannel(model, channel);
+    return model;
+}
+
+} // namespace relamp
