@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -30,7 +31,7 @@ namespace
 constexpr size_t kMostPieces = 96;
 constexpr size_t kSearchSteps = 4;    // of the search, as progress tells
 constexpr double kLampNats = 2.0;     // that it takes to believe in a lamp
-constexpr double kModelNats = 0.75;   // where one of its model emits
+constexpr double kModelNats = -0.5;   // where one of its model emits
 constexpr double kFirstNoise = 0.08;  // log: between places of one paint, before it is measured
 constexpr double kFirstWidth = 6.0;   // times the noise: what the first loss forgives
 constexpr double kNoiseOfPairs = 0.7; // of the median difference of pairs: half are of two paints
@@ -69,7 +70,8 @@ private:
     void observe();
     [[nodiscard]] LightFit fitOf(size_t pairs) const;
     [[nodiscard]] double costOf(uint32_t piece) const;
-    [[nodiscard]] Removal removalOf(uint32_t piece) const;
+    [[nodiscard]] Removal removalOf(std::vector<uint32_t> pieces, double cost) const;
+    [[nodiscard]] std::vector<Removal> removals() const;
     void choose(size_t pairs);
     void prune(const LightFit& fit);
     struct Addition
@@ -181,8 +183,8 @@ LightFit LampSearch::fitOf(size_t pairs) const
     return {model_, evidence_.pairs(pairs), kin_.alike, noise_};
 }
 
-/// Nats that it takes to believe that a piece emits; fewer where one like it does, none for a part
-/// of one.
+/// Nats that it takes to believe that a piece emits; none where one does that it is a part of. One
+/// of its model that emits speaks for it.
 double LampSearch::costOf(uint32_t piece) const
 {
     const auto emits = [&](uint32_t other) { return emits_[other] != 0; };
@@ -193,12 +195,12 @@ double LampSearch::costOf(uint32_t piece) const
     return anyOf(kin_.model[piece]) ? kModelNats : kLampNats;
 }
 
-/// A piece with all that leans on nothing else.
-Removal LampSearch::removalOf(uint32_t piece) const
+/// These with all that leans on nothing else.
+Removal LampSearch::removalOf(std::vector<uint32_t> pieces, double cost) const
 {
     std::vector<uint8_t> isGone(pieces_.size(), 0);
-    isGone[piece] = 1;
-    Removal removal{{piece}, costOf(piece)};
+    for (const uint32_t piece : pieces) isGone[piece] = 1;
+    Removal removal{std::move(pieces), cost};
     for (size_t k = 0; k < removal.pieces.size(); ++k)
         for (uint32_t f = 0; f < pieces_.size(); ++f) {
             if (emits_[f] == 0 || isGone[f] != 0 || pieces_[f].isGiven) continue;
@@ -215,17 +217,32 @@ Removal LampSearch::removalOf(uint32_t piece) const
     return removal;
 }
 
+/// Every piece that emits by itself, and those of one model together: each of ten panels is hardly
+/// missed where nine are left.
+std::vector<Removal> LampSearch::removals() const
+{
+    std::vector<Removal> removals;
+    const auto mayGo = [&](uint32_t f) { return emits_[f] != 0 && !pieces_[f].isGiven; };
+    for (uint32_t f = 0; f < pieces_.size(); ++f) {
+        if (!mayGo(f)) continue;
+        removals.push_back(removalOf({f}, costOf(f)));
+        std::vector<uint32_t> model{f};
+        std::copy_if(kin_.model[f].begin(), kin_.model[f].end(), std::back_inserter(model), mayGo);
+        if (model.size() > 1) removals.push_back(removalOf(std::move(model), kLampNats));
+    }
+    return removals;
+}
+
 /// Lets no piece emit that the rest explains, as far as the cost's quadratic form tells.
 void LampSearch::prune(const LightFit& fit)
 {
     for (;;) {
-        std::vector<Removal> removals;
-        for (uint32_t f = 0; f < pieces_.size(); ++f)
-            if (emits_[f] != 0 && !pieces_[f].isGiven) removals.push_back(removalOf(f));
+        const std::vector<Removal> removals = this->removals();
         const std::vector<uint8_t> gone = fit.needless(estimate_, emits_, removals);
         if (std::all_of(gone.begin(), gone.end(), [](uint8_t g) { return g == 0; })) return;
         for (size_t k = 0; k < removals.size(); ++k)
-            if (gone[k] != 0) emits_[removals[k].pieces.front()] = 0;
+            if (gone[k] != 0)
+                for (const uint32_t piece : removals[k].pieces) emits_[piece] = 0;
         estimate_ = fit.solve(emits_, estimate_.log, 1.0);
     }
 }
@@ -241,9 +258,7 @@ void LampSearch::drop(const LightFit& fit)
     };
     for (;;) {
         std::vector<Trial> trials;
-        for (uint32_t f = 0; f < pieces_.size(); ++f) {
-            if (emits_[f] == 0 || pieces_[f].isGiven) continue;
-            const Removal removal = removalOf(f);
+        for (const Removal& removal : removals()) {
             trials.push_back({emits_});
             for (const uint32_t piece : removal.pieces) trials.back().emits[piece] = 0;
             trials.back().lost = -removal.cost;
