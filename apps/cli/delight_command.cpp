@@ -150,6 +150,11 @@ void addGatherParameters(CLI::App& command, DelightArguments& arguments)
             "--no-sun", [&gather] { gather.sun = false; }, "Look for no sun")
         ->group(kGatherGroup);
     command
+        .add_flag_callback(
+            "--no-response", [&gather] { gather.response = false; },
+            "Take the texture as proportional to light: the camera applied no contrast curve")
+        ->group(kGatherGroup);
+    command
         .add_option(
             "--rays", gather.rays,
             "Rays from every small piece of surface that look for bounce light [by quality]")

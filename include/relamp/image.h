@@ -2,6 +2,7 @@
 
 #include "relamp/api.h"
 #include "relamp/progress.h"
+#include "relamp/response.h"
 
 #include <array>
 #include <cstddef>
@@ -66,7 +67,9 @@ struct Image
 class RELAMP_API Radiance
 {
 public:
-    explicit Radiance(const Image& image);
+    /// `response` undoes what the camera made of light; of textures that can hold more than white
+    /// nothing is undone.
+    explicit Radiance(const Image& image, const Response& response = {});
 
     /// Linear RGB at `pixel` = row * width + column; >= 0, finite, 1 = the file's white.
     [[nodiscard]] glm::vec3 operator[](size_t pixel) const
@@ -89,6 +92,7 @@ private:
     const uint8_t* bytes_; // null where the image is in half floats
     const uint16_t* half_;
     std::array<float, 256> linearOf_;
+    Response response_; // of half floats
 };
 
 /// Reads JPEG, PNG, WebP, TIFF, EXR, HDR and whatever else OpenImageIO knows.

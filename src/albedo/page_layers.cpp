@@ -56,7 +56,7 @@ private:
 
 LayerMaker::LayerMaker(const Texels& texels, size_t page, const SolvedTexels& solved,
                        const AlbedoOptions& options)
-    : page_(page), texels_(texels.pages[page]), loader_(texels, page), solved_(solved),
+    : page_(page), texels_(texels.pages[page]), loader_(texels, page, &solved.linearization), solved_(solved),
       options_(options), ofVertices_(texels.scan->pages[page].ofVertices),
       clips_(texels.scan->pages[page].image.clipsAtWhite)
 {

@@ -24,6 +24,7 @@ struct SolvedTexels
     Shining shining;
     std::vector<SurfelTrust> trust; // in the shading of surfels; empty: full
     std::vector<glm::vec3> fill;    // albedo of surfels, for what is burnt out; or none
+    Linearization linearization;    // of the texture, which `shade` explains
 };
 
 /// The layers of a page as a device makes them of what a solver says; none where it gave up and the

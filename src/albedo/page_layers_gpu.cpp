@@ -53,10 +53,11 @@ bool unpackRating(const gpu::Array<uint32_t>& rating, PageLayers& layers)
 }
 
 /// Sets what follows from the texture and the doubts.
-void addEmissionAndAreas(const Texels& texels, size_t p, bool anyShines, PageLayers& layers)
+void addEmissionAndAreas(const Texels& texels, size_t p, const Linearization& linearization,
+                         bool anyShines, PageLayers& layers)
 {
     const PageTexels& page = texels.pages[p];
-    const TexelLoader loader(texels, p);
+    const TexelLoader loader(texels, p, &linearization);
     const auto shines = [&](uint32_t pixel) { return layers.doubt[pixel] == Doubt::shines; };
     if (anyShines) layers.emission.resize(3 * layers.doubt.size());
     AreaOfDoubts areas;
@@ -151,7 +152,8 @@ void PageLayersGpu::divide(gpu::Commands& commands, const LitPage& page,
     commands.barrier();
 }
 
-PageLayers layersFrom(const LayerPictures& pictures, const Texels& texels, size_t page)
+PageLayers layersFrom(const LayerPictures& pictures, const Texels& texels, size_t page,
+                      const Linearization& linearization)
 {
     PageLayers layers = emptyLayers(texels.scan->pages[page].image);
     unpack(pictures.albedo, layers.albedo);
@@ -161,7 +163,7 @@ PageLayers layersFrom(const LayerPictures& pictures, const Texels& texels, size_
     const std::vector<bool>& isShared = texels.pages[page].isShared;
     for (uint32_t pixel = 0; pixel < isShared.size(); ++pixel)
         if (isShared[pixel] && layers.doubt[pixel] != Doubt::shines) doubtShared(pixel, layers);
-    addEmissionAndAreas(texels, page, anyShines, layers);
+    addEmissionAndAreas(texels, page, linearization, anyShines, layers);
     return layers;
 }
 

@@ -57,6 +57,7 @@ private:
 };
 
 /// Fetches the layers of a page. What shines is the texture's own and comes from there.
-PageLayers layersFrom(const LayerPictures& pictures, const Texels& texels, size_t page);
+PageLayers layersFrom(const LayerPictures& pictures, const Texels& texels, size_t page,
+                      const Linearization& linearization = {});
 
 } // namespace relamp

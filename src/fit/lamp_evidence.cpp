@@ -75,23 +75,34 @@ void LampEvidence::choosePlaces(size_t most)
 
 void LampEvidence::findAround()
 {
-    std::vector<uint32_t> around; // surfels, ascending
     placeInAround_.assign(texels_.surfels.count(), 0);
     for (const uint32_t place : places_)
         forEachAround(texels_.surfels, place, [&](uint32_t n) { placeInAround_[n] = 1; });
     for (uint32_t s = 0; s < placeInAround_.size(); ++s) {
         if (placeInAround_[s] == 0) continue;
-        placeInAround_[s] = static_cast<uint32_t>(around.size());
-        around.push_back(s);
+        placeInAround_[s] = static_cast<uint32_t>(around_.size());
+        around_.push_back(s);
     }
-    missed_ = missedOf(hits_, around, hits_.shareOfPart.size());
-    settling_ = SettlingGather(hits_, field_, around); // a front's list is its surfel's
+    missed_ = missedOf(hits_, around_, hits_.shareOfPart.size());
+    settling_ = SettlingGather(hits_, field_, around_); // a front's list is its surfel's
+}
+
+void LampEvidence::takeRadiance()
+{
+    field_.plain = radiance_.plain;
+    settling_ = SettlingGather(hits_, field_, around_);
+}
+
+std::vector<glm::vec3> LampEvidence::shown(std::span<const glm::vec3> ofSurfels) const
+{
+    std::vector<glm::vec3> shown;
+    for (const uint32_t place : places_) shown.push_back(ofSurfels[place]);
+    return shown;
 }
 
 void LampEvidence::drawAllPairs()
 {
-    std::vector<glm::vec3> shown;
-    for (const uint32_t place : places_) shown.push_back(radiance_.plain[place]);
+    const std::vector<glm::vec3> shown = this->shown(radiance_.plain);
     for (const size_t perPlace : {kPairsFirst, kPairs})
         pairs_[perPlace] = drawPairs(shown, places_, texels_.surfels, perPlace);
 }
@@ -136,7 +147,7 @@ LightModel LampEvidence::modelOf(std::span<const Piece> pieces)
         model.gathered[i] /= count;
         for (size_t part = 0; part < model.outsides; ++part)
             model.missed[i * model.outsides + part] /= count;
-        model.shown[i] = radiance_.plain[places_[i]];
+        model.shown[i] = field_.plain[places_[i]];
         for (size_t f = 0; f < pieces.size(); ++f)
             model.direct[i * pieces.size() + f] = pieces[f].direct[i];
     });

@@ -36,6 +36,11 @@ public:
     /// `perPlace` is kPairsFirst or kPairs; drawAllPairs() comes before.
     [[nodiscard]] std::span<const MaterialPair> pairs(size_t perPlace) const;
 
+    /// The radiance that it was made with is another now, where nothing is burnt out.
+    void takeRadiance();
+    /// Of one value a surfel those of the places.
+    [[nodiscard]] std::vector<glm::vec3> shown(std::span<const glm::vec3> ofSurfels) const;
+
     /// Further pairs, of places that the caller adds to the model.
     void addPairs(size_t perPlace, std::span<const MaterialPair> pairs)
     {
@@ -66,6 +71,7 @@ private:
     const HitLists& hits_;
     const SurfelRadiance& radiance_;
     std::vector<uint32_t> places_;        // surfels, which are also the lists of their fronts
+    std::vector<uint32_t> around_;        // surfels that light of places is averaged over, ascending
     std::vector<uint32_t> placeInAround_; // [surfel]: its number among those around places
     RadianceField field_;
     SettlingGather settling_;                           // by these

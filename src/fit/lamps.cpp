@@ -3,6 +3,7 @@
 #include "base/call_all.h"
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
+#include "fit/camera_columns.h"
 #include "fit/lamp_evidence.h"
 #include "fit/lamp_groups.h"
 #include "fit/light_fit.h"
@@ -21,6 +22,8 @@
 #include <optional>
 #include <utility>
 
+#include <cstdio>
+#include <cstring>
 #include <fmt/format.h>
 
 namespace relamp
@@ -39,6 +42,9 @@ constexpr double kLeastNoise = 0.02;  // log; what a byte and a few rays tell
 constexpr double kMostNoise = 0.2;    // log
 constexpr size_t kTries = 4;          // of the most promising pieces, each time one is added
 constexpr int kChoices = 4;           // rounds of taking away and adding, at most
+constexpr int kCameraRounds = 2;
+constexpr double kFlattestResponse = 0.4;   // of a camera's inverse response, log by log
+constexpr double kSteepestResponse = 3.0;    // likewise
 constexpr double kUnknown = 0.7;      // standard error of log radiance: about a factor of two
 constexpr double kColorSpread = 1.0;  // log: of a lamp's channels about its luminance
 constexpr double kColorWidth = 2.0;   // times the noise: where the loss for a channel begins
@@ -54,6 +60,14 @@ std::string unknownAt(glm::vec3 place, size_t lamps)
                        "for it lights little that can be seen; its radiance is a guess. Set it in "
                        "lights.json and pass that with --lights",
                        place.x, place.y, place.z);
+}
+
+double meanLog(std::span<const glm::vec3> shown)
+{
+    double sum = 0.0;
+    for (const glm::vec3 rgb : shown)
+        sum += std::log(std::max(static_cast<double>(luminance(rgb)), 1e-4));
+    return sum / static_cast<double>(std::max<size_t>(shown.size(), 1));
 }
 
 class LampSearch
@@ -87,6 +101,8 @@ private:
     void lookCloser();
     bool join();
     void findColors();
+    void findCamera(size_t pairs);
+    void measureNoise();
     void letSunIn(const LitSides& sides);
     void takeSun(FoundLamps& found);
     [[nodiscard]] std::vector<Piece> lamps() const;
@@ -95,8 +111,10 @@ private:
     const Texels& texels_;
     const RayScene& scene_;
     const HitLists& hits_;
-    const SurfelRadiance& radiance_;
+    std::vector<glm::vec3> texture_; // of surfels, as the file has it
+    SurfelRadiance radiance_; // of the texture, then of the scene
     bool isSunSought_;
+    bool isCameraSought_;
     Progress::Stage stage_;
     LampEvidence evidence_;
     std::vector<Piece> pieces_;
@@ -108,15 +126,17 @@ private:
     OutsideLight outside_;
     std::vector<std::string> warnings_;
     std::shared_ptr<const RayScene> beforeSun_; // what stands before it
+    Linearization linearization_;
     std::optional<SunTrial> sun_;               // the last piece
 };
 
 LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
                        const SurfelRadiance& radiance, const GatherOptions& options,
                        Progress& progress)
-    : texels_(texels), scene_(scene), hits_(hits), radiance_(radiance), isSunSought_(options.sun),
+    : texels_(texels), scene_(scene), hits_(hits), texture_(radiance.plain), radiance_(radiance), isSunSought_(options.sun),
+      isCameraSought_(options.response),
       stage_(progress, "lamps", kSearchSteps),
-      evidence_(texels, scene, hits, radiance, options.quality)
+      evidence_(texels, scene, hits, radiance_, options.quality)
 {
     callAll([&] { takeCandidates(options, radiance); }, [&] { evidence_.drawAllPairs(); });
 }
@@ -485,8 +505,55 @@ FoundLamps LampSearch::result()
                                std::move(lamp.ends)});
     }
     takeSun(found);
+    found.linearization = std::move(linearization_);
     stage_.advance();
     return found;
+}
+
+/// What the camera made of the light, beside all pieces that may emit: the light that is gathered
+/// changes with it, and so does the noise.
+void LampSearch::findCamera(size_t pairs)
+{
+    Response& response = linearization_.response;
+    const std::vector<glm::vec3>& texture = texture_;
+    for (int round = 0; round < kCameraRounds; ++round) {
+        LightFit fit = fitOf(pairs);
+        fit.expectLeaks(estimate_.log);
+        const double straight = fit.solve(emits_, estimate_.log, 1.0).nats;
+        const CameraColumns columns = columnsOf(response, evidence_.shown(texture));
+        const LightEstimate with = fit.solve(emits_, estimate_.log, columns);
+        const double before = meanLog(evidence_.shown(radiance_.plain));
+        for (size_t k = 0; k < with.camera.size(); ++k)
+            response.slope[k] =
+                static_cast<float>(std::clamp(1.0 + with.camera[k], kFlattestResponse, kSteepestResponse));
+        if (const char* forced = getenv("RELAMP_SLOPES"))
+            sscanf(forced, "%f,%f,%f,%f,%f", &response.slope[0], &response.slope[1],
+                   &response.slope[2], &response.slope[3], &response.slope[4]);
+        for (size_t s = 0; s < texture.size(); ++s)
+            for (int c = 0; c < 3; ++c) radiance_.plain[s][c] = response(texture[s][c]);
+        evidence_.takeRadiance();
+        observe();
+        const double brighter = meanLog(evidence_.shown(radiance_.plain)) - before;
+        estimate_.log = with.log;
+        for (double& log : estimate_.log) log += brighter;
+        estimate_ =
+            fitOf(LampEvidence::kPairsFirst).solve(emits_, std::move(estimate_.log), 1.0);
+        measureNoise();
+        if (getenv("RELAMP_CAMERA")) {
+            fmt::print(stderr, "  noise {:.3f} nats {:.2f} -> {:.2f} slopes", noise_, straight, with.nats);
+            for (size_t k = 0; k < with.camera.size(); ++k)
+                fmt::print(stderr, " {:.2f}+-{:.2f}", 1.0 + with.camera[k], with.error[with.log.size() + k]);
+            fmt::print(stderr, "\n   e");
+            for (size_t f = 0; f < estimate_.log.size(); ++f) if (f >= pieces_.size() || pieces_[f].candidate.area > 0.05f) fmt::print(stderr, " {:.2f}", std::exp(estimate_.log[f]));
+            double k = 0, n = 0; for (size_t i = 0; i < model_.places(); ++i) { k += luminance(model_.gathered[i]); n += luminance(model_.shown[i]);}
+            fmt::print(stderr, "\n   mean gathered {:.3f} shown {:.3f}\n", k / static_cast<double>(model_.places()), n / static_cast<double>(model_.places()));
+        }
+    }
+}
+
+void LampSearch::measureNoise()
+{
+    noise_ = std::clamp(kNoiseOfPairs * estimate_.residual, kLeastNoise, kMostNoise);
 }
 
 FoundLamps LampSearch::run()
@@ -495,11 +562,17 @@ FoundLamps LampSearch::run()
     observe();
     const LightFit all = fitOf(LampEvidence::kPairsFirst);
     estimate_ = all.solve(emits_, all.beginning(), kFirstWidth);
-    noise_ = std::clamp(kNoiseOfPairs * estimate_.residual, kLeastNoise, kMostNoise);
+    measureNoise();
+    const char* order = getenv("RELAMP_ORDER") ? getenv("RELAMP_ORDER") : "AB";
+    if (isCameraSought_ && strchr(order, 'A')) findCamera(LampEvidence::kPairsFirst);
     choose(LampEvidence::kPairsFirst);
     stage_.advance();
     lookCloser();
     choose(LampEvidence::kPairsFirst);
+    if (isCameraSought_ && strchr(order, 'B')) {
+        findCamera(LampEvidence::kPairs);
+        choose(LampEvidence::kPairsFirst);
+    }
     for (int round = 0; round < kChoices && join(); ++round) choose(LampEvidence::kPairsFirst);
     stage_.advance();
     findColors();

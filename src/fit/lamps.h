@@ -5,6 +5,7 @@
 #include "relamp/gather.h"
 #include "relamp/lights.h"
 #include "relamp/progress.h"
+#include "scan/linearization.h"
 #include "scan/rays.h"
 #include "shading/hit_lists.h"
 #include "shading/lit_sides.h"
@@ -46,6 +47,7 @@ struct FoundLamps
     OutsideLight outside;
     float residual = 0.0f; // of the fit, in log radiance
     std::optional<FoundSun> sun{};
+    Linearization linearization{}; // of the texture, as it was found with the lamps
     std::vector<std::string> warnings;
 };
 

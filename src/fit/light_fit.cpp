@@ -40,6 +40,7 @@ constexpr double kFlaw = 0.3; // chance that such a wall has not the light for i
                               // or the texture mixes it with a lamp
 constexpr double kLeastIrradiance = 1e-3; // radiance sr, that no place falls below
 constexpr double kDark = 1e-4;            // radiance
+constexpr double kLeastSlope = 0.2;       // of a camera's inverse response, log by log
 constexpr double kConverged = 0.0025;     // nats
 constexpr int kMostSteps = 30;
 constexpr double kLongestStep = 2.0; // log
@@ -68,7 +69,7 @@ class LightFitSearch
 {
 public:
     LightFitSearch(const LightFit& fit, std::span<const uint8_t> emits, const EmissionPrior& prior,
-                   std::vector<double> start);
+                   std::vector<double> start, const CameraColumns& camera);
 
     void run(double widest);
     [[nodiscard]] LightEstimate result() const;
@@ -80,6 +81,7 @@ private:
         std::vector<double> log;       // of pieces, then of parts outside
         std::vector<double> reflected; // log radiance that pieces have if they only reflect
         std::vector<double> logIrradiance;
+        std::vector<double> shown; // log radiance of places
         double nats = 0.0;
     };
     struct Normal
@@ -108,7 +110,23 @@ private:
     {
         return emits_[piece] == 0 && prior_.log.empty();
     }
-    [[nodiscard]] size_t count() const { return pieceOf_.size() + model_.outsides; } // of unknowns
+    [[nodiscard]] size_t lights() const { return pieceOf_.size() + model_.outsides; } // unknown
+    [[nodiscard]] size_t count() const { return lights() + camera_.count(); } // of all unknowns
+    [[nodiscard]] double cameraAt(const Point& at, size_t k) const // beyond what is known
+    {
+        return at.log[model_.pieces + model_.outsides + k] - camera_.known[k];
+    }
+    [[nodiscard]] double shown(const Point& at, size_t place) const
+    {
+        double log = fit_.logShown_[place];
+        if (camera_.count() > 0 && place < model_.places())
+            for (size_t k = 0; k < camera_.count(); ++k)
+                log += cameraAt(at, k) * static_cast<double>(camera_.bendAt(place)[k]);
+        return log;
+    }
+    [[nodiscard]] double slopeOf(const Point& at, MaterialPair pair) const;
+    void addCamera(const Point& at, Normal& normal) const;
+    [[nodiscard]] double costOfCamera(const Point& at) const;
     [[nodiscard]] size_t at(size_t unknown) const // its place in logs
     {
         return unknown < pieceOf_.size() ? pieceOf_[unknown]
@@ -127,6 +145,7 @@ private:
     const LightModel& model_;
     std::span<const uint8_t> emits_;
     const EmissionPrior& prior_;
+    const CameraColumns& camera_;
     std::vector<size_t> pieceOf_; // of unknowns; the parts outside come behind
     std::vector<int> unknownOf_;  // of pieces; < 0: it reflects as its paint is expected to
     double wider_ = 1.0;
@@ -135,8 +154,10 @@ private:
 };
 
 LightFitSearch::LightFitSearch(const LightFit& fit, std::span<const uint8_t> emits,
-                               const EmissionPrior& prior, std::vector<double> start)
-    : fit_(fit), model_(fit.model_), emits_(emits), prior_(prior), unknownOf_(emits.size(), -1)
+                               const EmissionPrior& prior, std::vector<double> start,
+                               const CameraColumns& camera)
+    : fit_(fit), model_(fit.model_), emits_(emits), prior_(prior), camera_(camera),
+      unknownOf_(emits.size(), -1)
 {
     for (size_t f = 0; f < emits.size(); ++f) {
         if (emits[f] == 0 &&
@@ -146,6 +167,7 @@ LightFitSearch::LightFitSearch(const LightFit& fit, std::span<const uint8_t> emi
         pieceOf_.push_back(f);
     }
     here_.log = std::move(start);
+    here_.log.insert(here_.log.end(), camera.known.begin(), camera.known.end());
 }
 
 /// Normal about what is known; else Cauchy about white: a burnt-out piece is a wall or a lamp of
@@ -205,24 +227,79 @@ void LightFitSearch::light(Point& at) const
     reflect(at);
     const std::vector<double> radiance = exponentials(at.log);
     at.logIrradiance.resize(model_.shown.size());
+    at.shown.resize(model_.shown.size());
     forEachChunk(at.logIrradiance.size(), 256, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i)
+        for (size_t i = begin; i < end; ++i) {
             at.logIrradiance[i] = std::log(fit_.irradiance(i, radiance));
+            at.shown[i] = shown(at, i);
+        }
     });
     at.nats = costOf(at);
 }
 
 double LightFitSearch::residual(const Point& at, MaterialPair pair) const
 {
-    return fit_.logShown_[pair.p] - fit_.logShown_[pair.q] - at.logIrradiance[pair.p] +
+    return at.shown[pair.p] - at.shown[pair.q] - at.logIrradiance[pair.p] +
            at.logIrradiance[pair.q];
+}
+
+/// Mean slope of the inverse response between two places.
+double LightFitSearch::slopeOf(const Point& at, MaterialPair pair) const
+{
+    double slope = 0.5 * static_cast<double>(camera_.slopeKnown[pair.p] +
+                                             camera_.slopeKnown[pair.q]);
+    for (size_t k = 0; k < camera_.count(); ++k)
+        slope += 0.5 * cameraAt(at, k) *
+                 static_cast<double>(camera_.slopeAt(pair.p)[k] + camera_.slopeAt(pair.q)[k]);
+    return std::max(slope, kLeastSlope);
+}
+
+/// The texture is what was measured: a response that flattens it makes every pair agree, and pays
+/// for that by the logarithm of its slope.
+double LightFitSearch::costOfCamera(const Point& at) const
+{
+    double nats = 0.0;
+    for (size_t k = 0; k < fit_.pairs_.size(); ++k)
+        nats -= fit_.paintShare(k) * fit_.perPair() * std::log(slopeOf(at, fit_.pairs_[k]));
+    const size_t n = camera_.count();
+    const double* c = at.log.data() + model_.pieces + model_.outsides;
+    for (size_t i = 0; i < n; ++i)
+        for (size_t j = 0; j < n; ++j) nats += 0.5 * c[i] * camera_.precision[i * n + j] * c[j];
+    return nats;
+}
+
+void LightFitSearch::addCamera(const Point& at, Normal& normal) const
+{
+    const size_t n = camera_.count();
+    const auto first = static_cast<Eigen::Index>(lights());
+    const double* c = at.log.data() + model_.pieces + model_.outsides;
+    Eigen::VectorXd row(static_cast<Eigen::Index>(n));
+    for (size_t i = 0; i < fit_.pairs_.size(); ++i) {
+        const MaterialPair pair = fit_.pairs_[i];
+        const double slope = slopeOf(at, pair);
+        const double weight = fit_.paintShare(i) * fit_.perPair();
+        for (size_t k = 0; k < n; ++k)
+            row[static_cast<Eigen::Index>(k)] =
+                0.5 / slope *
+                static_cast<double>(camera_.slopeAt(pair.p)[k] + camera_.slopeAt(pair.q)[k]);
+        normal.slope.tail(row.size()) -= weight * row;
+        normal.matrix.bottomRightCorner(row.size(), row.size()) +=
+            weight * row * row.transpose();
+    }
+    for (size_t i = 0; i < n; ++i)
+        for (size_t j = 0; j < n; ++j) {
+            const double weight = camera_.precision[i * n + j];
+            normal.matrix(first + static_cast<Eigen::Index>(i),
+                          first + static_cast<Eigen::Index>(j)) += weight;
+            normal.slope[first + static_cast<Eigen::Index>(i)] += weight * c[j];
+        }
 }
 
 /// How far the mean log albedo of all places is from a room's.
 double LightFitSearch::level(const Point& at) const
 {
     double sum = 0.0;
-    for (size_t i = 0; i < model_.places(); ++i) sum += fit_.logShown_[i] - at.logIrradiance[i];
+    for (size_t i = 0; i < model_.places(); ++i) sum += at.shown[i] - at.logIrradiance[i];
     return sum / static_cast<double>(model_.places()) +
            std::log(static_cast<double>(kPi) / kMeanAlbedo);
 }
@@ -247,7 +324,8 @@ double LightFitSearch::costOfPriors(const Point& at) const
     double nats = 0.0;
     for (size_t f = 0; f < model_.pieces; ++f)
         if (isBounded(f)) nats += fit_.boundCost(f, at.logIrradiance[model_.placeOf(f)]);
-    for (size_t u = 0; u < count(); ++u) nats += priorOf(u, at).cost;
+    for (size_t u = 0; u < lights(); ++u) nats += priorOf(u, at).cost;
+    if (camera_.count() > 0) nats += costOfCamera(at);
     for (const auto& [a, b] : fit_.alike_) {
         if (emits_[a] == 0 || emits_[b] == 0) continue;
         const double off = (at.log[a] - at.log[b]) / kAlikeSpread;
@@ -273,6 +351,9 @@ PlaceTable LightFitSearch::sharesOf(const Point& at) const
             for (size_t o = 0; o < model_.outsides; ++o)
                 share[pieceOf_.size() + o] =
                     static_cast<float>(per * radiance[model_.pieces + o]) * model_.missedAt(i)[o];
+            if (i < model_.places())
+                for (size_t k = 0; k < camera_.count(); ++k)
+                    share[lights() + k] = -camera_.bendAt(i)[k];
         }
     });
     return shares;
@@ -310,6 +391,7 @@ LightFitSearch::Normal LightFitSearch::normalOfData(const Point& at) const
     Normal normal{all.topLeftCorner(n, n), all.bottomLeftCorner(1, n).transpose()};
     addPriors(at, normal);
     addLevel(at, shares, normal);
+    if (camera_.count() > 0) addCamera(at, normal);
     return normal;
 }
 
@@ -322,7 +404,7 @@ LightFitSearch::Normal LightFitSearch::normalAt(const Point& at) const
 
 void LightFitSearch::addPriors(const Point& at, Normal& normal) const
 {
-    for (size_t u = 0; u < count(); ++u) {
+    for (size_t u = 0; u < lights(); ++u) {
         const auto i = static_cast<Eigen::Index>(u);
         const Prior prior = priorOf(u, at);
         normal.matrix(i, i) += prior.weight;
@@ -397,6 +479,9 @@ void LightFitSearch::run(double widest)
 LightEstimate LightFitSearch::result() const
 {
     LightEstimate estimate{.log = here_.log, .nats = here_.nats};
+    const auto lightsEnd = here_.log.begin() + static_cast<ptrdiff_t>(model_.pieces + model_.outsides);
+    estimate.camera.assign(lightsEnd, here_.log.end());
+    estimate.log.resize(model_.pieces + model_.outsides);
     estimate.error.assign(here_.log.size(), 0.0);
     const Normal normal = normalAt(here_);
     const auto n = static_cast<Eigen::Index>(count());
@@ -601,8 +686,18 @@ double LightFit::effectivePairs()
 LightEstimate LightFit::solve(std::span<const uint8_t> emits, std::vector<double> start,
                               double widest, const EmissionPrior& prior) const
 {
-    LightFitSearch search(*this, emits, prior, std::move(start));
+    const CameraColumns none;
+    LightFitSearch search(*this, emits, prior, std::move(start), none);
     search.run(widest);
+    return search.result();
+}
+
+LightEstimate LightFit::solve(std::span<const uint8_t> emits, std::vector<double> start,
+                              const CameraColumns& camera) const
+{
+    const EmissionPrior prior;
+    LightFitSearch search(*this, emits, prior, std::move(start), camera);
+    search.run(1.0);
     return search.result();
 }
 
@@ -611,7 +706,8 @@ std::vector<uint8_t> LightFit::needless(const LightEstimate& estimate,
                                         std::span<const Removal> removals) const
 {
     const EmissionPrior prior;
-    LightFitSearch search(*this, emits, prior, estimate.log);
+    const CameraColumns none;
+    LightFitSearch search(*this, emits, prior, estimate.log, none);
     search.run(1.0);
     return search.needless(removals);
 }

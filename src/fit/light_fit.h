@@ -3,6 +3,7 @@
 #include "fit/light_model.h"
 
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct LightEstimate
 {
     std::vector<double> log;   // of pieces, what they emit or reflect; then of what lies outside
     std::vector<double> error; // standard errors of these; 0 of what reflects as it is expected to
+    std::vector<double> camera; // coefficients of CameraColumns; empty where none are sought
     double nats = 0.0;         // of data and priors: the less, the likelier
     double residual = 0.0;     // median absolute deviation of a pair
 };
@@ -58,6 +60,9 @@ public:
     /// than its noise the first loss is: the more, the farther off the start may be.
     [[nodiscard]] LightEstimate solve(std::span<const uint8_t> emits, std::vector<double> start,
                                       double widest, const EmissionPrior& prior = {}) const;
+    /// The same with what the camera did as further unknowns.
+    [[nodiscard]] LightEstimate solve(std::span<const uint8_t> emits, std::vector<double> start,
+                                      const CameraColumns& camera) const;
     /// Which of `removals` the rest explains, by the quadratic form of the cost at the estimate:
     /// the least needed goes, all others take its part, and so on. One flag each.
     [[nodiscard]] std::vector<uint8_t> needless(const LightEstimate& estimate,
@@ -87,6 +92,12 @@ private:
         return isBound ? kUnbounded : noiseBelow_[pair];
     }
     [[nodiscard]] double perPair() const;
+    /// Of a pair's variance, what is of paint and not of light.
+    [[nodiscard]] double paintShare(size_t pair) const
+    {
+        static const double share = getenv("RELAMP_SHARE") ? atof(getenv("RELAMP_SHARE")) : 1.0; return share * 2.0 * noise_ * noise_ /
+               (noiseAbove_[pair] * noiseAbove_[pair] + noiseBelow_[pair] * noiseBelow_[pair]);
+    }
 
     const LightModel& model_;
     std::span<const MaterialPair> pairs_;

@@ -39,6 +39,27 @@ struct LightModel
     }
 };
 
+/// What a camera may have done to what the places of a LightModel show, near what is known of it:
+/// log radiance = log shown + sum over coefficients of (coefficient - known) * bend.
+struct CameraColumns
+{
+    std::vector<double> known;     // coefficients that `shown` is for
+    std::vector<float> bend;       // [place * count + coefficient]
+    std::vector<float> slope;      // likewise: of d log radiance / d log texture
+    std::vector<float> slopeKnown; // of places: that with `known`
+    std::vector<double> precision; // of what is believed beforehand, about 0: count * count
+
+    [[nodiscard]] size_t count() const { return known.size(); }
+    [[nodiscard]] std::span<const float> bendAt(size_t place) const
+    {
+        return {bend.data() + place * count(), count()};
+    }
+    [[nodiscard]] std::span<const float> slopeAt(size_t place) const
+    {
+        return {slope.data() + place * count(), count()};
+    }
+};
+
 /// Two places that are likely of one material.
 struct MaterialPair
 {

@@ -48,11 +48,12 @@ void addClipped(const TexelBlock& block, size_t i, glm::vec3 facing, RadianceSum
 /// Sums of all runs of one page; marks its clipped pixels. `isBurntOut(pixel, radiance)` says which
 /// they are.
 template<class IsBurntOut>
-std::vector<RadianceSum> sumRuns(const Texels& texels, size_t p, const IsBurntOut& isBurntOut,
+std::vector<RadianceSum> sumRuns(const Texels& texels, size_t p,
+                                 const Linearization* linearization, const IsBurntOut& isBurntOut,
                                  std::vector<uint8_t>& isClipped)
 {
     const PageTexels& page = texels.pages[p];
-    const TexelLoader loader(texels, p);
+    const TexelLoader loader(texels, p, linearization);
     std::vector<RadianceSum> sums(page.runs.size() - 1);
     isClipped.assign(texels.scan->pages[p].image.pixels(), 0);
     forEachRun(page, [&](size_t run, TexelBlock& block) {
@@ -75,11 +76,12 @@ std::vector<RadianceSum> sumRuns(const Texels& texels, size_t p, const IsBurntOu
 }
 
 std::vector<RadianceSum> sumRunsByTexture(const Texels& texels, size_t p,
+                                          const Linearization* linearization,
                                           std::vector<uint8_t>& isClipped)
 {
     const float burntOut = texels.scan->pages[p].image.clipsAtWhite ? kBurntOut : 1.0f;
     return sumRuns(
-        texels, p,
+        texels, p, linearization,
         [&](uint32_t, glm::vec3 radiance) { return brightestChannel(radiance) >= burntOut; },
         isClipped);
 }
@@ -87,7 +89,8 @@ std::vector<RadianceSum> sumRunsByTexture(const Texels& texels, size_t p,
 } // namespace
 
 SurfelRadiance collectRadiance(const Texels& texels, Progress& progress,
-                               std::span<const std::vector<uint8_t>> isBurntOut)
+                               std::span<const std::vector<uint8_t>> isBurntOut,
+                               const Linearization* linearization)
 {
     const size_t surfels = texels.surfels.count();
     std::vector<RadianceSum> total(surfels);
@@ -97,9 +100,9 @@ SurfelRadiance collectRadiance(const Texels& texels, Progress& progress,
     for (size_t p = 0; p < texels.pages.size(); ++p) {
         const std::vector<RadianceSum> sums =
             isBurntOut.empty()
-                ? sumRunsByTexture(texels, p, result.isClipped[p])
+                ? sumRunsByTexture(texels, p, linearization, result.isClipped[p])
                 : sumRuns(
-                      texels, p,
+                      texels, p, linearization,
                       [&](uint32_t pixel, glm::vec3) { return isBurntOut[p][pixel] != 0; },
                       result.isClipped[p]);
         for (size_t run = 0; run < sums.size(); ++run) {

@@ -34,8 +34,9 @@ struct SurfelRadiance
 
 /// Walks all texels once. A texture that can hold more than white (float formats) counts as burnt
 /// out from white on. `isBurntOut`, if it is not empty, says instead which texels are, as
-/// SurfelRadiance::isClipped: of a texture that is no photo.
+/// SurfelRadiance::isClipped: of a texture that is no photo. `linearization`: null, there is none.
 SurfelRadiance collectRadiance(const Texels& texels, Progress& progress,
-                               std::span<const std::vector<uint8_t>> isBurntOut = {});
+                               std::span<const std::vector<uint8_t>> isBurntOut = {},
+                               const Linearization* linearization = nullptr);
 
 } // namespace relamp

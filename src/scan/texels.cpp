@@ -308,9 +308,15 @@ TexelIndex SurfelSites::texelOf(uint32_t surfel, size_t i) const
     return {range.page, range.begin + static_cast<uint32_t>(place * kStride % range.count)};
 }
 
-TexelLoader::TexelLoader(const Texels& texels, size_t page)
-    : texels_(texels), page_(texels.pages[page]), radiance_(texels.scan->pages[page].image),
-      width_(widthOf(texels, page)), tinted_(false)
+TexelLoader::TexelLoader(const Texels& texels, size_t page, const Linearization* linearization)
+    : texels_(texels), page_(texels.pages[page]),
+      radiance_(texels.scan->pages[page].image,
+                linearization != nullptr ? linearization->response : Response{}),
+      width_(widthOf(texels, page)),
+      perGain_(linearization != nullptr && !linearization->perGain.empty()
+                   ? &linearization->perGain
+                   : nullptr),
+      tinted_(false)
 {
     for (const Mesh& mesh : texels.scan->meshes)
         if (mesh.page == static_cast<int>(page))
@@ -357,6 +363,19 @@ void TexelLoader::loadRadiance(size_t begin, size_t count, TexelBlock& block) co
         block.b[i] = radiance.b;
     }
     if (tinted_) tint(begin, block);
+    if (perGain_ != nullptr) takeGainOut(begin, block);
+}
+
+void TexelLoader::takeGainOut(size_t begin, TexelBlock& block) const
+{
+    size_t run = page_.runOf(begin);
+    for (size_t i = 0; i < block.count; ++i) {
+        while (begin + i >= page_.runs[run + 1].begin) ++run;
+        const glm::vec3 factor = (*perGain_)[page_.runs[run].surfel];
+        block.r[i] *= factor.r;
+        block.g[i] *= factor.g;
+        block.b[i] *= factor.b;
+    }
 }
 
 void TexelLoader::tint(size_t begin, TexelBlock& block) const

@@ -6,6 +6,7 @@
 #include "relamp/progress.h"
 #include "relamp/scan.h"
 #include "scan/facets.h"
+#include "scan/linearization.h"
 #include "scan/surfels.h"
 
 #include <cstdint>
@@ -143,7 +144,8 @@ struct RgbBlock
 class TexelLoader
 {
 public:
-    TexelLoader(const Texels& texels, size_t page);
+    /// `linearization`, if not null, must outlive this.
+    TexelLoader(const Texels& texels, size_t page, const Linearization* linearization = nullptr);
 
     void load(size_t begin, size_t count, TexelBlock& block) const;         // geometry and radiance
     void loadGeometry(size_t begin, size_t count, TexelBlock& block) const; // position and normal
@@ -153,11 +155,13 @@ public:
 
 private:
     void tint(size_t begin, TexelBlock& block) const;
+    void takeGainOut(size_t begin, TexelBlock& block) const;
 
     const Texels& texels_;
     const PageTexels& page_;
     Radiance radiance_;
     uint32_t width_;
+    const std::vector<glm::vec3>* perGain_; // or null
     bool tinted_; // a mesh of this page has a colour of its own beside the page
 };
 

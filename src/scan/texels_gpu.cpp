@@ -41,9 +41,10 @@ std::vector<glm::uvec4> sitesOf(const Texels& texels, size_t page)
     return sites;
 }
 
-std::vector<glm::uvec2> radianceOf(const Texels& texels, size_t page)
+std::vector<glm::uvec2> radianceOf(const Texels& texels, size_t page,
+                                   const Linearization& linearization)
 {
-    const TexelLoader loader(texels, page);
+    const TexelLoader loader(texels, page, &linearization);
     std::vector<glm::uvec2> radiance(texels.pages[page].count());
     forEachBlock(texels.pages[page], [&](size_t begin, size_t count) {
         TexelBlock block;
@@ -126,11 +127,12 @@ std::vector<SurfaceMesh> meshesOf(const Scan& scan)
 
 } // namespace
 
-GpuTexels::GpuTexels(const gpu::Device& device, const Texels& texels, size_t page)
+GpuTexels::GpuTexels(const gpu::Device& device, const Texels& texels, size_t page,
+                     const Linearization& linearization)
     : count(texels.pages[page].count()),
       width(static_cast<uint32_t>(texels.scan->pages[page].image.width)),
       height(static_cast<uint32_t>(texels.scan->pages[page].image.height)),
-      site(device, sitesOf(texels, page)), radiance(device, radianceOf(texels, page)),
+      site(device, sitesOf(texels, page)), radiance(device, radianceOf(texels, page, linearization)),
       pixel(device, texels.pages[page].pixel), surfel(device, surfelsOfTexels(texels.pages[page])),
       runs(device, runsOf(texels.pages[page])), runCount(texels.pages[page].runs.size() - 1)
 {}

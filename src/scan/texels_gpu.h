@@ -10,7 +10,8 @@ namespace relamp
 /// What does not change of the texels of one page, in their order.
 struct GpuTexels
 {
-    GpuTexels(const gpu::Device& device, const Texels& texels, size_t page);
+    GpuTexels(const gpu::Device& device, const Texels& texels, size_t page,
+              const Linearization& linearization = {});
 
     size_t count;
     uint32_t width; // of the page, pixels

@@ -145,6 +145,7 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
     const auto room = std::make_shared<TracedRoom>(
         tracedRoomOf(texels, found, found.sides.albedo)); // a good start
     solution.closure = settle(texels, scene, found.radiance, options.pathtrace, *room, progress);
+    solution.texels.linearization = found.linearization;
     solution.texels.fill = fillOf(texels.surfels, found.radiance, room->albedo);
     solution.texels.shade = shadingOf(texels, scene, room, options.pathtrace);
     solution.texels.trust = trustByView(found.hits, texels.surfels.count());

@@ -140,6 +140,9 @@ void search(const Texels& texels, const RayScene& scene, Progress& progress, Fou
 {
     room.found = findLamps(texels, scene, room.hits, room.radiance, room.options, progress);
     room.warnings = room.found.warnings;
+    room.linearization = room.found.linearization;
+    if (!room.linearization.isNeutral())
+        room.radiance = collectRadiance(texels, unwatched(), {}, &room.linearization);
     const Progress::Stage stage(progress, "sun");
     if (room.found.sun) {
         letIn(sunOn(*std::exchange(room.found.sun, {}), texels), texels, scene, room);
@@ -202,7 +205,8 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
     FoundRoom room;
     room.options = withRays(options.gather, texels.surfels.count());
     if (before != nullptr && before->options.rays == room.options.rays) {
-        room.radiance = before->radiance;
+        room.radiance = before->linearization.isNeutral() ? before->radiance
+                                                          : collectRadiance(texels, unwatched());
         room.hits = before->hits;
     } else {
         room.radiance = collectRadiance(texels, progress);

@@ -35,7 +35,8 @@ struct SunOnRoom
 /// A scan whose lamps are known: where the solvers start that shade by area and shadow.
 struct FoundRoom
 {
-    SurfelRadiance radiance;
+    Linearization linearization; // of the texture
+    SurfelRadiance radiance;     // by it
     GatherOptions options; // with what was left open filled in
     HitLists hits;
     FoundLamps found;             // or as a person gave them

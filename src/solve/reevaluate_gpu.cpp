@@ -57,8 +57,9 @@ uint64_t budgetOf(const gpu::Device& device, uint64_t budget, const Texels& texe
 /// A page on the device, what was computed of it, and from what.
 struct ReevaluateGpu::Page
 {
-    Page(const gpu::Device& device, const Texels& all, size_t page, size_t lamps)
-        : texels(device, all, page), terms(device, LampTermsGpu::termsOf(lamps, texels.count)),
+    Page(const gpu::Device& device, const Texels& all, size_t page,
+         const Linearization& linearization, size_t lamps)
+        : texels(device, all, page, linearization), terms(device, LampTermsGpu::termsOf(lamps, texels.count)),
           direct(device, texels.count), indirect(device, texels.count)
     {}
 
@@ -91,8 +92,9 @@ ReevaluateGpu::ReevaluateGpu(const gpu::Device& device, const Texels& texels,
           [&texels, lamps = room.light->lamps.size()](size_t page) {
               return Page::bytesOf(texels, page, lamps);
           },
-          [&device, &texels, lamps = room.light->lamps.size()](size_t page) {
-              return std::make_unique<Page>(device, texels, page, lamps);
+          [&device, &texels, linearization = room.found.linearization,
+           lamps = room.light->lamps.size()](size_t page) {
+              return std::make_unique<Page>(device, texels, page, linearization, lamps);
           })
 {}
 

@@ -46,7 +46,8 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightO
                        .shining = shiningOf(found),
                        .trust = std::move(rating.trust),
                        .fill = fillOf(texels.surfels, found.radiance,
-                                      albedoOf(texels, found.radiance, irradiance))};
+                                      albedoOf(texels, found.radiance, irradiance)),
+                       .linearization = found.linearization};
     solution.lights = lightsOf(found);
     solution.fixtureOf = fixturesOfSurfels(found);
     solution.merged = solution.lights.points;

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "relamp/api.h"
+
+#include <array>
+#include <cstddef>
+
+namespace relamp
+{
+
+/// What a camera made of light, undone: a monotone curve from the linear values of a texture to
+/// radiance, the same for its three channels, that leaves black and white where they are.
+///
+/// In logarithms its slope is linear between knots and constant below the first.
+struct RELAMP_API Response
+{
+    static constexpr size_t kKnots = 5;
+    static constexpr std::array<float, kKnots> kAt{-6.0f, -4.0f, -2.5f, -1.2f, 0.0f}; // log2 texture
+
+    std::array<float, kKnots> slope{1.0f, 1.0f, 1.0f, 1.0f, 1.0f}; // > 0; of radiance over texture
+
+    bool operator==(const Response&) const = default;
+
+    [[nodiscard]] bool isStraight() const { return *this == Response{}; }
+    /// Radiance, 1 = white, of a texture's linear value >= 0. What is burnt out stays as it is.
+    [[nodiscard]] float operator()(float texture) const;
+};
+
+} // namespace relamp
