@@ -8,6 +8,7 @@
 #include "fit/lamp_groups.h"
 #include "fit/light_fit.h"
 #include "fit/outside.h"
+#include "fit/pairs.h"
 #include "fit/pieces.h"
 #include "fit/sun.h"
 #include "fit/sun_search.h"
@@ -42,9 +43,8 @@ constexpr double kLeastNoise = 0.02;  // log; what a byte and a few rays tell
 constexpr double kMostNoise = 0.2;    // log
 constexpr size_t kTries = 4;          // of the most promising pieces, each time one is added
 constexpr int kChoices = 4;           // rounds of taking away and adding, at most
+constexpr double kCurvedNats = 1.4;   // log odds of a camera with a contrast curve: four in five
 constexpr int kCameraRounds = 2;
-constexpr double kFlattestResponse = 0.4;   // of a camera's inverse response, log by log
-constexpr double kSteepestResponse = 3.0;    // likewise
 constexpr double kUnknown = 0.7;      // standard error of log radiance: about a factor of two
 constexpr double kColorSpread = 1.0;  // log: of a lamp's channels about its luminance
 constexpr double kColorWidth = 2.0;   // times the noise: where the loss for a channel begins
@@ -102,6 +102,11 @@ private:
     bool join();
     void findColors();
     void findCamera(size_t pairs);
+    [[nodiscard]] CameraModel chooseCamera(size_t pairs, std::span<const glm::vec3> texture,
+                                           std::span<const glm::vec3> positions) const;
+    void linearize();
+    void takeCamera(CameraModel camera, std::vector<double> log);
+    void findGain(std::span<const glm::vec3> albedo);
     void measureNoise();
     void letSunIn(const LitSides& sides);
     void takeSun(FoundLamps& found);
@@ -126,6 +131,7 @@ private:
     OutsideLight outside_;
     std::vector<std::string> warnings_;
     std::shared_ptr<const RayScene> beforeSun_; // what stands before it
+    std::optional<CameraModel> camera_; // none: not sought yet
     Linearization linearization_;
     std::optional<SunTrial> sun_;               // the last piece
 };
@@ -438,6 +444,7 @@ void LampSearch::findColors()
         for (size_t f = 0; f < pieces_.size(); ++f)
             if (emits_[f] != 0) pieces_[f] = std::move(*next++);
         observe();
+        if (isCameraSought_) findGain(sides.albedo);
         if (isSunSought_) letSunIn(sides);
     }
 }
@@ -514,40 +521,108 @@ FoundLamps LampSearch::result()
 /// changes with it, and so does the noise.
 void LampSearch::findCamera(size_t pairs)
 {
-    Response& response = linearization_.response;
-    const std::vector<glm::vec3>& texture = texture_;
+    const std::vector<glm::vec3> texture = evidence_.shown(texture_);
+    const std::vector<glm::vec3> positions = evidence_.shown(texels_.surfels.position);
+    if (!camera_) camera_ = chooseCamera(pairs, texture, positions);
+    if (!camera_->response) return;
     for (int round = 0; round < kCameraRounds; ++round) {
-        LightFit fit = fitOf(pairs);
+        LightFit fit = fitOf(LampEvidence::kPairsFirst);
         fit.expectLeaks(estimate_.log);
-        const double straight = fit.solve(emits_, estimate_.log, 1.0).nats;
-        const CameraColumns columns = columnsOf(response, evidence_.shown(texture));
-        const LightEstimate with = fit.solve(emits_, estimate_.log, columns);
-        const double before = meanLog(evidence_.shown(radiance_.plain));
-        for (size_t k = 0; k < with.camera.size(); ++k)
-            response.slope[k] =
-                static_cast<float>(std::clamp(1.0 + with.camera[k], kFlattestResponse, kSteepestResponse));
-        if (const char* forced = getenv("RELAMP_SLOPES"))
-            sscanf(forced, "%f,%f,%f,%f,%f", &response.slope[0], &response.slope[1],
-                   &response.slope[2], &response.slope[3], &response.slope[4]);
-        for (size_t s = 0; s < texture.size(); ++s)
-            for (int c = 0; c < 3; ++c) radiance_.plain[s][c] = response(texture[s][c]);
-        evidence_.takeRadiance();
-        observe();
-        const double brighter = meanLog(evidence_.shown(radiance_.plain)) - before;
-        estimate_.log = with.log;
-        for (double& log : estimate_.log) log += brighter;
-        estimate_ =
-            fitOf(LampEvidence::kPairsFirst).solve(emits_, std::move(estimate_.log), 1.0);
-        measureNoise();
-        if (getenv("RELAMP_CAMERA")) {
-            fmt::print(stderr, "  noise {:.3f} nats {:.2f} -> {:.2f} slopes", noise_, straight, with.nats);
-            for (size_t k = 0; k < with.camera.size(); ++k)
-                fmt::print(stderr, " {:.2f}+-{:.2f}", 1.0 + with.camera[k], with.error[with.log.size() + k]);
-            fmt::print(stderr, "\n   e");
-            for (size_t f = 0; f < estimate_.log.size(); ++f) if (f >= pieces_.size() || pieces_[f].candidate.area > 0.05f) fmt::print(stderr, " {:.2f}", std::exp(estimate_.log[f]));
-            double k = 0, n = 0; for (size_t i = 0; i < model_.places(); ++i) { k += luminance(model_.gathered[i]); n += luminance(model_.shown[i]);}
-            fmt::print(stderr, "\n   mean gathered {:.3f} shown {:.3f}\n", k / static_cast<double>(model_.places()), n / static_cast<double>(model_.places()));
-        }
+        const LightEstimate with =
+            fit.solve(emits_, estimate_.log, columnsOf(*camera_, texture, positions));
+        takeCamera(withCoefficients(std::move(*camera_), with.camera), with.log);
+    }
+}
+
+/// Everything that is seen by the camera anew, from light that was found with it.
+void LampSearch::takeCamera(CameraModel camera, std::vector<double> log)
+{
+    camera_ = std::move(camera);
+    const double before = meanLog(evidence_.shown(radiance_.plain));
+    linearize();
+    evidence_.takeRadiance();
+    observe();
+    const double brighter = meanLog(evidence_.shown(radiance_.plain)) - before;
+    for (double& l : log) l += brighter;
+    estimate_ = fitOf(LampEvidence::kPairsFirst).solve(emits_, std::move(log), 1.0);
+    measureNoise();
+    if (getenv("RELAMP_CAMERA")) {
+        fmt::print(stderr, "  noise {:.3f} slopes", noise_);
+        if (camera_->response) for (size_t k = 0; k < 5; ++k) fmt::print(stderr, " {:.2f}", camera_->response->slope[k]);
+        if (camera_->gain) { double q = 0; for (auto l : camera_->gain->log) q += l.g * l.g; fmt::print(stderr, " gain rms {:.3f}", std::sqrt(q / static_cast<double>(camera_->gain->log.size()))); }
+        fmt::print(stderr, "\n");
+    }
+}
+
+/// The gain, by pairs of one hue wherever they lie.
+void LampSearch::findGain(std::span<const glm::vec3> albedo)
+{
+    static const double gn = getenv("RELAMP_GN") ? atof(getenv("RELAMP_GN")) : 4.0;
+    static const double gw = getenv("RELAMP_GW") ? atof(getenv("RELAMP_GW")) : 4.0;
+    static const int gr = getenv("RELAMP_GR") ? atoi(getenv("RELAMP_GR")) : 2;
+    static const int gp = getenv("RELAMP_GP") ? atoi(getenv("RELAMP_GP")) : 0;
+    if (gn <= 0) return;
+    const std::vector<glm::vec3> texture = evidence_.shown(texture_);
+    const std::vector<glm::vec3> positions = evidence_.shown(texels_.surfels.position);
+    if (!camera_) camera_.emplace();
+    camera_->gain = latticeOver(positions);
+    if (!camera_->gain) return;
+    std::vector<MaterialPair> pairs;
+    if (gp > 0) pairs = drawPairsOfOneHue(evidence_.shown(albedo), texels_.surfels.seed, static_cast<size_t>(gp));
+    const char* gq = getenv("RELAMP_GQ") ? getenv("RELAMP_GQ") : "1";
+    if (*gq != '0') {
+        const auto more = evidence_.pairs(*gq == '1' ? LampEvidence::kPairsFirst : LampEvidence::kPairs);
+        pairs.insert(pairs.end(), more.begin(), more.end());
+    }
+    for (int round = 0; round < gr; ++round) {
+        LightFit fit(model_, pairs, kin_.alike, noise_);
+        fit.expectLeaks(estimate_.log);
+        CameraModel gainAlone{{}, camera_->gain};
+        CameraColumns columns = columnsOf(gainAlone, texture, positions);
+        columns.worth = gn;
+        const LightEstimate with = fit.solve(emits_, estimate_.log, columns, gw);
+        CameraModel camera = *camera_;
+        camera.gain = withCoefficients(std::move(gainAlone), with.camera).gain;
+        takeCamera(std::move(camera), with.log);
+    }
+}
+
+/// The one of straight, response, gain and both that the evidence is for.
+CameraModel LampSearch::chooseCamera(size_t pairs, std::span<const glm::vec3> texture,
+                                     std::span<const glm::vec3> positions) const
+{
+    LightFit fit = fitOf(pairs);
+    fit.expectLeaks(estimate_.log);
+    CameraModel best;
+    double least = fit.solve(emits_, estimate_.log, 1.0).nats;
+    if (getenv("RELAMP_CAMERA")) fmt::print(stderr, "  straight {:.2f}\n", least);
+    const std::optional<Gain> lattice = latticeOver(positions);
+    const char* which = getenv("RELAMP_MODELS");
+    for (CameraModel model :
+         {CameraModel{Response{}, {}}}) {
+        if (which && *which == 'r' && model.gain) continue;
+        const LightEstimate with =
+            fit.solve(emits_, estimate_.log, columnsOf(model, texture, positions));
+        if (getenv("RELAMP_CAMERA")) fmt::print(stderr, "  {} {}: {:.2f} + {:.2f}\n", model.response.has_value(), model.gain.has_value(), with.nats, with.occam);
+        if (with.nats + with.occam - kCurvedNats >= least) continue;
+        least = with.nats + with.occam;
+        best = std::move(model);
+    }
+    return best;
+}
+
+void LampSearch::linearize()
+{
+    if (camera_->response) linearization_.response = *camera_->response;
+    if (camera_->gain) {
+        linearization_.perGain.resize(texture_.size());
+        for (size_t s = 0; s < texture_.size(); ++s)
+            linearization_.perGain[s] = 1.0f / camera_->gain->at(texels_.surfels.position[s]);
+    }
+    for (size_t s = 0; s < texture_.size(); ++s) {
+        for (int c = 0; c < 3; ++c)
+            radiance_.plain[s][c] = linearization_.response(texture_[s][c]);
+        if (!linearization_.perGain.empty()) radiance_.plain[s] *= linearization_.perGain[s];
     }
 }
 

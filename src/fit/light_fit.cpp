@@ -60,6 +60,11 @@ std::vector<double> exponentials(std::span<const double> log)
     return values;
 }
 
+double logDeterminant(const Eigen::MatrixXd& matrix)
+{
+    return 2.0 * matrix.llt().matrixL().toDenseMatrix().diagonal().array().log().sum();
+}
+
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 } // namespace
@@ -124,6 +129,7 @@ private:
                 log += cameraAt(at, k) * static_cast<double>(camera_.bendAt(place)[k]);
         return log;
     }
+    [[nodiscard]] double perPair() const { return camera_.worth * fit_.perPair(); }
     [[nodiscard]] double slopeOf(const Point& at, MaterialPair pair) const;
     void addCamera(const Point& at, Normal& normal) const;
     [[nodiscard]] double costOfCamera(const Point& at) const;
@@ -260,7 +266,7 @@ double LightFitSearch::costOfCamera(const Point& at) const
 {
     double nats = 0.0;
     for (size_t k = 0; k < fit_.pairs_.size(); ++k)
-        nats -= fit_.paintShare(k) * fit_.perPair() * std::log(slopeOf(at, fit_.pairs_[k]));
+        nats -= fit_.paintShare(k) * perPair() * std::log(slopeOf(at, fit_.pairs_[k]));
     const size_t n = camera_.count();
     const double* c = at.log.data() + model_.pieces + model_.outsides;
     for (size_t i = 0; i < n; ++i)
@@ -277,7 +283,7 @@ void LightFitSearch::addCamera(const Point& at, Normal& normal) const
     for (size_t i = 0; i < fit_.pairs_.size(); ++i) {
         const MaterialPair pair = fit_.pairs_[i];
         const double slope = slopeOf(at, pair);
-        const double weight = fit_.paintShare(i) * fit_.perPair();
+        const double weight = fit_.paintShare(i) * perPair();
         for (size_t k = 0; k < n; ++k)
             row[static_cast<Eigen::Index>(k)] =
                 0.5 / slope *
@@ -316,7 +322,7 @@ double LightFitSearch::costOf(const Point& at) const
             sums[begin / kChunk] += std::log1p(off * off);
         }
     });
-    return fit_.perPair() * std::accumulate(sums.begin(), sums.end(), 0.0) + costOfPriors(at);
+    return perPair() * std::accumulate(sums.begin(), sums.end(), 0.0) + costOfPriors(at);
 }
 
 double LightFitSearch::costOfPriors(const Point& at) const
@@ -369,7 +375,7 @@ LightFitSearch::Normal LightFitSearch::normalOfData(const Point& at) const
         for (size_t k = begin; k < end; ++k) {
             const double r = residual(at, fit_.pairs_[k]);
             const double noise = wider_ * fit_.noiseOf(k, r);
-            const double slope = std::sqrt(2.0 * fit_.perPair() / (noise * noise + r * r));
+            const double slope = std::sqrt(2.0 * perPair() / (noise * noise + r * r));
             weighed[k] = {fit_.pairs_[k], static_cast<float>(slope), static_cast<float>(slope * r)};
         }
     });
@@ -486,6 +492,13 @@ LightEstimate LightFitSearch::result() const
     const Normal normal = normalAt(here_);
     const auto n = static_cast<Eigen::Index>(count());
     const Eigen::MatrixXd covariance = normal.matrix.llt().solve(Eigen::MatrixXd::Identity(n, n));
+    if (camera_.count() > 0) {
+        const auto l = static_cast<Eigen::Index>(lights());
+        const Eigen::Map<const Eigen::MatrixXd> prior(camera_.precision.data(), n - l, n - l);
+        estimate.occam = 0.5 * (logDeterminant(normal.matrix) -
+                                logDeterminant(normal.matrix.topLeftCorner(l, l)) -
+                                logDeterminant(prior));
+    }
     for (Eigen::Index u = 0; u < n; ++u)
         estimate.error[at(static_cast<size_t>(u))] = std::sqrt(covariance(u, u));
     std::vector<double> sizes;
@@ -693,11 +706,11 @@ LightEstimate LightFit::solve(std::span<const uint8_t> emits, std::vector<double
 }
 
 LightEstimate LightFit::solve(std::span<const uint8_t> emits, std::vector<double> start,
-                              const CameraColumns& camera) const
+                              const CameraColumns& camera, double widest) const
 {
     const EmissionPrior prior;
     LightFitSearch search(*this, emits, prior, std::move(start), camera);
-    search.run(1.0);
+    search.run(widest);
     return search.result();
 }
 

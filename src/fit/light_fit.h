@@ -19,6 +19,7 @@ struct LightEstimate
     std::vector<double> log;   // of pieces, what they emit or reflect; then of what lies outside
     std::vector<double> error; // standard errors of these; 0 of what reflects as it is expected to
     std::vector<double> camera; // coefficients of CameraColumns; empty where none are sought
+    double occam = 0.0; // nats that the camera's coefficients cost by what the data narrow them
     double nats = 0.0;         // of data and priors: the less, the likelier
     double residual = 0.0;     // median absolute deviation of a pair
 };
@@ -62,7 +63,7 @@ public:
                                       double widest, const EmissionPrior& prior = {}) const;
     /// The same with what the camera did as further unknowns.
     [[nodiscard]] LightEstimate solve(std::span<const uint8_t> emits, std::vector<double> start,
-                                      const CameraColumns& camera) const;
+                                      const CameraColumns& camera, double widest = 1.0) const;
     /// Which of `removals` the rest explains, by the quadratic form of the cost at the estimate:
     /// the least needed goes, all others take its part, and so on. One flag each.
     [[nodiscard]] std::vector<uint8_t> needless(const LightEstimate& estimate,

@@ -47,6 +47,7 @@ struct CameraColumns
     std::vector<float> bend;       // [place * count + coefficient]
     std::vector<float> slope;      // likewise: of d log radiance / d log texture
     std::vector<float> slopeKnown; // of places: that with `known`
+    double worth = 1.0; // how many times as many pairs are independent once these are known
     std::vector<double> precision; // of what is believed beforehand, about 0: count * count
 
     [[nodiscard]] size_t count() const { return known.size(); }
