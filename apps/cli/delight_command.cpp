@@ -152,7 +152,12 @@ void addGatherParameters(CLI::App& command, DelightArguments& arguments)
     command
         .add_flag_callback(
             "--no-response", [&gather] { gather.response = false; },
-            "Take the texture as proportional to light: the camera applied no contrast curve")
+            "Look for no contrast curve of the camera: the texture is proportional to light")
+        ->group(kGatherGroup);
+    command
+        .add_flag_callback(
+            "--no-gain", [&gather] { gather.gain = false; },
+            "Look for no drift of the camera's exposure")
         ->group(kGatherGroup);
     command
         .add_option(

@@ -24,8 +24,8 @@ struct GatherOptions
     std::vector<glm::vec3> lights; // places, m, whose burnt-out surface shines
     std::vector<glm::vec3> notLights; // places, m, whose burnt-out surface does not
     bool sun = true;                  // false: no sun is looked for
-    bool response = true; // false: the texture is proportional to light, once its transfer curve is
-                          // undone
+    bool response = true;             // false: the camera applied no contrast curve
+    bool gain = true;                 // false: its exposure was the same everywhere
     uint32_t seed = 1; // of where rays start and go and of which places are compared; the same seed
                        // gives the same result
 

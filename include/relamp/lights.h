@@ -1,6 +1,7 @@
 #pragma once
 
 #include "relamp/api.h"
+#include "relamp/camera_model.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -80,6 +81,8 @@ struct Lights
     // docs/method/openings.md. Empty: all the same. Those of another scan are passed over.
     std::vector<glm::vec3> openings;
     std::optional<Sun> sun; // the thesis solver has none
+    CameraModel camera;     // what it made of this light in the texture; the thesis solver knows
+                            // none
 
     /// The number of a fixture by its place in the list; those without one are counted behind all
     /// others.

@@ -8,16 +8,19 @@
 namespace relamp
 {
 
-/// What a camera made of light, undone: a monotone curve from the linear values of a texture to
-/// radiance, the same for its three channels, that leaves black and white where they are.
+/// What a camera's response made of light, undone: a monotone curve from the linear values of a
+/// texture to radiance, the same for its three channels, that leaves black and white where they are
+/// (docs/method/camera.md).
 ///
-/// In logarithms its slope is linear between knots and constant below the first.
+/// Its slope, of the logarithm of radiance over that of the texture, is linear between knots and
+/// constant below the first.
 struct RELAMP_API Response
 {
     static constexpr size_t kKnots = 5;
-    static constexpr std::array<float, kKnots> kAt{-6.0f, -4.0f, -2.5f, -1.2f, 0.0f}; // log2 texture
+    static constexpr std::array<float, kKnots> kAt{-6.0f, -4.0f, -2.5f, -1.2f, 0.0f}; // stops below
+                                                                                      // white
 
-    std::array<float, kKnots> slope{1.0f, 1.0f, 1.0f, 1.0f, 1.0f}; // > 0; of radiance over texture
+    std::array<float, kKnots> slope{1.0f, 1.0f, 1.0f, 1.0f, 1.0f}; // 0.1..10; 1: straight
 
     bool operator==(const Response&) const = default;
 

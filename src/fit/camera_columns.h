@@ -1,10 +1,8 @@
 #pragma once
 
 #include "fit/light_model.h"
-#include "relamp/gain.h"
-#include "relamp/response.h"
+#include "relamp/camera_model.h"
 
-#include <optional>
 #include <span>
 
 #include <glm/vec3.hpp>
@@ -12,23 +10,22 @@
 namespace relamp
 {
 
-/// What a camera may have done to a texture, as far as it is sought or known.
-struct CameraModel
+/// What places of a scan show in its file, and where they lie.
+struct TexturePlaces
 {
-    std::optional<Response> response; // none: it is straight
-    std::optional<Gain> gain;         // none: it is 1 everywhere
+    std::span<const glm::vec3> texture; // linear
+    std::span<const glm::vec3> position;
 };
 
-/// A lattice over these places that nothing is known of; none where they lie too close together.
-std::optional<Gain> latticeOver(std::span<const glm::vec3> positions);
+/// The slopes of the response, less 1, as unknowns beside the light.
+CameraColumns columnsOf(const Response& known, const TexturePlaces& places);
+Response responseOf(std::span<const double> coefficients);
 
-/// The slopes of the response, less 1, and the logarithms of the gain's knots, one for all
-/// channels, as unknowns beside the light. `texture` is what places at `positions` show in the
-/// file.
-CameraColumns columnsOf(const CameraModel& known, std::span<const glm::vec3> texture,
-                        std::span<const glm::vec3> positions);
+/// A gain of 1 over these places; without knots where they lie too close together for one.
+Gain evenGainOver(std::span<const glm::vec3> position);
 
-/// The model with these coefficients of the columns.
-CameraModel withCoefficients(CameraModel model, std::span<const double> coefficients);
+/// The logarithms of the gain's knots as unknowns beside the light.
+CameraColumns columnsOf(const Gain& known, const TexturePlaces& places);
+Gain gainOf(Gain lattice, std::span<const double> coefficients);
 
 } // namespace relamp

@@ -1,9 +1,12 @@
 #include "fit/lamp_evidence.h"
 
 #include "base/parallel.h"
+#include "base/radiometry.shared.h"
 #include "fit/pairs.h"
+#include "scan/linearization.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace relamp
@@ -15,6 +18,7 @@ constexpr size_t kEvidencePlaces = 6000;
 constexpr size_t kPlacesOfDraft = 2000;
 constexpr size_t kLooks = 12;       // from a piece, at the others
 constexpr float kAreaOfRay = 0.05f; // m^2 of a piece that a ray from an origin is for
+constexpr double kBlack = 1e-4;     // radiance: darker is as good as that
 constexpr float kAround = 1.6f;     // surfel sizes
 
 std::vector<SoughtLamp> soughtOf(std::span<const Piece> pieces, size_t fewestRays)
@@ -54,8 +58,9 @@ std::vector<uint32_t> looksFrom(const Piece& piece)
 } // namespace
 
 LampEvidence::LampEvidence(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                           const SurfelRadiance& radiance, Quality quality)
-    : texels_(texels), scene_(scene), hits_(hits), radiance_(radiance), field_(fieldOf(radiance))
+                           SurfelRadiance radiance, Quality quality)
+    : texels_(texels), scene_(scene), hits_(hits), radiance_(std::move(radiance)),
+      textureOfAll_(radiance_.plain), field_(fieldOf(radiance_))
 {
     choosePlaces(quality == Quality::draft ? kPlacesOfDraft : kEvidencePlaces);
     findAround();
@@ -70,7 +75,12 @@ void LampEvidence::choosePlaces(size_t most)
             radiance_.clippedArea[s] < 0.02f * radiance_.plainArea[s])
             good.push_back(s);
     const size_t count = std::min(most, good.size());
-    for (size_t i = 0; i < count; ++i) places_.push_back(good[i * good.size() / count]);
+    for (size_t i = 0; i < count; ++i) {
+        const uint32_t place = good[i * good.size() / count];
+        places_.push_back(place);
+        texture_.push_back(radiance_.plain[place]);
+        positions_.push_back(texels_.surfels.position[place]);
+    }
 }
 
 void LampEvidence::findAround()
@@ -87,24 +97,33 @@ void LampEvidence::findAround()
     settling_ = SettlingGather(hits_, field_, around_); // a front's list is its surfel's
 }
 
-void LampEvidence::takeRadiance()
+double LampEvidence::meanLogOfPlaces() const
 {
-    field_.plain = radiance_.plain;
-    settling_ = SettlingGather(hits_, field_, around_);
+    double sum = 0.0;
+    for (const uint32_t place : places_)
+        sum += std::log(std::max(static_cast<double>(luminance(radiance_.plain[place])), kBlack));
+    return sum / static_cast<double>(std::max<size_t>(places_.size(), 1));
 }
 
-std::vector<glm::vec3> LampEvidence::shown(std::span<const glm::vec3> ofSurfels) const
+double LampEvidence::linearize(const CameraModel& camera)
 {
-    std::vector<glm::vec3> shown;
-    for (const uint32_t place : places_) shown.push_back(ofSurfels[place]);
-    return shown;
+    const double before = meanLogOfPlaces();
+    const Linearization linearization = linearizationOf(camera, texels_.surfels);
+    forEach(textureOfAll_.size(), [&](size_t s) {
+        glm::vec3& radiance = radiance_.plain[s];
+        for (int c = 0; c < 3; ++c) radiance[c] = linearization.response(textureOfAll_[s][c]);
+        if (!linearization.perGain.empty())
+            radiance = withoutGain(radiance, linearization.perGain[s]);
+    });
+    field_.plain = radiance_.plain;
+    settling_ = SettlingGather(hits_, field_, around_);
+    return meanLogOfPlaces() - before;
 }
 
 void LampEvidence::drawAllPairs()
 {
-    const std::vector<glm::vec3> shown = this->shown(radiance_.plain);
     for (const size_t perPlace : {kPairsFirst, kPairs})
-        pairs_[perPlace] = drawPairs(shown, places_, texels_.surfels, perPlace);
+        pairs_[perPlace] = drawPairs(texture_, places_, texels_.surfels, perPlace);
 }
 
 std::span<const MaterialPair> LampEvidence::pairs(size_t perPlace) const

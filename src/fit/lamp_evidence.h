@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit/camera_columns.h"
 #include "fit/light_model.h"
 #include "fit/pieces.h"
 #include "relamp/gather.h"
@@ -21,12 +22,12 @@ namespace relamp
 /// What a scan tells of the lamps in it, whichever these are: places all over its surfaces with
 /// what they show, pairs of them that are of one material, and the light between them.
 ///
-/// The arguments of the constructor must outlive it.
+/// All arguments of the constructor but `radiance` must outlive it.
 class LampEvidence
 {
 public:
     LampEvidence(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                 const SurfelRadiance& radiance, Quality quality);
+                 SurfelRadiance radiance, Quality quality);
 
     /// Whether there are pairs to be had.
     [[nodiscard]] bool tells() const { return places_.size() > 1; }
@@ -36,10 +37,12 @@ public:
     /// `perPlace` is kPairsFirst or kPairs; drawAllPairs() comes before.
     [[nodiscard]] std::span<const MaterialPair> pairs(size_t perPlace) const;
 
-    /// The radiance that it was made with is another now, where nothing is burnt out.
-    void takeRadiance();
-    /// Of one value a surfel those of the places.
-    [[nodiscard]] std::vector<glm::vec3> shown(std::span<const glm::vec3> ofSurfels) const;
+    /// Undoes what the camera made of light, from the texture on. Models and pairs of before keep
+    /// what they have. Returns how much brighter places are than before, mean of logarithms.
+    double linearize(const CameraModel& camera);
+    [[nodiscard]] const SurfelRadiance& radiance() const { return radiance_; } // so far
+    /// What places show in the file.
+    [[nodiscard]] TexturePlaces texturePlaces() const { return {texture_, positions_}; }
 
     /// Further pairs, of places that the caller adds to the model.
     void addPairs(size_t perPlace, std::span<const MaterialPair> pairs)
@@ -63,14 +66,18 @@ public:
 
 private:
     void choosePlaces(size_t most);
+    [[nodiscard]] double meanLogOfPlaces() const;
     void findAround();
     void addLightOnPieces(std::span<const Piece> pieces, LightModel& model) const;
 
     const Texels& texels_;
     const RayScene& scene_;
     const HitLists& hits_;
-    const SurfelRadiance& radiance_;
+    SurfelRadiance radiance_;             // linear
     std::vector<uint32_t> places_;        // surfels, which are also the lists of their fronts
+    std::vector<glm::vec3> texture_;      // of places
+    std::vector<glm::vec3> positions_;    // of places, m
+    std::vector<glm::vec3> textureOfAll_; // of surfels
     std::vector<uint32_t> around_;        // surfels that light of places is averaged over, ascending
     std::vector<uint32_t> placeInAround_; // [surfel]: its number among those around places
     RadianceField field_;

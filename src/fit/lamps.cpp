@@ -3,12 +3,10 @@
 #include "base/call_all.h"
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
-#include "fit/camera_columns.h"
 #include "fit/lamp_evidence.h"
 #include "fit/lamp_groups.h"
 #include "fit/light_fit.h"
 #include "fit/outside.h"
-#include "fit/pairs.h"
 #include "fit/pieces.h"
 #include "fit/sun.h"
 #include "fit/sun_search.h"
@@ -23,8 +21,6 @@
 #include <optional>
 #include <utility>
 
-#include <cstdio>
-#include <cstring>
 #include <fmt/format.h>
 
 namespace relamp
@@ -43,8 +39,9 @@ constexpr double kLeastNoise = 0.02;  // log; what a byte and a few rays tell
 constexpr double kMostNoise = 0.2;    // log
 constexpr size_t kTries = 4;          // of the most promising pieces, each time one is added
 constexpr int kChoices = 4;           // rounds of taking away and adding, at most
-constexpr double kCurvedNats = 1.4;   // log odds of a camera with a contrast curve: four in five
-constexpr int kCameraRounds = 2;
+constexpr double kCurvedNats = 2.0;    // log odds of a camera with a contrast curve: most have one
+constexpr int kCameraRounds = 2;       // of what is gathered and what the camera made of it
+constexpr double kGainWidth = 4.0;     // times the noise: what the first loss for a gain forgives
 constexpr double kUnknown = 0.7;      // standard error of log radiance: about a factor of two
 constexpr double kColorSpread = 1.0;  // log: of a lamp's channels about its luminance
 constexpr double kColorWidth = 2.0;   // times the noise: where the loss for a channel begins
@@ -60,14 +57,6 @@ std::string unknownAt(glm::vec3 place, size_t lamps)
                        "for it lights little that can be seen; its radiance is a guess. Set it in "
                        "lights.json and pass that with --lights",
                        place.x, place.y, place.z);
-}
-
-double meanLog(std::span<const glm::vec3> shown)
-{
-    double sum = 0.0;
-    for (const glm::vec3 rgb : shown)
-        sum += std::log(std::max(static_cast<double>(luminance(rgb)), 1e-4));
-    return sum / static_cast<double>(std::max<size_t>(shown.size(), 1));
 }
 
 class LampSearch
@@ -101,12 +90,10 @@ private:
     void lookCloser();
     bool join();
     void findColors();
-    void findCamera(size_t pairs);
-    [[nodiscard]] CameraModel chooseCamera(size_t pairs, std::span<const glm::vec3> texture,
-                                           std::span<const glm::vec3> positions) const;
-    void linearize();
-    void takeCamera(CameraModel camera, std::vector<double> log);
-    void findGain(std::span<const glm::vec3> albedo);
+    void findResponse();
+    void bendResponse(size_t pairs);
+    void findGain();
+    void seeByCamera(std::vector<double> log);
     void measureNoise();
     void letSunIn(const LitSides& sides);
     void takeSun(FoundLamps& found);
@@ -116,10 +103,9 @@ private:
     const Texels& texels_;
     const RayScene& scene_;
     const HitLists& hits_;
-    std::vector<glm::vec3> texture_; // of surfels, as the file has it
-    SurfelRadiance radiance_; // of the texture, then of the scene
     bool isSunSought_;
-    bool isCameraSought_;
+    bool isResponseSought_;
+    bool isGainSought_;
     Progress::Stage stage_;
     LampEvidence evidence_;
     std::vector<Piece> pieces_;
@@ -131,18 +117,18 @@ private:
     OutsideLight outside_;
     std::vector<std::string> warnings_;
     std::shared_ptr<const RayScene> beforeSun_; // what stands before it
-    std::optional<CameraModel> camera_; // none: not sought yet
-    Linearization linearization_;
+    CameraModel camera_;
+    bool isCurved_ = false; // its response
     std::optional<SunTrial> sun_;               // the last piece
 };
 
 LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
                        const SurfelRadiance& radiance, const GatherOptions& options,
                        Progress& progress)
-    : texels_(texels), scene_(scene), hits_(hits), texture_(radiance.plain), radiance_(radiance), isSunSought_(options.sun),
-      isCameraSought_(options.response),
+    : texels_(texels), scene_(scene), hits_(hits), isSunSought_(options.sun), isResponseSought_(options.response),
+      isGainSought_(options.gain),
       stage_(progress, "lamps", kSearchSteps),
-      evidence_(texels, scene, hits, radiance_, options.quality)
+      evidence_(texels, scene, hits, radiance, options.quality)
 {
     callAll([&] { takeCandidates(options, radiance); }, [&] { evidence_.drawAllPairs(); });
 }
@@ -444,7 +430,7 @@ void LampSearch::findColors()
         for (size_t f = 0; f < pieces_.size(); ++f)
             if (emits_[f] != 0) pieces_[f] = std::move(*next++);
         observe();
-        if (isCameraSought_) findGain(sides.albedo);
+        if (isGainSought_) findGain();
         if (isSunSought_) letSunIn(sides);
     }
 }
@@ -454,11 +440,11 @@ void LampSearch::letSunIn(const LitSides& sides)
 {
     FoundLamps known;
     for (const Piece& piece : lamps()) known.lamps.push_back({.patches = piece.candidate.patches});
-    auto outside = std::make_shared<const RayScene>(sceneWithoutPanes(texels_, radiance_, known));
+    auto outside = std::make_shared<const RayScene>(sceneWithoutPanes(texels_, evidence_.radiance(), known));
     std::vector<double> cost;
     for (uint32_t f = 0; f < pieces_.size(); ++f) cost.push_back(costOf(f));
     std::optional<SunFit> fit =
-        findSun(texels_, *outside, hits_, radiance_,
+        findSun(texels_, *outside, hits_, evidence_.radiance(),
                 {sides, pieces_, emits_, cost, estimate_.log, model_, evidence_.places(),
                  evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, noise_});
     if (!fit) return;
@@ -512,118 +498,60 @@ FoundLamps LampSearch::result()
                                std::move(lamp.ends)});
     }
     takeSun(found);
-    found.linearization = std::move(linearization_);
+    found.camera = std::move(camera_);
     stage_.advance();
     return found;
 }
 
-/// What the camera made of the light, beside all pieces that may emit: the light that is gathered
-/// changes with it, and so does the noise.
-void LampSearch::findCamera(size_t pairs)
+/// A response beside all pieces that may emit, where the evidence is for one that is not straight.
+void LampSearch::findResponse()
 {
-    const std::vector<glm::vec3> texture = evidence_.shown(texture_);
-    const std::vector<glm::vec3> positions = evidence_.shown(texels_.surfels.position);
-    if (!camera_) camera_ = chooseCamera(pairs, texture, positions);
-    if (!camera_->response) return;
+    LightFit fit = fitOf(LampEvidence::kPairsFirst);
+    fit.expectLeaks(estimate_.log);
+    const LightEstimate straight = fit.solve(emits_, estimate_.log, 1.0);
+    const LightEstimate curved =
+        fit.solve(emits_, estimate_.log, columnsOf(Response{}, evidence_.texturePlaces()));
+    isCurved_ = curved.nats + curved.occam < straight.nats + kCurvedNats;
+    if (isCurved_) bendResponse(LampEvidence::kPairsFirst);
+}
+
+/// The light that is gathered changes with the response, and with it the response.
+void LampSearch::bendResponse(size_t pairs)
+{
+    for (int round = 0; round < kCameraRounds; ++round) {
+        LightFit fit = fitOf(pairs);
+        fit.expectLeaks(estimate_.log);
+        LightEstimate curved = fit.solve(
+            emits_, estimate_.log, columnsOf(camera_.response, evidence_.texturePlaces()));
+        camera_.response = responseOf(curved.camera);
+        seeByCamera(std::move(curved.log));
+    }
+}
+
+/// Likewise, among lamps that are known.
+void LampSearch::findGain()
+{
+    camera_.gain = evenGainOver(evidence_.texturePlaces().position);
+    if (camera_.gain.isOne()) return;
     for (int round = 0; round < kCameraRounds; ++round) {
         LightFit fit = fitOf(LampEvidence::kPairsFirst);
         fit.expectLeaks(estimate_.log);
-        const LightEstimate with =
-            fit.solve(emits_, estimate_.log, columnsOf(*camera_, texture, positions));
-        takeCamera(withCoefficients(std::move(*camera_), with.camera), with.log);
+        LightEstimate even =
+            fit.solve(emits_, estimate_.log,
+                      columnsOf(camera_.gain, evidence_.texturePlaces()), kGainWidth);
+        camera_.gain = gainOf(std::move(camera_.gain), even.camera);
+        seeByCamera(std::move(even.log));
     }
 }
 
-/// Everything that is seen by the camera anew, from light that was found with it.
-void LampSearch::takeCamera(CameraModel camera, std::vector<double> log)
+/// Everything in the radiance that the camera tells, from light that was found with it.
+void LampSearch::seeByCamera(std::vector<double> log)
 {
-    camera_ = std::move(camera);
-    const double before = meanLog(evidence_.shown(radiance_.plain));
-    linearize();
-    evidence_.takeRadiance();
+    const double brighter = evidence_.linearize(camera_);
     observe();
-    const double brighter = meanLog(evidence_.shown(radiance_.plain)) - before;
     for (double& l : log) l += brighter;
     estimate_ = fitOf(LampEvidence::kPairsFirst).solve(emits_, std::move(log), 1.0);
     measureNoise();
-    if (getenv("RELAMP_CAMERA")) {
-        fmt::print(stderr, "  noise {:.3f} slopes", noise_);
-        if (camera_->response) for (size_t k = 0; k < 5; ++k) fmt::print(stderr, " {:.2f}", camera_->response->slope[k]);
-        if (camera_->gain) { double q = 0; for (auto l : camera_->gain->log) q += l.g * l.g; fmt::print(stderr, " gain rms {:.3f}", std::sqrt(q / static_cast<double>(camera_->gain->log.size()))); }
-        fmt::print(stderr, "\n");
-    }
-}
-
-/// The gain, by pairs of one hue wherever they lie.
-void LampSearch::findGain(std::span<const glm::vec3> albedo)
-{
-    static const double gn = getenv("RELAMP_GN") ? atof(getenv("RELAMP_GN")) : 4.0;
-    static const double gw = getenv("RELAMP_GW") ? atof(getenv("RELAMP_GW")) : 4.0;
-    static const int gr = getenv("RELAMP_GR") ? atoi(getenv("RELAMP_GR")) : 2;
-    static const int gp = getenv("RELAMP_GP") ? atoi(getenv("RELAMP_GP")) : 0;
-    if (gn <= 0) return;
-    const std::vector<glm::vec3> texture = evidence_.shown(texture_);
-    const std::vector<glm::vec3> positions = evidence_.shown(texels_.surfels.position);
-    if (!camera_) camera_.emplace();
-    camera_->gain = latticeOver(positions);
-    if (!camera_->gain) return;
-    std::vector<MaterialPair> pairs;
-    if (gp > 0) pairs = drawPairsOfOneHue(evidence_.shown(albedo), texels_.surfels.seed, static_cast<size_t>(gp));
-    const char* gq = getenv("RELAMP_GQ") ? getenv("RELAMP_GQ") : "1";
-    if (*gq != '0') {
-        const auto more = evidence_.pairs(*gq == '1' ? LampEvidence::kPairsFirst : LampEvidence::kPairs);
-        pairs.insert(pairs.end(), more.begin(), more.end());
-    }
-    for (int round = 0; round < gr; ++round) {
-        LightFit fit(model_, pairs, kin_.alike, noise_);
-        fit.expectLeaks(estimate_.log);
-        CameraModel gainAlone{{}, camera_->gain};
-        CameraColumns columns = columnsOf(gainAlone, texture, positions);
-        columns.worth = gn;
-        const LightEstimate with = fit.solve(emits_, estimate_.log, columns, gw);
-        CameraModel camera = *camera_;
-        camera.gain = withCoefficients(std::move(gainAlone), with.camera).gain;
-        takeCamera(std::move(camera), with.log);
-    }
-}
-
-/// The one of straight, response, gain and both that the evidence is for.
-CameraModel LampSearch::chooseCamera(size_t pairs, std::span<const glm::vec3> texture,
-                                     std::span<const glm::vec3> positions) const
-{
-    LightFit fit = fitOf(pairs);
-    fit.expectLeaks(estimate_.log);
-    CameraModel best;
-    double least = fit.solve(emits_, estimate_.log, 1.0).nats;
-    if (getenv("RELAMP_CAMERA")) fmt::print(stderr, "  straight {:.2f}\n", least);
-    const std::optional<Gain> lattice = latticeOver(positions);
-    const char* which = getenv("RELAMP_MODELS");
-    for (CameraModel model :
-         {CameraModel{Response{}, {}}}) {
-        if (which && *which == 'r' && model.gain) continue;
-        const LightEstimate with =
-            fit.solve(emits_, estimate_.log, columnsOf(model, texture, positions));
-        if (getenv("RELAMP_CAMERA")) fmt::print(stderr, "  {} {}: {:.2f} + {:.2f}\n", model.response.has_value(), model.gain.has_value(), with.nats, with.occam);
-        if (with.nats + with.occam - kCurvedNats >= least) continue;
-        least = with.nats + with.occam;
-        best = std::move(model);
-    }
-    return best;
-}
-
-void LampSearch::linearize()
-{
-    if (camera_->response) linearization_.response = *camera_->response;
-    if (camera_->gain) {
-        linearization_.perGain.resize(texture_.size());
-        for (size_t s = 0; s < texture_.size(); ++s)
-            linearization_.perGain[s] = 1.0f / camera_->gain->at(texels_.surfels.position[s]);
-    }
-    for (size_t s = 0; s < texture_.size(); ++s) {
-        for (int c = 0; c < 3; ++c)
-            radiance_.plain[s][c] = linearization_.response(texture_[s][c]);
-        if (!linearization_.perGain.empty()) radiance_.plain[s] *= linearization_.perGain[s];
-    }
 }
 
 void LampSearch::measureNoise()
@@ -638,14 +566,13 @@ FoundLamps LampSearch::run()
     const LightFit all = fitOf(LampEvidence::kPairsFirst);
     estimate_ = all.solve(emits_, all.beginning(), kFirstWidth);
     measureNoise();
-    const char* order = getenv("RELAMP_ORDER") ? getenv("RELAMP_ORDER") : "AB";
-    if (isCameraSought_ && strchr(order, 'A')) findCamera(LampEvidence::kPairsFirst);
+    if (isResponseSought_) findResponse();
     choose(LampEvidence::kPairsFirst);
     stage_.advance();
     lookCloser();
     choose(LampEvidence::kPairsFirst);
-    if (isCameraSought_ && strchr(order, 'B')) {
-        findCamera(LampEvidence::kPairs);
+    if (isCurved_) {
+        bendResponse(LampEvidence::kPairs);
         choose(LampEvidence::kPairsFirst);
     }
     for (int round = 0; round < kChoices && join(); ++round) choose(LampEvidence::kPairsFirst);

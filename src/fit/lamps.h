@@ -2,10 +2,10 @@
 
 #include "lights/candidates.h"
 #include "lights/fixture_labels.h"
+#include "relamp/camera_model.h"
 #include "relamp/gather.h"
 #include "relamp/lights.h"
 #include "relamp/progress.h"
-#include "scan/linearization.h"
 #include "scan/rays.h"
 #include "shading/hit_lists.h"
 #include "shading/lit_sides.h"
@@ -47,7 +47,7 @@ struct FoundLamps
     OutsideLight outside;
     float residual = 0.0f; // of the fit, in log radiance
     std::optional<FoundSun> sun{};
-    Linearization linearization{}; // of the texture, as it was found with the lamps
+    CameraModel camera{}; // what it made of the light
     std::vector<std::string> warnings;
 };
 

@@ -3,7 +3,6 @@
 #include "fit/light_model.h"
 
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <vector>
 
@@ -96,7 +95,7 @@ private:
     /// Of a pair's variance, what is of paint and not of light.
     [[nodiscard]] double paintShare(size_t pair) const
     {
-        static const double share = getenv("RELAMP_SHARE") ? atof(getenv("RELAMP_SHARE")) : 1.0; return share * 2.0 * noise_ * noise_ /
+        return 2.0 * noise_ * noise_ /
                (noiseAbove_[pair] * noiseAbove_[pair] + noiseBelow_[pair] * noiseBelow_[pair]);
     }
 

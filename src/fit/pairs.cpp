@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 namespace relamp
@@ -86,30 +85,6 @@ std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
              ++attempt) {
             const uint32_t q = static_cast<uint32_t>(random()) % count;
             if (q == p || !couldBeOneMaterial(places[p], places[q])) continue;
-            pairs.push_back({p, q});
-            ++found;
-        }
-    }
-    return pairs;
-}
-
-std::vector<MaterialPair> drawPairsOfOneHue(std::span<const glm::vec3> albedo, uint32_t seed,
-                                            size_t perPlace)
-{
-    std::vector<MaterialPair> pairs;
-    const auto count = static_cast<uint32_t>(albedo.size());
-    if (count < 2) return pairs;
-    static const float hue = getenv("RELAMP_GH") ? static_cast<float>(atof(getenv("RELAMP_GH"))) : 0.08f;
-    static const float bright = getenv("RELAMP_GB") ? static_cast<float>(atof(getenv("RELAMP_GB"))) : 1.2f;
-    std::mt19937 random(seed);
-    for (uint32_t p = 0; p < count; ++p) {
-        size_t found = 0;
-        const glm::vec3 chroma = chromaOf(albedo[p]);
-        for (size_t attempt = 0; attempt < kTriesPerPair * perPlace && found < perPlace;
-             ++attempt) {
-            const uint32_t q = static_cast<uint32_t>(random()) % count;
-            if (q == p || glm::distance(chroma, chromaOf(albedo[q])) > hue) continue;
-            if (std::abs(std::log(luminance(albedo[p]) / luminance(albedo[q]))) > bright) continue;
             pairs.push_back({p, q});
             ++found;
         }

@@ -23,9 +23,4 @@ std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
                                     std::span<const uint32_t> surfels, const Surfels& all,
                                     size_t perPlace);
 
-/// Pairs of places, wherever they lie, whose albedo has one hue: `perPlace` begin at each place at
-/// most. Deterministic.
-std::vector<MaterialPair> drawPairsOfOneHue(std::span<const glm::vec3> albedo, uint32_t seed,
-                                            size_t perPlace);
-
 } // namespace relamp

@@ -3,43 +3,38 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/common.hpp>
-#include <glm/exponential.hpp>
-
 namespace relamp
 {
 
 GainWeights weightsAt(const Gain& gain, glm::vec3 position)
 {
-    const glm::vec3 last(static_cast<float>(gain.countX - 1), static_cast<float>(gain.countY - 1),
-                         static_cast<float>(gain.countZ - 1));
-    const glm::vec3 at =
-        glm::clamp((position - gain.origin) / gain.spacing, glm::vec3(0.0f), last);
+    const glm::vec3 at = (position - gain.origin) / gain.spacing;
     GainWeights weights{};
-    for (uint32_t corner = 0; corner < 8; ++corner) {
-        float part = 1.0f;
-        std::array<uint32_t, 3> knot{};
-        for (int axis = 0; axis < 3; ++axis) {
-            const float low = std::floor(at[axis]);
+    weights.part.fill(1.0f);
+    uint32_t stride = 1;
+    for (size_t axis = 0; axis < 3; ++axis) {
+        const int last = gain.count[axis] - 1;
+        const float along =
+            std::clamp(at[static_cast<int>(axis)], 0.0f, static_cast<float>(last));
+        const int low = std::min(static_cast<int>(along), std::max(last - 1, 0));
+        const float beyond = along - static_cast<float>(low);
+        for (uint32_t corner = 0; corner < 8; ++corner) {
             const bool isHigh = (corner >> axis & 1u) != 0;
-            part *= isHigh ? at[axis] - low : 1.0f - (at[axis] - low);
-            knot[static_cast<size_t>(axis)] =
-                static_cast<uint32_t>(std::min(low + (isHigh ? 1.0f : 0.0f), last[axis]));
+            weights.part[corner] *= isHigh ? beyond : 1.0f - beyond;
+            weights.knot[corner] += stride * static_cast<uint32_t>(std::min(low + isHigh, last));
         }
-        weights.knot[corner] = knot[0] + static_cast<uint32_t>(gain.countX) *
-                                             (knot[1] + static_cast<uint32_t>(gain.countY) * knot[2]);
-        weights.part[corner] = part;
+        stride *= static_cast<uint32_t>(gain.count[axis]);
     }
     return weights;
 }
 
-glm::vec3 Gain::at(glm::vec3 position) const
+float Gain::at(glm::vec3 position) const
 {
-    if (isOne()) return glm::vec3(1.0f);
+    if (isOne()) return 1.0f;
     const GainWeights weights = weightsAt(*this, position);
-    glm::vec3 sum(0.0f);
-    for (size_t k = 0; k < 8; ++k) sum += weights.part[k] * log[weights.knot[k]];
-    return glm::exp(sum);
+    float sum = 0.0f;
+    for (size_t k = 0; k < weights.knot.size(); ++k) sum += weights.part[k] * log[weights.knot[k]];
+    return std::exp(sum);
 }
 
 } // namespace relamp

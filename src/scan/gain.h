@@ -1,6 +1,6 @@
 #pragma once
 
-#include "relamp/gain.h"
+#include "relamp/camera_model.h"
 
 #include <array>
 #include <cstdint>

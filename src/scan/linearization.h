@@ -1,21 +1,26 @@
 #pragma once
 
-#include "relamp/response.h"
+#include "relamp/camera_model.h"
+#include "scan/surfels.h"
 
 #include <vector>
-
-#include <glm/vec3.hpp>
 
 namespace relamp
 {
 
-/// What makes radiance of the linear values of a scan's textures.
+/// What makes radiance of the linear values of a scan's textures: a camera's model undone.
 struct Linearization
 {
-    Response response;              // first this
-    std::vector<glm::vec3> perGain; // then this factor, one a surfel; empty: 1
+    Response response;          // first this
+    std::vector<float> perGain; // then this factor, one a surfel: gain changes over metres. Empty: 1
 
     [[nodiscard]] bool isNeutral() const { return response.isStraight() && perGain.empty(); }
 };
+
+Linearization linearizationOf(const CameraModel& camera, const Surfels& surfels);
+
+/// Radiance, 1 = white, of a linear value of a texture where the factor is `perGain`. What is burnt
+/// out stays as it is, and nothing else becomes that.
+glm::vec3 withoutGain(glm::vec3 radiance, float perGain);
 
 } // namespace relamp

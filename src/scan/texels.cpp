@@ -371,10 +371,11 @@ void TexelLoader::takeGainOut(size_t begin, TexelBlock& block) const
     size_t run = page_.runOf(begin);
     for (size_t i = 0; i < block.count; ++i) {
         while (begin + i >= page_.runs[run + 1].begin) ++run;
-        const glm::vec3 factor = (*perGain_)[page_.runs[run].surfel];
-        block.r[i] *= factor.r;
-        block.g[i] *= factor.g;
-        block.b[i] *= factor.b;
+        const glm::vec3 radiance = withoutGain({block.r[i], block.g[i], block.b[i]},
+                                               (*perGain_)[page_.runs[run].surfel]);
+        block.r[i] = radiance.r;
+        block.g[i] = radiance.g;
+        block.b[i] = radiance.b;
     }
 }
 

@@ -135,14 +135,20 @@ void letIn(SunOnRoom sun, const Texels& texels, const RayScene& scene, FoundRoom
     room.sides = sidesOf(texels, scene, room);
 }
 
+/// Takes out of the radiance what the camera made of it.
+void linearize(const Texels& texels, FoundRoom& room)
+{
+    room.linearization = linearizationOf(room.found.camera, texels.surfels);
+    if (!room.linearization.isNeutral())
+        room.radiance = collectRadiance(texels, unwatched(), {}, &room.linearization);
+}
+
 /// Finds lamps and sun.
 void search(const Texels& texels, const RayScene& scene, Progress& progress, FoundRoom& room)
 {
     room.found = findLamps(texels, scene, room.hits, room.radiance, room.options, progress);
     room.warnings = room.found.warnings;
-    room.linearization = room.found.linearization;
-    if (!room.linearization.isNeutral())
-        room.radiance = collectRadiance(texels, unwatched(), {}, &room.linearization);
+    linearize(texels, room);
     const Progress::Stage stage(progress, "sun");
     if (room.found.sun) {
         letIn(sunOn(*std::exchange(room.found.sun, {}), texels), texels, scene, room);
@@ -163,6 +169,8 @@ void take(const Lights& given, const DelightOptions& options, const Texels& texe
     const std::vector<std::vector<ClippedPatch>> surfaces =
         surfacesOf(given.fixtures, known, texels, scene, room.warnings);
     room.found = asGiven(given, surfaces);
+    room.found.camera = given.camera;
+    linearize(texels, room);
     if (given.openings.size() == room.hits.shareOfPart.size())
         room.found.outside = {given.ambient, given.openings};
     room.shines = shinesOf(room);
@@ -228,6 +236,7 @@ Lights lightsOf(const FoundRoom& room)
     Lights lights;
     lights.ambient = room.found.outside.even();
     lights.openings = room.found.outside.ratios();
+    lights.camera = room.found.camera;
     if (room.sun) lights.sun = room.sun->sun;
     for (const FoundLamp& lamp : room.found.lamps) {
         if (lamp.isSunlit) continue;
