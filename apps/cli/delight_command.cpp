@@ -218,6 +218,11 @@ void printSummary(const DelightArguments& arguments, const relamp::Decomposition
     if (lights.fixtures.size() > kMostListed)
         text += fmt::format("  and {} more in {}/lights.json\n",
                             lights.fixtures.size() - kMostListed, arguments.folder.string());
+    if (!lights.camera.isNeutral())
+        text +=
+            fmt::format("  camera: contrast {:.2f}, exposure drifts over {:.2f} stops; both are "
+                        "taken out of the albedo\n",
+                        lights.camera.response.contrast(), lights.camera.gain.stops());
     text += fmt::format("{}/{}.glb is the room without its light; preview.png shows it as scanned, "
                         "albedo, shading\n",
                         arguments.folder.string(), scan.name);

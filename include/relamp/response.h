@@ -25,6 +25,8 @@ struct RELAMP_API Response
     bool operator==(const Response&) const = default;
 
     [[nodiscard]] bool isStraight() const { return *this == Response{}; }
+    /// How many stops of the texture a stop of light made in the mid-tones; 1: straight.
+    [[nodiscard]] float contrast() const;
     /// Radiance, 1 = white, of a texture's linear value >= 0. What is burnt out stays as it is.
     [[nodiscard]] float operator()(float texture) const;
 };

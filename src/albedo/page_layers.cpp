@@ -56,8 +56,8 @@ private:
 
 LayerMaker::LayerMaker(const Texels& texels, size_t page, const SolvedTexels& solved,
                        const AlbedoOptions& options)
-    : page_(page), texels_(texels.pages[page]), loader_(texels, page, &solved.linearization), solved_(solved),
-      options_(options), ofVertices_(texels.scan->pages[page].ofVertices),
+    : page_(page), texels_(texels.pages[page]), loader_(texels, page, &solved.linearization),
+      solved_(solved), options_(options), ofVertices_(texels.scan->pages[page].ofVertices),
       clips_(texels.scan->pages[page].image.clipsAtWhite)
 {
     const Image& image = texels.scan->pages[page].image;

@@ -56,8 +56,7 @@ std::vector<double> precisionOf(const Gain& gain)
 std::vector<double> precisionOfSlopes()
 {
     constexpr auto n = static_cast<Eigen::Index>(Response::kKnots);
-    Eigen::MatrixXd covariance =
-        Eigen::MatrixXd::Constant(n, n, kContrastSpread * kContrastSpread);
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Constant(n, n, kContrastSpread * kContrastSpread);
     covariance.diagonal().array() += kShapeSpread * kShapeSpread;
     const Eigen::MatrixXd precision = covariance.inverse();
     return {precision.data(), precision.data() + precision.size()};

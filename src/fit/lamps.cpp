@@ -39,9 +39,9 @@ constexpr double kLeastNoise = 0.02;  // log; what a byte and a few rays tell
 constexpr double kMostNoise = 0.2;    // log
 constexpr size_t kTries = 4;          // of the most promising pieces, each time one is added
 constexpr int kChoices = 4;           // rounds of taking away and adding, at most
-constexpr double kCurvedNats = 2.0;    // log odds of a camera with a contrast curve: most have one
-constexpr int kCameraRounds = 2;       // of what is gathered and what the camera made of it
-constexpr double kGainWidth = 4.0;     // times the noise: what the first loss for a gain forgives
+constexpr double kCurvedNats = 2.0;   // log odds of a camera with a contrast curve: most have one
+constexpr int kCameraRounds = 2;      // of what is gathered and what the camera made of it
+constexpr double kGainWidth = 4.0;    // times the noise: what the first loss for a gain forgives
 constexpr double kUnknown = 0.7;      // standard error of log radiance: about a factor of two
 constexpr double kColorSpread = 1.0;  // log: of a lamp's channels about its luminance
 constexpr double kColorWidth = 2.0;   // times the noise: where the loss for a channel begins
@@ -57,6 +57,13 @@ std::string unknownAt(glm::vec3 place, size_t lamps)
                        "for it lights little that can be seen; its radiance is a guess. Set it in "
                        "lights.json and pass that with --lights",
                        place.x, place.y, place.z);
+}
+
+/// Whether the textures are pictures of a camera; floats are light by themselves.
+bool isByCamera(const Scan& scan)
+{
+    return std::all_of(scan.pages.begin(), scan.pages.end(),
+                       [](const Page& page) { return page.image.clipsAtWhite; });
 }
 
 class LampSearch
@@ -118,15 +125,16 @@ private:
     std::vector<std::string> warnings_;
     std::shared_ptr<const RayScene> beforeSun_; // what stands before it
     CameraModel camera_;
-    bool isCurved_ = false; // its response
-    std::optional<SunTrial> sun_;               // the last piece
+    bool isCurved_ = false;       // its response
+    std::optional<SunTrial> sun_; // the last piece
 };
 
 LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
                        const SurfelRadiance& radiance, const GatherOptions& options,
                        Progress& progress)
-    : texels_(texels), scene_(scene), hits_(hits), isSunSought_(options.sun), isResponseSought_(options.response),
-      isGainSought_(options.gain),
+    : texels_(texels), scene_(scene), hits_(hits), isSunSought_(options.sun),
+      isResponseSought_(options.response && isByCamera(*texels.scan)),
+      isGainSought_(options.gain && isByCamera(*texels.scan)),
       stage_(progress, "lamps", kSearchSteps),
       evidence_(texels, scene, hits, radiance, options.quality)
 {
@@ -440,7 +448,8 @@ void LampSearch::letSunIn(const LitSides& sides)
 {
     FoundLamps known;
     for (const Piece& piece : lamps()) known.lamps.push_back({.patches = piece.candidate.patches});
-    auto outside = std::make_shared<const RayScene>(sceneWithoutPanes(texels_, evidence_.radiance(), known));
+    auto outside =
+        std::make_shared<const RayScene>(sceneWithoutPanes(texels_, evidence_.radiance(), known));
     std::vector<double> cost;
     for (uint32_t f = 0; f < pieces_.size(); ++f) cost.push_back(costOf(f));
     std::optional<SunFit> fit =
@@ -521,8 +530,8 @@ void LampSearch::bendResponse(size_t pairs)
     for (int round = 0; round < kCameraRounds; ++round) {
         LightFit fit = fitOf(pairs);
         fit.expectLeaks(estimate_.log);
-        LightEstimate curved = fit.solve(
-            emits_, estimate_.log, columnsOf(camera_.response, evidence_.texturePlaces()));
+        LightEstimate curved = fit.solve(emits_, estimate_.log,
+                                         columnsOf(camera_.response, evidence_.texturePlaces()));
         camera_.response = responseOf(curved.camera);
         seeByCamera(std::move(curved.log));
     }
@@ -536,9 +545,8 @@ void LampSearch::findGain()
     for (int round = 0; round < kCameraRounds; ++round) {
         LightFit fit = fitOf(LampEvidence::kPairsFirst);
         fit.expectLeaks(estimate_.log);
-        LightEstimate even =
-            fit.solve(emits_, estimate_.log,
-                      columnsOf(camera_.gain, evidence_.texturePlaces()), kGainWidth);
+        LightEstimate even = fit.solve(
+            emits_, estimate_.log, columnsOf(camera_.gain, evidence_.texturePlaces()), kGainWidth);
         camera_.gain = gainOf(std::move(camera_.gain), even.camera);
         seeByCamera(std::move(even.log));
     }

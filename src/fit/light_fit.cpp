@@ -252,8 +252,8 @@ double LightFitSearch::residual(const Point& at, MaterialPair pair) const
 /// Mean slope of the inverse response between two places.
 double LightFitSearch::slopeOf(const Point& at, MaterialPair pair) const
 {
-    double slope = 0.5 * static_cast<double>(camera_.slopeKnown[pair.p] +
-                                             camera_.slopeKnown[pair.q]);
+    double slope =
+        0.5 * static_cast<double>(camera_.slopeKnown[pair.p] + camera_.slopeKnown[pair.q]);
     for (size_t k = 0; k < camera_.count(); ++k)
         slope += 0.5 * cameraAt(at, k) *
                  static_cast<double>(camera_.slopeAt(pair.p)[k] + camera_.slopeAt(pair.q)[k]);
@@ -289,8 +289,7 @@ void LightFitSearch::addCamera(const Point& at, Normal& normal) const
                 0.5 / slope *
                 static_cast<double>(camera_.slopeAt(pair.p)[k] + camera_.slopeAt(pair.q)[k]);
         normal.slope.tail(row.size()) -= weight * row;
-        normal.matrix.bottomRightCorner(row.size(), row.size()) +=
-            weight * row * row.transpose();
+        normal.matrix.bottomRightCorner(row.size(), row.size()) += weight * row * row.transpose();
     }
     for (size_t i = 0; i < n; ++i)
         for (size_t j = 0; j < n; ++j) {
@@ -485,7 +484,8 @@ void LightFitSearch::run(double widest)
 LightEstimate LightFitSearch::result() const
 {
     LightEstimate estimate{.log = here_.log, .nats = here_.nats};
-    const auto lightsEnd = here_.log.begin() + static_cast<ptrdiff_t>(model_.pieces + model_.outsides);
+    const auto lightsEnd =
+        here_.log.begin() + static_cast<ptrdiff_t>(model_.pieces + model_.outsides);
     estimate.camera.assign(lightsEnd, here_.log.end());
     estimate.log.resize(model_.pieces + model_.outsides);
     estimate.error.assign(here_.log.size(), 0.0);
@@ -495,9 +495,9 @@ LightEstimate LightFitSearch::result() const
     if (camera_.count() > 0) {
         const auto l = static_cast<Eigen::Index>(lights());
         const Eigen::Map<const Eigen::MatrixXd> prior(camera_.precision.data(), n - l, n - l);
-        estimate.occam = 0.5 * (logDeterminant(normal.matrix) -
-                                logDeterminant(normal.matrix.topLeftCorner(l, l)) -
-                                logDeterminant(prior));
+        estimate.occam =
+            0.5 * (logDeterminant(normal.matrix) -
+                   logDeterminant(normal.matrix.topLeftCorner(l, l)) - logDeterminant(prior));
     }
     for (Eigen::Index u = 0; u < n; ++u)
         estimate.error[at(static_cast<size_t>(u))] = std::sqrt(covariance(u, u));

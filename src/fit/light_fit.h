@@ -15,12 +15,12 @@ namespace relamp
 /// logarithms of radiance, 1 = the texture's white.
 struct LightEstimate
 {
-    std::vector<double> log;   // of pieces, what they emit or reflect; then of what lies outside
-    std::vector<double> error; // standard errors of these; 0 of what reflects as it is expected to
+    std::vector<double> log;    // of pieces, what they emit or reflect; then of what lies outside
+    std::vector<double> error;  // standard errors of these; 0 of what reflects as it is expected to
     std::vector<double> camera; // coefficients of CameraColumns; empty where none are sought
-    double occam = 0.0; // nats that the camera's coefficients cost by what the data narrow them
-    double nats = 0.0;         // of data and priors: the less, the likelier
-    double residual = 0.0;     // median absolute deviation of a pair
+    double occam = 0.0;    // nats that the camera's coefficients cost by what the data narrow them
+    double nats = 0.0;     // of data and priors: the less, the likelier
+    double residual = 0.0; // median absolute deviation of a pair
 };
 
 /// What is believed of pieces that emit before a look at the pairs.

@@ -47,6 +47,13 @@ std::array<float, Response::kKnots> bendAt(float texture)
     return part;
 }
 
+float Response::contrast() const
+{
+    float sum = 0.0f;
+    for (size_t k = 1; k + 1 < kKnots; ++k) sum += slope[k];
+    return static_cast<float>(kKnots - 2) / sum;
+}
+
 float Response::operator()(float texture) const
 {
     if (isStraight() || texture <= 0.0f || texture >= kBurntOut) return texture;

@@ -2,6 +2,7 @@
 
 #include "base/fail.h"
 #include "base/json.h"
+#include "lights/camera_item.h"
 #include "lights/fixture_named.h"
 #include "lights/json_document.h"
 #include "lights/lights_from.h"
@@ -243,6 +244,7 @@ std::string lightsAsJson(const Lights& lights)
     for (const glm::vec3 times : lights.openings)
         document["openings"].push_back({{"timesAmbient", toJson(times)}});
     if (lights.sun) document["sun"] = toJson(*lights.sun);
+    if (!lights.camera.isNeutral()) document["camera"] = cameraAsJson(lights.camera);
     return textOf(document);
 }
 
@@ -254,8 +256,9 @@ Lights readLights(const std::filesystem::path& file, std::vector<std::string>& w
 Lights lightsFrom(const JsonDocument& document, std::vector<std::string>& warnings)
 {
     const JsonItem top = document.top();
-    top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient", "openings", "sun"},
-                      warnings);
+    top.warnOfUnknown(
+        {"format", "units", "fixtures", "lights", "ambient", "openings", "sun", "camera"},
+        warnings);
 
     Lights lights;
     top.forEachIn("fixtures", "fixture", [&](const JsonItem& item) {
@@ -273,6 +276,7 @@ Lights lightsFrom(const JsonDocument& document, std::vector<std::string>& warnin
         lights.openings.push_back(item.lightAt("timesAmbient"));
     });
     lights.sun = sunOf(top, warnings);
+    lights.camera = cameraOf(top, warnings);
     if (lights.points.empty() && lights.ambient == glm::vec3(0.0f) && !lights.sun)
         malformed(top.what, "holds no light: it needs \"lights\", \"fixtures\", \"ambient\" or "
                             "\"sun\" that shine");

@@ -17,8 +17,10 @@ namespace
 
 using testing::AllOf;
 using testing::ElementsAre;
+using testing::FloatNear;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Pointwise;
 using testing::SizeIs;
 
 std::vector<std::string> lastWarnings;
@@ -134,6 +136,8 @@ TEST(LightsFile, WhatWasWrittenIsReadAgain)
     lights.points.push_back({{3, 2, 1}, {0, 0, 0}, {1, 1, 1}, 0.0f, -1});
     lights.ambient = {0.1f, 0.2f, 0.3f};
     lights.openings = {{0.1f, 0.1f, 0.2f}, {5.0f, 6.0f, 7.0f}};
+    lights.camera.response.slope = {0.7f, 0.8f, 0.9f, 1.0f, 1.25f};
+    lights.camera.gain = {{-1, 0, 2.5f}, 1.25f, {3, 2, 1}, {0.1f, 0, -0.2f, 0.3f, 0, 0}};
     const Lights again = read(lightsAsJson(lights));
     ASSERT_THAT(again.fixtures, SizeIs(1));
     EXPECT_EQ(again.fixtures[0].centre, lights.fixtures[0].centre);
@@ -149,6 +153,10 @@ TEST(LightsFile, WhatWasWrittenIsReadAgain)
     }
     EXPECT_EQ(again.ambient, lights.ambient);
     EXPECT_EQ(again.openings, lights.openings);
+    EXPECT_EQ(again.camera.response, lights.camera.response);
+    EXPECT_EQ(again.camera.gain.origin, lights.camera.gain.origin);
+    EXPECT_EQ(again.camera.gain.count, lights.camera.gain.count);
+    EXPECT_THAT(again.camera.gain.log, Pointwise(FloatNear(1e-6f), lights.camera.gain.log));
     EXPECT_THAT(lastWarnings, IsEmpty());
 }
 

@@ -48,9 +48,8 @@ void addClipped(const TexelBlock& block, size_t i, glm::vec3 facing, RadianceSum
 /// Sums of all runs of one page; marks its clipped pixels. `isBurntOut(pixel, radiance)` says which
 /// they are.
 template<class IsBurntOut>
-std::vector<RadianceSum> sumRuns(const Texels& texels, size_t p,
-                                 const Linearization* linearization, const IsBurntOut& isBurntOut,
-                                 std::vector<uint8_t>& isClipped)
+std::vector<RadianceSum> sumRuns(const Texels& texels, size_t p, const Linearization* linearization,
+                                 const IsBurntOut& isBurntOut, std::vector<uint8_t>& isClipped)
 {
     const PageTexels& page = texels.pages[p];
     const TexelLoader loader(texels, p, linearization);

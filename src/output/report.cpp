@@ -3,6 +3,7 @@
 #include "base/json.h"
 #include "base/radiometry.shared.h"
 #include "decomposition_state.h"
+#include "lights/camera_item.h"
 #include "relamp/names.h"
 #include "relamp/version.h"
 #include "relight/photometry.h"
@@ -81,6 +82,8 @@ ordered_json optionsAsJson(const GatherOptions& gather)
             {"lights", placesAsJson(gather.lights)},
             {"notLights", placesAsJson(gather.notLights)},
             {"sun", gather.sun},
+            {"response", gather.response},
+            {"gain", gather.gain},
             {"raySeed", gather.seed}};
 }
 
@@ -166,6 +169,9 @@ ordered_json lightsAsReport(const Decomposition& result)
                        {"irradiance", toJson(sun->irradiance)},
                        {"error", toJson(sun->error)},
                        {"determined", sun->determined}};
+    json["camera"] = {{"contrast", shortest(lights.camera.response.contrast())},
+                      {"gainStops", shortest(lights.camera.gain.stops())},
+                      {"model", cameraAsJson(lights.camera)}};
     return json;
 }
 

@@ -14,8 +14,7 @@ GainWeights weightsAt(const Gain& gain, glm::vec3 position)
     uint32_t stride = 1;
     for (size_t axis = 0; axis < 3; ++axis) {
         const int last = gain.count[axis] - 1;
-        const float along =
-            std::clamp(at[static_cast<int>(axis)], 0.0f, static_cast<float>(last));
+        const float along = std::clamp(at[static_cast<int>(axis)], 0.0f, static_cast<float>(last));
         const int low = std::min(static_cast<int>(along), std::max(last - 1, 0));
         const float beyond = along - static_cast<float>(low);
         for (uint32_t corner = 0; corner < 8; ++corner) {
@@ -26,6 +25,13 @@ GainWeights weightsAt(const Gain& gain, glm::vec3 position)
         stride *= static_cast<uint32_t>(gain.count[axis]);
     }
     return weights;
+}
+
+float Gain::stops() const
+{
+    if (isOne()) return 0.0f;
+    const auto [least, most] = std::minmax_element(log.begin(), log.end());
+    return (*most - *least) / std::log(2.0f);
 }
 
 float Gain::at(glm::vec3 position) const

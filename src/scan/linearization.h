@@ -11,8 +11,9 @@ namespace relamp
 /// What makes radiance of the linear values of a scan's textures: a camera's model undone.
 struct Linearization
 {
-    Response response;          // first this
-    std::vector<float> perGain; // then this factor, one a surfel: gain changes over metres. Empty: 1
+    Response response; // first this
+    std::vector<float>
+        perGain; // then this factor, one a surfel: gain changes over metres. Empty: 1
 
     [[nodiscard]] bool isNeutral() const { return response.isStraight() && perGain.empty(); }
 };

@@ -313,9 +313,8 @@ TexelLoader::TexelLoader(const Texels& texels, size_t page, const Linearization*
       radiance_(texels.scan->pages[page].image,
                 linearization != nullptr ? linearization->response : Response{}),
       width_(widthOf(texels, page)),
-      perGain_(linearization != nullptr && !linearization->perGain.empty()
-                   ? &linearization->perGain
-                   : nullptr),
+      perGain_(linearization != nullptr && !linearization->perGain.empty() ? &linearization->perGain
+                                                                           : nullptr),
       tinted_(false)
 {
     for (const Mesh& mesh : texels.scan->meshes)
@@ -371,8 +370,8 @@ void TexelLoader::takeGainOut(size_t begin, TexelBlock& block) const
     size_t run = page_.runOf(begin);
     for (size_t i = 0; i < block.count; ++i) {
         while (begin + i >= page_.runs[run + 1].begin) ++run;
-        const glm::vec3 radiance = withoutGain({block.r[i], block.g[i], block.b[i]},
-                                               (*perGain_)[page_.runs[run].surfel]);
+        const glm::vec3 radiance =
+            withoutGain({block.r[i], block.g[i], block.b[i]}, (*perGain_)[page_.runs[run].surfel]);
         block.r[i] = radiance.r;
         block.g[i] = radiance.g;
         block.b[i] = radiance.b;

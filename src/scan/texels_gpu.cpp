@@ -132,7 +132,8 @@ GpuTexels::GpuTexels(const gpu::Device& device, const Texels& texels, size_t pag
     : count(texels.pages[page].count()),
       width(static_cast<uint32_t>(texels.scan->pages[page].image.width)),
       height(static_cast<uint32_t>(texels.scan->pages[page].image.height)),
-      site(device, sitesOf(texels, page)), radiance(device, radianceOf(texels, page, linearization)),
+      site(device, sitesOf(texels, page)),
+      radiance(device, radianceOf(texels, page, linearization)),
       pixel(device, texels.pages[page].pixel), surfel(device, surfelsOfTexels(texels.pages[page])),
       runs(device, runsOf(texels.pages[page])), runCount(texels.pages[page].runs.size() - 1)
 {}

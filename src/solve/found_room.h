@@ -37,7 +37,7 @@ struct FoundRoom
 {
     Linearization linearization; // of the texture
     SurfelRadiance radiance;     // by it
-    GatherOptions options; // with what was left open filled in
+    GatherOptions options;       // with what was left open filled in
     HitLists hits;
     FoundLamps found;             // or as a person gave them
     std::vector<uint8_t> shines;  // of surfels; not 0: its burnt-out texels are a lamp's

@@ -59,8 +59,9 @@ struct ReevaluateGpu::Page
 {
     Page(const gpu::Device& device, const Texels& all, size_t page,
          const Linearization& linearization, size_t lamps)
-        : texels(device, all, page, linearization), terms(device, LampTermsGpu::termsOf(lamps, texels.count)),
-          direct(device, texels.count), indirect(device, texels.count)
+        : texels(device, all, page, linearization),
+          terms(device, LampTermsGpu::termsOf(lamps, texels.count)), direct(device, texels.count),
+          indirect(device, texels.count)
     {}
 
     static uint64_t bytesOf(const Texels& all, size_t page, size_t lamps)

@@ -1,0 +1,105 @@
+#include "lights/camera_item.h"
+
+#include "base/json.h"
+
+#include <array>
+#include <cmath>
+
+namespace relamp
+{
+namespace
+{
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr double kLeastSlope = 0.1;
+constexpr double kMostSlope = 10.0;
+constexpr double kMostStops = 7.0; // of a gain, either way
+constexpr std::int64_t kMostKnotsAlong = 1000;
+constexpr size_t kMostKnotsOfFile = 100000;
+
+std::vector<double> numbersIn(const JsonItem& item, const char* key, double low, double high)
+{
+    const json* list = item.find(key);
+    if (list == nullptr || !list->is_array())
+        item.refuse(fmt::format("needs \"{}\", a list of numbers", key), key);
+    std::vector<double> numbers;
+    for (const json& number : *list) {
+        const double value = number.is_number() ? number.get<double>() : NAN;
+        if (!(value >= low && value <= high))
+            item.refuse(fmt::format("\"{}\" has {} in it; its numbers are {} to {}", key,
+                                    printable(number), low, high),
+                        key);
+        numbers.push_back(value);
+    }
+    return numbers;
+}
+
+Response responseFrom(const JsonItem& item)
+{
+    const std::vector<double> slopes = numbersIn(item, "response", kLeastSlope, kMostSlope);
+    Response response;
+    if (slopes.size() != response.slope.size())
+        item.refuse(fmt::format("\"response\" must be {} slopes", response.slope.size()),
+                    "response");
+    for (size_t k = 0; k < slopes.size(); ++k) response.slope[k] = static_cast<float>(slopes[k]);
+    return response;
+}
+
+Gain gainFrom(const JsonItem& item, std::vector<std::string>& warnings)
+{
+    item.warnOfUnknown({"origin", "spacing", "count", "stops"}, warnings);
+    Gain gain{.origin = item.vectorAt("origin"),
+              .spacing = static_cast<float>(item.numberAt("spacing", 1e-3, 1e6))};
+    const std::vector<double> count =
+        numbersIn(item, "count", 1.0, static_cast<double>(kMostKnotsAlong));
+    if (count.size() != gain.count.size())
+        item.refuse("\"count\" must be three numbers of knots", "count");
+    size_t knots = 1;
+    for (size_t axis = 0; axis < gain.count.size(); ++axis) {
+        gain.count[axis] = static_cast<int>(count[axis]);
+        knots *= static_cast<size_t>(gain.count[axis]);
+    }
+    const std::vector<double> stops = numbersIn(item, "stops", -kMostStops, kMostStops);
+    if (stops.size() != knots || knots > kMostKnotsOfFile)
+        item.refuse(fmt::format("\"stops\" has {} numbers and \"count\" says {} knots",
+                                stops.size(), knots),
+                    "stops");
+    for (const double stop : stops) gain.log.push_back(static_cast<float>(stop * std::log(2.0)));
+    return gain;
+}
+
+} // namespace
+
+ordered_json cameraAsJson(const CameraModel& camera)
+{
+    ordered_json object = ordered_json::object();
+    if (!camera.response.isStraight())
+        for (const float slope : camera.response.slope)
+            object["response"].push_back(shortest(slope));
+    if (camera.gain.isOne()) return object;
+    const Gain& gain = camera.gain;
+    ordered_json stops = ordered_json::array();
+    for (const float log : gain.log) stops.push_back(shortest(log / std::log(2.0f)));
+    object["gain"] = {
+        {"origin", {shortest(gain.origin.x), shortest(gain.origin.y), shortest(gain.origin.z)}},
+        {"spacing", shortest(gain.spacing)},
+        {"count", gain.count},
+        {"stops", std::move(stops)}};
+    return object;
+}
+
+CameraModel cameraOf(const JsonItem& top, std::vector<std::string>& warnings)
+{
+    CameraModel camera;
+    const std::optional<JsonItem> item = top.objectIn("camera");
+    if (!item) return camera;
+    item->warnOfUnknown({"response", "gain"}, warnings);
+    if (item->has("response")) camera.response = responseFrom(*item);
+    if (const std::optional<JsonItem> gain = item->objectIn("gain"))
+        camera.gain = gainFrom(*gain, warnings);
+    return camera;
+}
+
+} // namespace relamp

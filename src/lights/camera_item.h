@@ -1,0 +1,21 @@
+#pragma once
+
+#include "lights/json_item.h"
+#include "relamp/camera_model.h"
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace relamp
+{
+
+/// A camera's model as lights.json and report.json have it; empty where it is neutral.
+nlohmann::ordered_json cameraAsJson(const CameraModel& camera);
+
+/// The "camera" of a lights file; neutral where it has none. Throws Error(malformed) naming the
+/// line and the key.
+CameraModel cameraOf(const JsonItem& top, std::vector<std::string>& warnings);
+
+} // namespace relamp
