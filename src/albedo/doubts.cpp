@@ -14,24 +14,22 @@ namespace relamp
 namespace
 {
 
-constexpr float kFewMiss = 0.6f; // share of rays
-constexpr float kMostMiss = 0.95f;
-constexpr float kFewBacks = 0.5f; // share of rays that meet something
-constexpr float kMostBacks = 0.9f;
+constexpr float kFewMiss = 0.6f;    // share of rays
+constexpr float kMostMiss = 0.95f;  // likewise; more, and its light is a guess
+constexpr float kFewBacks = 0.5f;   // share of rays that meet something
+constexpr float kMostBacks = 0.9f;  // likewise
 constexpr float kAround = 1.7f;     // surfel sizes
 constexpr float kSameFacing = 0.9f; // cosine
 constexpr float kLeastStep = 0.1f;  // RMS, in log irradiance; less is no edge
 constexpr float kAgree = 0.4f;      // of the shading's steps: what it leaves unexplained
 constexpr float kDisagree = 1.2f;   // more is left than there was
 constexpr float kLeastTrust = 0.1f; // a wrong edge changes brightness; the pattern stays known
-constexpr float kDark = 1e-4f;
-constexpr float kMostlyClipped = 0.1f;
 constexpr float kSlightCorrection = 0.1f; // of log light; so far it is as likely right as wrong
-constexpr float kGreatCorrection = 0.4f;
+constexpr float kGreatCorrection = 0.4f;  // likewise; a guess
 
 float logOf(glm::vec3 rgb)
 {
-    return std::log(std::max(luminance(rgb), kDark));
+    return logOfLight(luminance(rgb));
 }
 
 /// Share of the shading's steps around a surfel that the texture does not take, and as large as
@@ -50,7 +48,7 @@ public:
         float all = 0.0f;
         float count = 0.0f;
         for (const uint32_t n : surfels_.neighborsOf(s)) {
-            if (n == s || !isBeside(s, n) || !isPlain(n)) continue;
+            if (n == s || !isBeside(s, n) || !isHardlyBurntOut(radiance_, n)) continue;
             const float light = logOf(irradiance_[n]) - logOf(irradiance_[s]);
             const float seen = logOf(radiance_.plain[n]) - logOf(radiance_.plain[s]);
             left += (seen - light) * (seen - light);
@@ -58,10 +56,6 @@ public:
             count += 1.0f;
         }
         return all > kLeastStep * kLeastStep * count ? std::sqrt(left / all) : 0.0f;
-    }
-    [[nodiscard]] bool isPlain(size_t s) const
-    {
-        return radiance_.clippedArea[s] <= kMostlyClipped * radiance_.plainArea[s];
     }
 
 private:
@@ -107,7 +101,7 @@ void doubtEdges(const Surfels& surfels, const SurfelRadiance& radiance, const Su
     const Steps steps(surfels, radiance, light.irradiance);
     forEachChunk(trust.size(), 1024, [&](size_t begin, size_t end) {
         for (size_t s = begin; s < end; ++s)
-            if (light.inPenumbra[s] != 0 && steps.isPlain(s))
+            if (light.inPenumbra[s] != 0 && isHardlyBurntOut(radiance, s))
                 trust[s].edges =
                     std::max(ramp(kDisagree, kAgree, steps.unexplained(s)), kLeastTrust);
     });
@@ -116,7 +110,7 @@ void doubtEdges(const Surfels& surfels, const SurfelRadiance& radiance, const Su
 void doubtCorrections(std::span<const float> lit, std::span<SurfelTrust> trust)
 {
     for (size_t s = 0; s < lit.size(); ++s) {
-        const float size = std::abs(std::log(std::max(lit[s], kDark)));
+        const float size = std::abs(logOfLight(lit[s]));
         const float left = ramp(kGreatCorrection, kSlightCorrection, size);
         trust[s].edges = std::min(trust[s].edges, std::max(left, kLeastTrust));
     }

@@ -6,11 +6,17 @@
 SHARED_BEGIN
 
 SHARED_CONST kPi = 3.14159265f;
+SHARED_CONST kFaintest = 1e-4f; // radiance or irradiance, of the texture's white; less is black
 
 // Rec. 709 luminance of linear RGB.
 SHARED_FN float luminance(vec3 rgb)
 {
     return dot(rgb, vec3(0.2126f, 0.7152f, 0.0722f));
+}
+
+SHARED_FN float logOfLight(float light)
+{
+    return log(max(light, kFaintest));
 }
 
 SHARED_END

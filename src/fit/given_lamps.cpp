@@ -1,7 +1,6 @@
 #include "fit/given_lamps.h"
 
 #include "base/radiometry.shared.h"
-#include "base/sampling.shared.h"
 #include "lights/fixture_place.h"
 #include "lights/lamp_body.h"
 #include "lights/shining.h"
@@ -24,41 +23,7 @@ namespace
 {
 
 constexpr float kLeastRadius = 0.02f; // m, of something without a size
-constexpr int kPatches = 32;
-constexpr float kNoLarger = 1.02f; // ratio of areas: they are rounded, and texels are counted again
-constexpr float kOfOneLamp = 0.12f; // m between pieces of one lamp
-
-/// Patches of no surfel.
-ClippedPatch patchAt(glm::vec3 position, glm::vec3 normal, float area)
-{
-    return {position, normal, area, Surfels::kNone};
-}
-
-std::vector<ClippedPatch> ball(glm::vec3 centre, float area)
-{
-    const float radius = std::max(std::sqrt(area / (4.0f * kPi)), kLeastRadius);
-    std::vector<ClippedPatch> patches;
-    for (int i = 0; i < kPatches; ++i) {
-        const glm::vec3 way = evenDirection(evenPoint(static_cast<float>(i), glm::vec2(0.5f)));
-        patches.push_back(
-            patchAt(centre + radius * way, way, 4.0f * kPi * radius * radius / kPatches));
-    }
-    return patches;
-}
-
-std::vector<ClippedPatch> disc(const Fixture& fixture)
-{
-    const float radius = std::max(std::sqrt(fixture.area / kPi), kLeastRadius);
-    std::vector<ClippedPatch> patches;
-    for (int i = 0; i < kPatches; ++i) {
-        const glm::vec3 over =
-            cosineDirection(fixture.normal, evenPoint(static_cast<float>(i), glm::vec2(0.5f)));
-        const glm::vec3 onDisc = over - glm::dot(over, fixture.normal) * fixture.normal;
-        patches.push_back(patchAt(fixture.centre + radius * onDisc, fixture.normal,
-                                  kPi * radius * radius / kPatches));
-    }
-    return patches;
-}
+constexpr float kNoLarger = 1.02f;    // ratio of areas: they are rounded, and measured again
 
 /// The scan as far as the far side of a lamp depends on it.
 struct Surroundings
@@ -106,7 +71,7 @@ public:
             const bool belongs =
                 seen.patches.empty()
                     ? glm::distance(pieces_[p].centre, fixture.centre) < std::sqrt(fixture.area)
-                    : areWithin(seen, pieces_[p], kOfOneLamp);
+                    : areTouching(seen, pieces_[p]);
             if (belongs) seen = joined(seen, pieces_[p].patches);
         }
         const PieceOfSurface place = pieceOf(seen);
@@ -175,7 +140,7 @@ std::string movedNote(const Fixture& fixture)
 FoundLamp lampOf(const PointLight& light)
 {
     const float radius = std::max(light.radius, kLeastRadius);
-    return {ball(light.position, 4.0f * kPi * radius * radius),
+    return {patchedBall(light.position, radius),
             light.intensity / (kPi * radius * radius),
             glm::vec3(0.0f),
             {}};
@@ -194,7 +159,11 @@ void addToGroup(FoundLamp lamp, FoundLamp& group)
 
 std::vector<ClippedPatch> bodyOf(const Fixture& fixture)
 {
-    return fixture.normal != glm::vec3(0.0f) ? disc(fixture) : ball(fixture.centre, fixture.area);
+    const bool isBall = fixture.normal == glm::vec3(0.0f);
+    const float radius =
+        std::max(std::sqrt(fixture.area / (isBall ? 4.0f * kPi : kPi)), kLeastRadius);
+    return isBall ? patchedBall(fixture.centre, radius)
+                  : patchedDisc(fixture.centre, fixture.normal, radius);
 }
 
 std::vector<std::vector<ClippedPatch>> surfacesOf(std::span<const Fixture> fixtures,

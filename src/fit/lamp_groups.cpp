@@ -14,10 +14,9 @@ namespace
 {
 
 constexpr float kSameSize = 2.5f;  // ratio of areas of one model
-constexpr float kFlat = 0.9f;      // length of a mean normal, and cosine between two
 constexpr float kSameLevel = 0.1f; // m
 constexpr float kTilt = 0.03f;     // radians; of a small piece's normal
-constexpr size_t kMostParts = 32;  // of all families
+constexpr size_t kMostParts = 32;  // that all families are cut into, for time alone
 constexpr float kRound = 0.5f;     // length of a mean normal; no lamp burns a thing out all around
 
 using Members = std::vector<uint32_t>; // indices of candidates, ascending
@@ -100,10 +99,10 @@ bool areAlike(const Candidate& a, const Candidate& b)
 {
     const float sizes = a.area / b.area;
     if (sizes > kSameSize || sizes < 1.0f / kSameSize) return false;
-    if (glm::length(a.normal) < kFlat || glm::length(b.normal) < kFlat) return false;
+    if (!isFlat(a) || !isFlat(b)) return false;
     const glm::vec3 normal = glm::normalize(a.normal);
     const glm::vec3 way = b.centre - a.centre;
-    return glm::dot(normal, glm::normalize(b.normal)) > kFlat &&
+    return glm::dot(normal, glm::normalize(b.normal)) > kAlikeFacing &&
            std::abs(glm::dot(way, normal)) < kSameLevel + kTilt * glm::length(way);
 }
 

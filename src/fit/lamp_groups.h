@@ -12,6 +12,8 @@ namespace relamp
 /// Candidates smaller than this, m^2, neither make groups nor count as left out.
 inline constexpr float kLeastGrouped = 0.01f;
 
+constexpr float kAlikeFacing = 0.9f; // cosine between mean normals of pieces that face alike
+
 /// Candidates that are fitted as one lamp.
 struct LampGroup
 {

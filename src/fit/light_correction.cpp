@@ -20,14 +20,10 @@ namespace relamp
 namespace
 {
 
-constexpr float kBesideSurfel = 1.6f;         // surfel sizes
-constexpr float kMostOfSurfelBurntOut = 0.1f; // of a surfel
+constexpr float kBesideSurfel = 1.6f; // surfel sizes
 constexpr float kPaintStep = 0.3f;    // of log albedo between two of one paint: more is an edge
 constexpr float kColorStep = 0.1f;    // of log (r / g) and log (b / g) between neighbours, likewise
 constexpr float kMostLacking = 0.05f; // of log light that is too dark: so much is noise
-constexpr int kRounds = 6;            // of weights that follow from the light before
-constexpr int kSolverSteps = 12;      // of conjugate gradients in each
-constexpr float kDarkest = 1e-4f;     // irradiance
 
 // Standard deviation of the light found, as a share of it, where nothing else speaks against it.
 constexpr float kAlwaysUnsure = 0.05f;
@@ -60,11 +56,6 @@ struct Paint
     float belief; // in the light; < 0: nothing is known here
 };
 
-float logOf(float value)
-{
-    return std::log(std::max(value, kDarkest));
-}
-
 /// The share of what a surfel sees that is backs, 0..1.
 float backsBefore(const HitLists& hits, size_t surfel)
 {
@@ -78,8 +69,8 @@ float backsBefore(const HitLists& hits, size_t surfel)
 /// By the variance of the logarithm of the light found.
 float beliefIn(float light, float spread, float backs, float usual)
 {
-    const float unsure[] = {kAlwaysUnsure, spread / std::max(light, kDarkest),
-                            kUnknownLight * usual / std::max(light, kDarkest),
+    const float unsure[] = {kAlwaysUnsure, spread / std::max(light, kFaintest),
+                            kUnknownLight * usual / std::max(light, kFaintest),
                             kUnsureOfBacks * backs};
     float variance = 0.0f;
     for (const float deviation : unsure) variance += deviation * deviation;
@@ -103,15 +94,13 @@ std::vector<Paint> paintOf(const SurfelRadiance& radiance, const HitLists& hits,
     forEach(paint.size(), [&](size_t s) {
         const glm::vec3 seen = radiance.plain[s];
         const glm::vec3 found = light.irradiance[s];
-        const float green = logOf(seen.g) - logOf(found.g);
-        const bool isKnown =
-            radiance.plainArea[s] > 0.0f &&
-            radiance.clippedArea[s] < kMostOfSurfelBurntOut * radiance.plainArea[s];
+        const float green = logOfLight(seen.g) - logOfLight(found.g);
+        const bool isKnown = radiance.plainArea[s] > 0.0f && isHardlyBurntOut(radiance, s);
         const float belief =
             beliefIn(luminance(found), light.spread[s], backsBefore(hits, s), usual);
-        const float brightness = logOf(luminance(seen)) - logOf(luminance(found));
-        paint[s] = {brightness, brightness, logOf(seen.r) - logOf(found.r) - green,
-                    logOf(seen.b) - logOf(found.b) - green, isKnown ? belief : -1.0f};
+        const float brightness = logOfLight(luminance(seen)) - logOfLight(luminance(found));
+        paint[s] = {brightness, brightness, logOfLight(seen.r) - logOfLight(found.r) - green,
+                    logOfLight(seen.b) - logOfLight(found.b) - green, isKnown ? belief : -1.0f};
     });
     return paint;
 }
@@ -226,8 +215,8 @@ struct Partners
 uint64_t classOf(const Paint& paint, uint seed, uint draw)
 {
     const auto cell = [&](float value, float width, uint salt) {
-        constexpr float kMiddle = 1 << 20; // classes are not negative
-        return static_cast<uint64_t>(value / width + seededShift(seed, draw, salt) + kMiddle);
+        const float shifted = value / width + seededShift(seed, draw, salt);
+        return static_cast<uint64_t>(shifted + 1048576.0f); // the middle of 21 bits
     };
     return cell(paint.red, kPaintColor, 1) << 42 | cell(paint.blue, kPaintColor, 2) << 21 |
            cell(paint.even, kPaintBrightness, 3);
@@ -354,8 +343,8 @@ Eigen::VectorXf Settling::run()
                                            static_cast<Eigen::Index>(weight_.size()), first_.data(),
                                            column_.data(), weight_.data());
     Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver;
-    solver.setMaxIterations(kSolverSteps);
-    for (int round = 0; round < kRounds; ++round) {
+    solver.setMaxIterations(12);
+    for (int round = 0; round < 6; ++round) { // weights follow from the light before
         forEach(paint_.size(), [&](size_t s) { weigh(s); });
         lit_ = solver.compute(weights).solveWithGuess(pull_, lit_);
     }

@@ -101,11 +101,11 @@ Floor::Floor(std::vector<glm::vec3> lamps, float noise, float outliers) : truth(
 {
     Numbers random;
     model.pieces = truth.size();
-    std::vector<glm::vec2> under;
+    std::vector<glm::vec2> under; // in braces numbers are drawn from left to right, by any compiler
     for (size_t f = 0; f < truth.size(); ++f)
-        under.emplace_back(random.between(1, 4), random.between(1, 4));
+        under.push_back({random.between(1, 4), random.between(1, 4)});
     for (size_t i = 0; i < kPlaces; ++i) {
-        const glm::vec2 place(random.between(0, 5), random.between(0, 5));
+        const glm::vec2 place{random.between(0, 5), random.between(0, 5)};
         glm::vec3 irradiance(random.between(0.2f, 0.5f));
         model.gathered.push_back(irradiance);
         model.missed.push_back(place.x < 2.0f ? random.between(0.0f, 0.4f) : 0.0f);
@@ -270,15 +270,15 @@ TEST(LightFit, ChannelThatTheDataLeaveOpenIsNearTheLuminance)
     }
     const double white = floor.solve().log[0];
     const EmissionPrior prior{{white}, 0.5};
-    for (int c = 0; c < 3; ++c) {
-        const LightFit channel = floor.fit(c);
-        const LightEstimate light = channel.solve(floor.emits(), {white, -1.0}, 2.0, prior);
-        if (c < 2) {
-            expectNear(light.log[0], std::log(static_cast<double>(floor.truth[0][c])), 0.1);
-        } else {
-            EXPECT_NEAR(light.log[0], white, 1.0); // two of the prior's errors
-            EXPECT_GT(light.error[0], 0.2);
-        }
+    const auto solveIn = [&](int channel) {
+        return floor.fit(channel).solve(floor.emits(), {white, -1.0}, 2.0, prior);
+    };
+    const LightEstimate blue = solveIn(2);
+    EXPECT_NEAR(blue.log[0], white, 1.0); // two of the prior's errors
+    for (int c = 0; c < 2; ++c) {
+        const LightEstimate light = solveIn(c);
+        expectNear(light.log[0], std::log(static_cast<double>(floor.truth[0][c])), 0.1);
+        EXPECT_GT(blue.error[0], 2.0 * light.error[0]);
     }
 }
 

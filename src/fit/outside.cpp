@@ -13,14 +13,12 @@ namespace
 {
 
 constexpr float kLeastPane = 0.1f; // m^2
-constexpr float kFlatPatch = 0.9f; // length of a mean normal
 constexpr float kUpright = 0.7f;   // upward part of a pane's normal, less
 
 bool isPane(const FoundLamp& lamp)
 {
     const Candidate surface = candidateOf(lamp.patches);
-    return surface.area > kLeastPane && glm::length(surface.normal) > kFlatPatch &&
-           std::abs(surface.normal.y) < kUpright;
+    return surface.area > kLeastPane && isFlat(surface) && std::abs(surface.normal.y) < kUpright;
 }
 
 /// Which triangles mostly show a pane.

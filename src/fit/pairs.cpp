@@ -16,7 +16,6 @@ constexpr float kSamePlaneStep = 0.05f;   // m off the plane
 constexpr float kSameColor =
     0.6f; // length of the step in log r, g, b after brightness is taken out
 constexpr float kDarkestPaired = 0.004f; // luminance; below, a byte's steps are too coarse
-constexpr size_t kTriesPerPair = 32;
 
 /// Colour without brightness, in logs.
 glm::vec3 chromaOf(glm::vec3 radiance)
@@ -81,8 +80,7 @@ std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
         all.seed); // its raw numbers are the same everywhere; distributions need not be
     for (uint32_t p = 0; p < count; ++p) {
         size_t found = 0;
-        for (size_t attempt = 0; attempt < kTriesPerPair * perPlace && found < perPlace;
-             ++attempt) {
+        for (size_t attempt = 0; attempt < 32 * perPlace && found < perPlace; ++attempt) {
             const uint32_t q = static_cast<uint32_t>(random()) % count;
             if (q == p || !couldBeOneMaterial(places[p], places[q])) continue;
             pairs.push_back({p, q});

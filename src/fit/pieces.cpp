@@ -16,11 +16,8 @@ namespace relamp
 namespace
 {
 
-constexpr float kTouching = 0.12f;    // m between pieces of one lamp
 constexpr float kBeside = 0.15f;      // m between openings beside each other, at most
 constexpr float kAboutEqual = 3.0f;   // ratio of their radiances
-constexpr float kOneFacing = 0.9f;    // cosine, of mean normals
-constexpr float kOneLevel = 0.02f;    // m; the error of a scan's worst 5 %
 constexpr float kLeastModel = 0.003f; // m^2; the shape of less says nothing
 constexpr float kWhole = 0.3f;        // length of a mean normal; what is shorter faces all around
 constexpr float kSameBody = 1.3f;     // ratio of areas
@@ -29,9 +26,8 @@ constexpr float kSliver = 0.02f; // ratio of areas; too small beside a lamp to b
 /// Whether they touch in one plane, as panes of one window do.
 bool areInOnePlane(const Candidate& a, const Candidate& b)
 {
-    return glm::dot(a.normal, b.normal) > kOneFacing &&
-           std::abs(glm::dot(b.centre - a.centre, a.normal)) < kOneLevel &&
-           areWithin(a, b, kTouching);
+    return glm::dot(a.normal, b.normal) > kAlikeFacing &&
+           std::abs(glm::dot(b.centre - a.centre, a.normal)) < kScanError && areTouching(a, b);
 }
 
 /// Parts of a pane may be as unequal as their errors allow: what each does, its neighbour does.
@@ -43,7 +39,7 @@ bool areOneLamp(const Piece& a, const Piece& b)
     const float step = std::log(luminance(a.radiance) / luminance(b.radiance));
     const bool areEqual = std::abs(step) < std::log(kAboutEqual) + errors;
     const auto [less, more] = std::minmax(a.candidate.area, b.candidate.area);
-    return (areEqual || less < kSliver * more) && areWithin(a.candidate, b.candidate, kTouching);
+    return (areEqual || less < kSliver * more) && areTouching(a.candidate, b.candidate);
 }
 
 void add(const Piece& piece, Piece& whole)

@@ -9,7 +9,7 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kChunk = 2048;
+constexpr size_t kChunk = 2048; // residuals that one thread sums
 constexpr size_t kTogether = 8; // residuals, so that a sum is loaded and stored once for all
 
 struct SquaresArgs

@@ -1,7 +1,8 @@
 #include "fit/sun.h"
 
 #include "base/radiometry.shared.h"
-#include "base/sampling.shared.h"
+#include "lights/candidates.h"
+#include "lights/lamp_body.h"
 
 #include <glm/geometric.hpp>
 
@@ -11,8 +12,6 @@ namespace
 {
 
 constexpr float kFar = 1e4f;       // m; a room's size beside it is nothing
-constexpr int kPatchesOfDisc = 32; // that half shadows are made of
-constexpr float kOffScan = 0.02f;  // m; a scan's error
 constexpr float kGrazing = 0.15f;  // cosine; below, an edge is too far off
 constexpr float kBlackest = 0.08f; // albedo of what the sun may shine on; black cloth has 0.04
 
@@ -21,15 +20,8 @@ constexpr float kBlackest = 0.08f; // albedo of what the sun may shine on; black
 std::vector<ClippedPatch> sunDisc(const Sun& sun, const Scan& scan)
 {
     const glm::vec3 centre = boundsOf(scan).centre() + kFar * sun.direction;
-    const float radius = kFar * kSunHalfAngle;
-    std::vector<ClippedPatch> patches;
-    for (int i = 0; i < kPatchesOfDisc; ++i) {
-        const glm::vec3 over =
-            cosineDirection(sun.direction, evenPoint(static_cast<float>(i), glm::vec2(0.5f)));
-        const glm::vec3 onDisc = over - glm::dot(over, sun.direction) * sun.direction;
-        patches.push_back({centre + radius * onDisc, -sun.direction,
-                           kPi * radius * radius / kPatchesOfDisc, Surfels::kNone});
-    }
+    std::vector<ClippedPatch> patches = patchedDisc(centre, sun.direction, kFar * kSunHalfAngle);
+    for (ClippedPatch& patch : patches) patch.normal = -sun.direction; // it shines back
     return patches;
 }
 
@@ -41,7 +33,7 @@ glm::vec3 sunRadiance(const Sun& sun)
 std::optional<Ray> rayToSun(glm::vec3 place, glm::vec3 normal, glm::vec3 towards)
 {
     if (glm::dot(normal, towards) < kGrazing) return std::nullopt;
-    return Ray{place + kOffScan * normal, towards};
+    return Ray{place + kScanError * normal, towards};
 }
 
 TexelMarks markShade(const Sun& sun, const Texels& texels, const SurfelRadiance& radiance,

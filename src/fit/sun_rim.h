@@ -13,12 +13,6 @@
 namespace relamp
 {
 
-/// Whether most of a surfel is burnt out: then it sent more than it shows.
-inline bool isMostlyBurntOut(const SurfelRadiance& radiance, size_t surfel)
-{
-    return radiance.clippedArea[surfel] > radiance.plainArea[surfel];
-}
-
 /// Where the light of a sun must end: surfels that it reaches, each with one of the same plane and
 /// colour close by that it does not. All that lights a room else is much the same at both.
 class SunRim

@@ -14,22 +14,23 @@ namespace relamp
 namespace
 {
 
-constexpr float kUncutFacing = 0.8f;     // cosine; an edge sharper than this cuts
-constexpr float kPlaneFacing = 0.85f;    // cosine to a plane's normal, with a scan's noise
-constexpr float kPlaneError = 0.02f;     // m; of a scan's worst 5 %
-constexpr float kPlaneThickness = 0.03f; // m; 1.5 times that
-constexpr float kLargePlane = 0.5f;      // m^2; smaller ones may be parts of lamps
-constexpr float kSmallPlane = 0.1f;      // m^2; from here on, where the wall goes on around it
-constexpr float kWallAround = 0.4f;      // of a square's rim that is wall
-constexpr float kBrightRim = 0.75f;      // luminance around a speck that only just burnt out
-constexpr float kSpeck = 0.02f;          // m^2
-constexpr float kCrumb = 4.0f;           // squares of a surfel's size; too small to be flat or bent
-constexpr float kBentCrumb = 10.0f;      // of these
-constexpr float kBent = 0.95f;           // length of a mean normal
-constexpr float kBesideCrumb = 1.75f;    // surfel sizes
-constexpr float kPointedAt = 0.3f;       // m around a place that a person names
-constexpr float kFading = 0.75f;         // of white, in the channel that burns out first
-constexpr size_t kMostPlanes = 4;        // of one blob
+constexpr float kUncutFacing = 0.8f;  // cosine; an edge sharper than this cuts
+constexpr float kPlaneFacing = 0.85f; // cosine to a plane's normal, with a scan's noise
+constexpr float kPlaneThickness = 1.5f * kScanError; // m
+constexpr float kLargePlane = 0.5f;                  // m^2; smaller ones may be parts of lamps
+constexpr float kSmallPlane = 0.1f;   // m^2; from here on, where the wall goes on around it
+constexpr float kWallAround = 0.4f;   // of a square's rim that is wall
+constexpr float kBrightRim = 0.75f;   // luminance around a speck that only just burnt out
+constexpr float kSpeck = 0.02f;       // m^2
+constexpr float kCrumb = 4.0f;        // squares of a surfel's size; too small to be flat or bent
+constexpr float kBentCrumb = 10.0f;   // of these
+constexpr float kBent = 0.95f;        // length of a mean normal
+constexpr float kFlat = 0.9f;         // likewise; more faces one way
+constexpr float kTouching = 0.12f;    // m between pieces of one lamp
+constexpr float kBesideCrumb = 1.75f; // surfel sizes
+constexpr float kPointedAt = 0.3f;    // m around a place that a person names
+constexpr float kFading = 0.75f;      // of white, in the channel that burns out first
+constexpr size_t kMostPlanes = 4;     // of one blob
 
 using Members = std::vector<uint32_t>; // indices into SurfelRadiance::clipped
 
@@ -64,7 +65,7 @@ struct Plane
     /// 1 in the plane, 0 beyond the error of a scan.
     [[nodiscard]] float nearness(glm::vec3 position) const
     {
-        const float distance = (glm::dot(position, normal) - offset) / kPlaneError;
+        const float distance = (glm::dot(position, normal) - offset) / kScanError;
         return biweight(distance * distance);
     }
 };
@@ -95,16 +96,14 @@ Held heldBy(const Plane& plane, const SurfelRadiance& radiance, const Members& m
 /// The plane that holds most of the members' area, of a few tried.
 Plane largestPlane(const SurfelRadiance& radiance, const Members& members)
 {
-    constexpr size_t kTried = 24;
-    constexpr int kRounds = 8;
-    const size_t tried = std::min(kTried, members.size());
+    const size_t tried = std::min<size_t>(24, members.size()); // from patches evenly among them
     Plane best{};
     float most = -1.0f;
     for (size_t t = 0; t < tried; ++t) {
         const ClippedPatch& seed = radiance.clipped[members[t * members.size() / tried]];
         Plane plane{seed.normal, glm::dot(seed.position, seed.normal)};
         Held held = heldBy(plane, radiance, members);
-        for (int round = 0; round < kRounds && held.area > 0.0f; ++round) {
+        for (int round = 0; round < 8 && held.area > 0.0f; ++round) {
             plane.normal = glm::normalize(held.normal);
             plane.offset = glm::dot(held.position / held.area, plane.normal);
             held = heldBy(plane, radiance, members);
@@ -212,7 +211,7 @@ std::vector<Members> connected(const Texels& texels, const SurfelRadiance& radia
 /// A small flat piece in a surface that is nearly as bright all around it.
 bool isSpeck(const Texels& texels, const SurfelRadiance& radiance, const Candidate& candidate)
 {
-    if (candidate.area > kSpeck || glm::length(candidate.normal) < 0.9f) return false;
+    if (candidate.area > kSpeck || !isFlat(candidate)) return false;
     float sum = 0.0f;
     float area = 0.0f;
     for (const ClippedPatch& patch : candidate.patches)
@@ -281,6 +280,11 @@ Candidate candidateOf(std::vector<ClippedPatch> patches)
     return candidate;
 }
 
+bool isFlat(const Candidate& candidate)
+{
+    return glm::length(candidate.normal) >= kFlat;
+}
+
 bool fades(const Texels& texels, const SurfelRadiance& radiance, const Candidate& candidate)
 {
     const Surfels& surfels = texels.surfels;
@@ -319,6 +323,11 @@ bool areWithin(const Candidate& a, const Candidate& b, float reach)
             if (glm::dot(way, way) < reach * reach) return true;
         }
     return false;
+}
+
+bool areTouching(const Candidate& a, const Candidate& b)
+{
+    return areWithin(a, b, kTouching);
 }
 
 std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance& radiance)

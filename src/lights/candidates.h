@@ -11,6 +11,8 @@
 namespace relamp
 {
 
+constexpr float kScanError = 0.02f; // m; how far its worst 5 % lie off the room's surfaces
+
 /// A connected, burnt-out piece of surface that may be a lamp, or a wall that a lamp shines on.
 struct Candidate
 {
@@ -23,6 +25,9 @@ struct Candidate
 
 /// Patches as one piece; without any, it has no area.
 Candidate candidateOf(std::vector<ClippedPatch> patches);
+
+/// Whether it faces one way, as a panel does.
+bool isFlat(const Candidate& candidate);
 
 /// Cuts what is burnt out into pieces along edges and level changes of the surface, largest first.
 ///
@@ -41,5 +46,8 @@ size_t nearestTo(std::span<const Candidate> candidates, glm::vec3 place);
 
 /// Whether some patches of both are less than `reach` metres apart.
 bool areWithin(const Candidate& a, const Candidate& b, float reach);
+
+/// Whether they are as near to each other as pieces of one lamp.
+bool areTouching(const Candidate& a, const Candidate& b);
 
 } // namespace relamp

@@ -18,8 +18,7 @@ namespace
 constexpr int kCoarseSide = 512;       // pixels, that of a draft, which knows no more
 constexpr float kReach = 1.5f;         // surfels between a fixture and the piece that it lies on
 constexpr float kLeastCovered = 0.15f; // of that piece
-constexpr float kFlat = 0.9f;          // length of a mean normal
-constexpr float kOneSided = 0.7f;      // the same, of what faces away from a wall
+constexpr float kOneSided = 0.7f;      // length of a mean normal, of what faces away from a wall
 constexpr float kUpright = 0.35f;      // of a unit normal, along the vertical
 constexpr float kLeastWindow = 0.25f;  // m^2
 constexpr float kUnderCeiling = 0.6f;  // m
@@ -55,7 +54,7 @@ const char* kindOf(const Candidate& piece, const Heights& room)
 {
     const float length = glm::length(piece.normal);
     const bool isUpright = std::abs(piece.normal.y) < kUpright * length;
-    if (isUpright && length > kFlat && piece.area > kLeastWindow) return "window";
+    if (isUpright && isFlat(piece) && piece.area > kLeastWindow) return "window";
     const float above = piece.centre.y - room.floor;
     const float below = room.ceiling - piece.centre.y;
     if (below < kUnderCeiling && below < above) return "ceiling lamp";

@@ -1,5 +1,6 @@
 #include "lights/lamp_body.h"
 
+#include "base/radiometry.shared.h"
 #include "base/sampling.shared.h"
 
 #include <glm/geometric.hpp>
@@ -13,8 +14,8 @@ namespace
 
 constexpr float kFlattest = 0.85f;   // length of the mean normal; a half cylinder has 0.64
 constexpr float kWhole = 0.15f;      // below, all sides were seen
+constexpr int kPatches = 32;         // of a ball or disc; they share its area evenly
 constexpr size_t kFewest = 4;        // patches that tell a shape
-constexpr float kScanned = 0.02f;    // m; the error of a scan's worst 5 %
 constexpr float kFacingAlike = 0.7f; // cosine
 constexpr float kTowardsMean =
     0.05f;                        // of the curvature's middle: along an axis nothing else holds it
@@ -40,7 +41,7 @@ bool isScanned(const Surfels& surfels, glm::vec3 place, glm::vec3 normal)
 {
     bool scanned = false;
     surfels.forEachInReach(place, [&](size_t s) {
-        scanned |= glm::distance(surfels.position[s], place) < kScanned + 0.5f * surfels.size &&
+        scanned |= glm::distance(surfels.position[s], place) < kScanError + 0.5f * surfels.size &&
                    glm::dot(surfels.normal[s], normal) > kFacingAlike;
     });
     return scanned;
@@ -60,6 +61,30 @@ bool facesRoom(const RayScene& scene, const ClippedPatch& patch)
 }
 
 } // namespace
+
+std::vector<ClippedPatch> patchedBall(glm::vec3 centre, float radius)
+{
+    const float area = 4.0f * kPi * radius * radius / kPatches;
+    std::vector<ClippedPatch> patches;
+    for (int i = 0; i < kPatches; ++i) {
+        const glm::vec3 way = evenDirection(evenPoint(static_cast<float>(i), glm::vec2(0.5f)));
+        patches.push_back({centre + radius * way, way, area, Surfels::kNone});
+    }
+    return patches;
+}
+
+std::vector<ClippedPatch> patchedDisc(glm::vec3 centre, glm::vec3 normal, float radius)
+{
+    const float area = kPi * radius * radius / kPatches;
+    std::vector<ClippedPatch> patches;
+    for (int i = 0; i < kPatches; ++i) {
+        const glm::vec3 over =
+            cosineDirection(normal, evenPoint(static_cast<float>(i), glm::vec2(0.5f)));
+        const glm::vec3 onDisc = over - glm::dot(over, normal) * normal;
+        patches.push_back({centre + radius * onDisc, normal, area, Surfels::kNone});
+    }
+    return patches;
+}
 
 Candidate unseenSideOf(const Candidate& candidate, const Texels& texels, const RayScene& scene)
 {

@@ -7,6 +7,10 @@
 namespace relamp
 {
 
+/// Patches that belong to no surfel: of a ball, and of a disc that shines to where `normal` points.
+std::vector<ClippedPatch> patchedBall(glm::vec3 centre, float radius);
+std::vector<ClippedPatch> patchedDisc(glm::vec3 centre, glm::vec3 normal, float radius);
+
 /// The side of a lamp that no camera saw, guessed from the side that was scanned.
 ///
 /// Cameras see lampshades and sconces from the room; the half towards the wall is missing from many

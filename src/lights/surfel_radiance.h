@@ -32,6 +32,18 @@ struct SurfelRadiance
     std::vector<std::vector<uint8_t>> isClipped; // [page][pixel]: not 0 where a texel is burnt out
 };
 
+/// Whether most of a surfel is burnt out: then it sent more than it shows.
+inline bool isMostlyBurntOut(const SurfelRadiance& radiance, size_t surfel)
+{
+    return radiance.clippedArea[surfel] > radiance.plainArea[surfel];
+}
+
+/// Whether so little of it is that what is left of it tells its paint.
+inline bool isHardlyBurntOut(const SurfelRadiance& radiance, size_t surfel)
+{
+    return radiance.clippedArea[surfel] <= 0.1f * radiance.plainArea[surfel];
+}
+
 /// Walks all texels once. A texture that can hold more than white (float formats) counts as burnt
 /// out from white on. `isBurntOut`, if it is not empty, says instead which texels are, as
 /// SurfelRadiance::isClipped: of a texture that is no photo. `linearization`: null, there is none.

@@ -1,7 +1,8 @@
 #include "malformed/run_in_folder.h"
 
 #include <algorithm>
-#include <chrono>
+
+#include <sys/resource.h>
 
 #include <gmock/gmock.h>
 
@@ -20,6 +21,17 @@ namespace
 auto namesFile(const std::filesystem::path& file)
 {
     return StartsWith("relamp: " + file.parent_path().string() + "/");
+}
+
+/// Of all runs that have ended. On a busy machine a clock tells of others' work.
+double processorSeconds()
+{
+    rusage used{};
+    getrusage(RUSAGE_CHILDREN, &used);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
 } // namespace
@@ -43,9 +55,9 @@ Outcome RunInFolder::delight(const std::string& file, const std::vector<std::str
 {
     std::vector<std::string> arguments{"delight", folder / file, "-o", folder / "out"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    const auto start = std::chrono::steady_clock::now();
+    const double before = processorSeconds();
     Outcome run = golden::runRelamp(arguments);
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10)) << file;
+    EXPECT_LT(processorSeconds() - before, 10.0) << file;
     EXPECT_THAT(run.exitCode, AnyOf(0, 1)) << file << '\n' << run.err;
     return run;
 }
