@@ -109,6 +109,13 @@ TEST(LightsFile, SunComesBack)
 TEST(LightsFile, SunWithoutASenseIsRefused)
 {
     EXPECT_THAT(refusal(R"({"sun": [1, 2, 3]})"), HasSubstr("\"sun\" must be an object"));
+    EXPECT_THAT(refusal(R"({"ambient": [1, 1, 1], "camera": {"response": [1, 1]}})"),
+                HasSubstr("must be 5 slopes"));
+    EXPECT_THAT(refusal(R"({"ambient": [1, 1, 1], "camera": {"response": [1, 1, 1, 1, -1]}})"),
+                HasSubstr("-1"));
+    EXPECT_THAT(refusal(R"({"ambient": [1, 1, 1], "camera": {"gain": {"origin": [0, 0, 0],
+                            "spacing": 1, "count": [2, 1, 1], "stops": [0]}}})"),
+                HasSubstr("2 knots"));
     EXPECT_THAT(refusal(R"({"sun": {"irradiance": [1, 1, 1]}})"),
                 HasSubstr("sun: \"direction\" is missing"));
     EXPECT_THAT(refusal(R"({"sun": {"direction": [0, 0, 0], "irradiance": [1, 1, 1]}})"),

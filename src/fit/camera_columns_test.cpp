@@ -1,0 +1,130 @@
+#include "fit/camera_columns.h"
+
+#include "base/radiometry.shared.h"
+#include "fit/light_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr double kNoiseOfPaint = 0.03; // log
+
+/// A wall of 4 x 3 m that one lamp lights, 0.6 m before its foot: light falls over five octaves.
+struct LitWall
+{
+    LightModel model{.pieces = 1};
+    std::vector<glm::vec3> positions;
+    std::vector<MaterialPair> pairs;
+
+    /// `paintNoise`: log, of albedo from place to place.
+    explicit LitWall(double paintNoise)
+    {
+        constexpr float kRadiance = 60.0f;
+        std::mt19937 random(3);
+        const auto unit = [&] { return static_cast<float>(random() >> 8) / 16777216.0f; };
+        for (int i = 0; i < 2000; ++i) {
+            const float x = 4.0f * unit();
+            const float y = 3.0f * unit();
+            positions.emplace_back(x, y, 0.0f);
+            const glm::vec3 way(2.0f - x, -y, 0.6f);
+            const float squared = glm::dot(way, way);
+            const float direct = 0.02f * 0.6f / (squared * std::sqrt(squared));
+            const double noise =
+                paintNoise * static_cast<double>(unit() + unit() + unit() - 1.5f) * 2.0;
+            model.gathered.emplace_back(0.02f);
+            model.missed.push_back(0.0f);
+            model.direct.push_back(direct);
+            model.shown.emplace_back(0.4f / kPi * (0.02f + kRadiance * direct) *
+                                     static_cast<float>(std::exp(noise)));
+        }
+        for (size_t i = 0; i < 3 * positions.size(); ++i)
+            pairs.push_back({static_cast<uint32_t>(random() % positions.size()),
+                             static_cast<uint32_t>(random() % positions.size())});
+        std::erase_if(pairs, [](MaterialPair pair) { return pair.p == pair.q; });
+        model.shown.emplace_back(1.0f); // the lamp, of which nothing is seen
+        model.gathered.emplace_back(0.0f);
+        model.missed.push_back(0.0f);
+        model.direct.push_back(0.0f);
+        model.area.push_back(0.0f);
+    }
+
+    [[nodiscard]] size_t places() const { return positions.size(); }
+    [[nodiscard]] TexturePlaces asSeen() const
+    {
+        return {std::span(model.shown).first(places()), positions};
+    }
+    [[nodiscard]] LightEstimate solve(const CameraColumns& camera, double widest = 1.0) const
+    {
+        const std::vector<uint8_t> emits{1};
+        const LightFit fit(model, pairs, {}, kNoiseOfPaint);
+        return fit.solve(emits, fit.beginning(), camera, widest);
+    }
+};
+
+} // namespace
+
+// The proof of docs/method/camera.md: one wall under one lamp tells the contrast.
+TEST(CameraColumns, OneLampOnOneWallTellsTheContrastToOnePercent)
+{
+    for (const double contrast : {0.7, 1.0, 1.35}) {
+        LitWall wall(0.01);
+        for (size_t i = 0; i < wall.places(); ++i) {
+            glm::vec3& shown = wall.model.shown[i];
+            shown = glm::vec3(0.18f * std::pow(shown.g / 0.18f, static_cast<float>(contrast)));
+        }
+        CameraColumns columns = columnsOf(Response{}, wall.asSeen());
+        columns.worth = 100.0; // the places are independent
+        const Response response = responseOf(wall.solve(columns).camera);
+        EXPECT_NEAR(response.contrast(), contrast, 0.01 * contrast);
+    }
+}
+
+TEST(CameraColumns, AWallThatIsStraightStaysStraight)
+{
+    const LitWall wall(0.03);
+    const LightEstimate light = wall.solve(columnsOf(Response{}, wall.asSeen()));
+    for (const float slope : responseOf(light.camera).slope) EXPECT_NEAR(slope, 1.0f, 0.05f);
+}
+
+// The exposure rises by half a stop from left to right, which no lamp explains.
+TEST(CameraColumns, GainIsWhatNoLampExplains)
+{
+    LitWall wall(0.02);
+    constexpr float kRise = 0.35f; // log, over the wall
+    for (size_t i = 0; i < wall.places(); ++i)
+        wall.model.shown[i] *= std::exp(kRise * (wall.positions[i].x / 4.0f - 0.5f));
+    const Gain lattice = evenGainOver(wall.positions);
+    ASSERT_FALSE(lattice.isOne());
+    CameraColumns columns = columnsOf(lattice, wall.asSeen());
+    columns.worth = 100.0;
+    const Gain gain = gainOf(lattice, wall.solve(columns, 4.0).camera);
+    const float found = std::log(gain.at({3.6f, 1.5f, 0}) / gain.at({0.4f, 1.5f, 0}));
+    EXPECT_NEAR(found, 0.8f * kRise, 0.1f * kRise);
+}
+
+TEST(CameraColumns, EvenLightHasNoGain)
+{
+    const LitWall wall(0.02);
+    const Gain lattice = evenGainOver(wall.positions);
+    const Gain gain = gainOf(lattice, wall.solve(columnsOf(lattice, wall.asSeen()), 4.0).camera);
+    EXPECT_LT(gain.stops(), 0.1f);
+}
+
+TEST(CameraColumns, ACupboardHasNoLatticeAndAHallNoMoreKnotsThanARoom)
+{
+    const std::vector<glm::vec3> cupboard{{0, 0, 0}, {0.5f, 1.0f, 0.6f}};
+    EXPECT_TRUE(evenGainOver(cupboard).isOne());
+    EXPECT_TRUE(evenGainOver({}).isOne());
+    const std::vector<glm::vec3> hall{{0, 0, 0}, {80.0f, 12.0f, 1000.0f}};
+    EXPECT_LE(evenGainOver(hall).log.size(), 120u);
+}
+
+} // namespace relamp
