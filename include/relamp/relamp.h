@@ -4,6 +4,7 @@
 
 #include "relamp/api.h"
 #include "relamp/camera.h"
+#include "relamp/camera_model.h"
 #include "relamp/delight.h"
 #include "relamp/delighter.h"
 #include "relamp/devices.h"
@@ -22,6 +23,7 @@
 #include "relamp/progress.h"
 #include "relamp/relight.h"
 #include "relamp/replacing.h"
+#include "relamp/response.h"
 #include "relamp/result.h"
 #include "relamp/scan.h"
 #include "relamp/thesis.h"

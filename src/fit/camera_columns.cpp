@@ -18,18 +18,20 @@ namespace relamp
 namespace
 {
 
-// Of measured responses (Grossberg and Nayar 2004) and what raw developers apply: a contrast of 0.6
-// to 1.5, and shoulders and toes beside it.
-constexpr double kContrastSpread = 0.25; // of a slope, all together
-constexpr double kShapeSpread = 0.2;     // of a slope by itself
-constexpr double kFlattest = 0.4;        // slope of an inverse response
-constexpr double kSteepest = 3.0;        // likewise
-constexpr float kKnotSpacing = 1.2f;     // m: automatic exposure drifts over metres
-constexpr int kMostKnots = 120;          // in a hall they lie farther apart
-constexpr double kGainSpread = 0.3;      // log: of the gain; automatic exposure by half a stop
-constexpr double kGainStep = 0.12;       // log: of the gain from knot to knot
-constexpr double kGainWorth = 4.0;       // what is wrong with the light at a place, and at all near
-                                         // it, is mostly gain
+// Of measured responses (Grossberg and Nayar 2004) and what raw developers and exposure fusion
+// apply: a contrast of 0.6 to 1.5 in the shadows, less to the light, as film has a shoulder.
+constexpr std::array<double, Response::kKnots> kShape{1.0, 1.02, 1.1, 1.27, 1.5}; // of the slopes
+constexpr double kUsualSlope = 0.85;                                              // in the shadows
+constexpr double kContrastSpread = 0.3;                                           // of that slope
+constexpr double kShapeSpread = 0.12; // of each slope by itself
+constexpr double kFlattest = 0.4;     // slope of an inverse response
+constexpr double kSteepest = 3.0;     // likewise
+constexpr float kKnotSpacing = 1.2f;  // m: automatic exposure drifts over metres
+constexpr int kMostKnots = 120;       // in a hall they lie farther apart
+constexpr double kGainSpread = 0.3;   // log: of the gain; automatic exposure by half a stop
+constexpr double kGainStep = 0.12;    // log: of the gain from knot to knot
+constexpr double kGainWorth = 4.0;    // what is wrong with the light at a place, and at all near
+                                      // it, is mostly gain
 
 /// Of knots that are tied to each other.
 std::vector<double> precisionOf(const Gain& gain)
@@ -37,16 +39,16 @@ std::vector<double> precisionOf(const Gain& gain)
     const auto n = static_cast<Eigen::Index>(gain.log.size());
     Eigen::MatrixXd precision = Eigen::MatrixXd::Zero(n, n);
     precision.diagonal().array() = 1.0 / (kGainSpread * kGainSpread);
-    constexpr double kStep = 1.0 / (kGainStep * kGainStep);
+    const double step = 1.0 / (kGainStep * kGainStep);
     Eigen::Index stride = 1;
     for (const int count : gain.count) {
         for (Eigen::Index i = 0; i < n; ++i) {
             if (i / stride % count + 1 >= count) continue;
             const Eigen::Index j = i + stride;
-            precision(i, i) += kStep;
-            precision(j, j) += kStep;
-            precision(i, j) -= kStep;
-            precision(j, i) -= kStep;
+            precision(i, i) += step;
+            precision(j, j) += step;
+            precision(i, j) -= step;
+            precision(j, i) -= step;
         }
         stride *= count;
     }
@@ -88,6 +90,7 @@ void addSlopes(const Response& known, glm::vec3 texture, std::span<float> bend,
 CameraColumns emptyColumns(size_t places, std::vector<double> known)
 {
     CameraColumns columns{.known = std::move(known)};
+    columns.expected.assign(columns.count(), 0.0);
     columns.bend.assign(places * columns.count(), 0.0f);
     columns.slope.assign(places * columns.count(), 0.0f);
     columns.slopeKnown.assign(places, 1.0f);
@@ -121,6 +124,7 @@ CameraColumns columnsOf(const Response& known, const TexturePlaces& places)
         for (size_t k = 0; k < n; ++k) columns.slopeKnown[i] += known.slope[k] * slope[k];
     }
     takeMeansOut(columns);
+    for (size_t k = 0; k < n; ++k) columns.expected[k] = kUsualSlope * kShape[k] - 1.0;
     columns.precision = precisionOfSlopes();
     return columns;
 }
@@ -137,7 +141,6 @@ Response responseOf(std::span<const double> coefficients)
 Gain evenGainOver(std::span<const glm::vec3> position)
 {
     constexpr int kFewest = 3; // along some side: a drift has a middle and two ends
-    constexpr float kWider = 1.1f;
     if (position.empty()) return {};
     glm::vec3 low = position[0];
     glm::vec3 high = position[0];
@@ -153,7 +156,7 @@ Gain evenGainOver(std::span<const glm::vec3> position)
         count = glm::ivec3(steps) + 1;
         return count.x * count.y * count.z <= kMostKnots;
     };
-    while (!fits()) gain.spacing *= kWider;
+    while (!fits()) gain.spacing *= 1.1f;
     if (std::max({count.x, count.y, count.z}) < kFewest) return {};
     gain.origin = 0.5f * (low + high - gain.spacing * glm::vec3(count - 1));
     gain.count = {count.x, count.y, count.z};

@@ -14,12 +14,12 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kEvidencePlaces = 6000;
-constexpr size_t kPlacesOfDraft = 2000;
-constexpr size_t kLooks = 12;       // from a piece, at the others
-constexpr float kAreaOfRay = 0.05f; // m^2 of a piece that a ray from an origin is for
-constexpr double kBlack = 1e-4;     // radiance: darker is as good as that
-constexpr float kAround = 1.6f;     // surfel sizes
+constexpr size_t kEvidencePlaces = 6000; // all over a scan, so that a small lamp lights a dozen
+constexpr size_t kPlacesOfDraft = 2000;  // likewise, for a first look
+constexpr size_t kLooks = 12;            // from a piece, at the others
+constexpr float kAreaOfRay = 0.05f;      // m^2 of a piece that a ray from an origin is for
+constexpr double kBlack = 1e-4;          // radiance: darker is as good as that
+constexpr float kAround = 1.6f;          // surfel sizes
 
 std::vector<SoughtLamp> soughtOf(std::span<const Piece> pieces, size_t fewestRays)
 {

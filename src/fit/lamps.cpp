@@ -28,7 +28,7 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kMostPieces = 96;
+constexpr size_t kMostPieces = 96;    // that may emit; a fit takes the square of their number
 constexpr size_t kSearchSteps = 4;    // of the search, as progress tells
 constexpr double kLampNats = 2.0;     // that it takes to believe in a lamp
 constexpr double kModelNats = -0.5;   // where one of its model emits
@@ -39,7 +39,7 @@ constexpr double kLeastNoise = 0.02;  // log; what a byte and a few rays tell
 constexpr double kMostNoise = 0.2;    // log
 constexpr size_t kTries = 4;          // of the most promising pieces, each time one is added
 constexpr int kChoices = 4;           // rounds of taking away and adding, at most
-constexpr double kCurvedNats = 2.0;   // log odds of a camera with a contrast curve: most have one
+constexpr double kCurvedNats = 1.1;   // log odds of a camera with a contrast curve: three in four
 constexpr int kCameraRounds = 2;      // of what is gathered and what the camera made of it
 constexpr double kGainWidth = 4.0;    // times the noise: what the first loss for a gain forgives
 constexpr double kUnknown = 0.7;      // standard error of log radiance: about a factor of two

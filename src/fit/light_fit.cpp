@@ -121,6 +121,13 @@ private:
     {
         return at.log[model_.pieces + model_.outsides + k] - camera_.known[k];
     }
+    [[nodiscard]] std::vector<double> beyondExpected(const Point& at) const
+    {
+        std::vector<double> c;
+        for (size_t k = 0; k < camera_.count(); ++k)
+            c.push_back(cameraAt(at, k) + camera_.known[k] - camera_.expected[k]);
+        return c;
+    }
     [[nodiscard]] double shown(const Point& at, size_t place) const
     {
         double log = fit_.logShown_[place];
@@ -268,7 +275,7 @@ double LightFitSearch::costOfCamera(const Point& at) const
     for (size_t k = 0; k < fit_.pairs_.size(); ++k)
         nats -= fit_.paintShare(k) * perPair() * std::log(slopeOf(at, fit_.pairs_[k]));
     const size_t n = camera_.count();
-    const double* c = at.log.data() + model_.pieces + model_.outsides;
+    const std::vector<double> c = beyondExpected(at);
     for (size_t i = 0; i < n; ++i)
         for (size_t j = 0; j < n; ++j) nats += 0.5 * c[i] * camera_.precision[i * n + j] * c[j];
     return nats;
@@ -278,7 +285,7 @@ void LightFitSearch::addCamera(const Point& at, Normal& normal) const
 {
     const size_t n = camera_.count();
     const auto first = static_cast<Eigen::Index>(lights());
-    const double* c = at.log.data() + model_.pieces + model_.outsides;
+    const std::vector<double> c = beyondExpected(at);
     Eigen::VectorXd row(static_cast<Eigen::Index>(n));
     for (size_t i = 0; i < fit_.pairs_.size(); ++i) {
         const MaterialPair pair = fit_.pairs_[i];

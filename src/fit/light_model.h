@@ -44,11 +44,12 @@ struct LightModel
 struct CameraColumns
 {
     std::vector<double> known;     // coefficients that `shown` is for
+    std::vector<double> expected;  // that are believed beforehand
     std::vector<float> bend;       // [place * count + coefficient]
     std::vector<float> slope;      // likewise: of d log radiance / d log texture
     std::vector<float> slopeKnown; // of places: that with `known`
     double worth = 1.0; // how many times as many pairs are independent once these are known
-    std::vector<double> precision; // of what is believed beforehand, about 0: count * count
+    std::vector<double> precision; // of that belief: count * count
 
     [[nodiscard]] size_t count() const { return known.size(); }
     [[nodiscard]] std::span<const float> bendAt(size_t place) const
