@@ -185,6 +185,7 @@ void LampEvidence::addLightOnPieces(std::span<const Piece> pieces, LightModel& m
         first.push_back(lists.size());
     }
     model.area.assign(pieces.size(), 0.0f);
+    model.coloured.assign(pieces.size(), 0.0f);
     if (lists.empty()) return;
     const auto light = directOfLists(texels_, scene_, hits_, soughtOf(pieces, 1), lists);
     const Gathered gathered = gather(hits_, field_, lists);
@@ -194,6 +195,7 @@ void LampEvidence::addLightOnPieces(std::span<const Piece> pieces, LightModel& m
         for (const ClippedPatch& patch : pieces[f].candidate.patches)
             model.shown[place] += patch.area * patch.radiance;
         model.shown[place] /= pieces[f].candidate.area;
+        model.coloured[f] = colouredShare(pieces[f].candidate);
         if (first[f + 1] == first[f]) continue;
         model.area[f] = pieces[f].candidate.area;
         const auto per = 1.0f / static_cast<float>(first[f + 1] - first[f]);

@@ -184,7 +184,8 @@ LightFitSearch::LightFitSearch(const LightFit& fit, std::span<const uint8_t> emi
 }
 
 /// Normal about what is known; else Cauchy about white: a burnt-out piece is a wall or a lamp of
-/// whatever brightness, and a pull that grew with the distance would hold lamps back.
+/// whatever brightness, and a pull that grew with the distance would hold lamps back. It weighs
+/// more the more of a piece shows a colour, for much more than white is white in all channels.
 LightFitSearch::Prior LightFitSearch::priorOf(size_t unknown, const Point& point) const
 {
     const bool isOutside = unknown >= pieceOf_.size();
@@ -198,8 +199,12 @@ LightFitSearch::Prior LightFitSearch::priorOf(size_t unknown, const Point& point
     }
     if (!isOutside && prior_.log.empty()) {
         const double off = log / kWhiteSpread;
-        const double weight = 2.0 * kWhiteNats / (kWhiteSpread * kWhiteSpread * (1.0 + off * off));
-        return {kWhiteNats * std::log1p(off * off), weight, weight * log};
+        const double nats =
+            kWhiteNats + (model_.coloured.empty()
+                              ? 0.0
+                              : static_cast<double>(model_.coloured[pieceOf_[unknown]]));
+        const double weight = 2.0 * nats / (kWhiteSpread * kWhiteSpread * (1.0 + off * off));
+        return {nats * std::log1p(off * off), weight, weight * log};
     }
     const double spread = isOutside ? kOutsideSpread : prior_.spread;
     const double off = log - (isOutside ? fit_.outside_ : prior_.log[pieceOf_[unknown]]);

@@ -238,6 +238,17 @@ TEST(LightFit, WhatTheDataLeaveOpenIsAboutWhiteAndSaysSo)
     }
 }
 
+// 30 times white is burnt out in all channels, save for what the texture mixes; data outweigh that.
+TEST(LightFit, MuchMoreThanWhiteIsUnlikelyOfWhatShowsAColour)
+{
+    Floor floor({{40, 30, 20}}, 0.02f, 0.0f);
+    const LightEstimate white = floor.solve();
+    floor.model.coloured = {1.0f};
+    const LightEstimate coloured = floor.solve();
+    EXPECT_GT(coloured.nats, white.nats + 2.0);
+    EXPECT_NEAR(coloured.log[0], white.log[0], 0.1);
+}
+
 // What scanners miss lies behind things and under them.
 TEST(LightFit, OutsideIsDarkerThanTheRoomWhereTheDataLeaveItOpen)
 {

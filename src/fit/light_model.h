@@ -25,6 +25,8 @@ struct LightModel
     size_t outsides = 1;       // parts; the first are small holes
     std::vector<float> direct; // [place * pieces + piece]: irradiance of it at radiance 1
     std::vector<float> area;   // of pieces, m^2; 0: nothing of it was seen
+    std::vector<float> coloured;     // of pieces, share that some channel is not burnt out in: its
+                                     // radiance is seen there; empty: none is
     std::vector<uint8_t> isBurntOut; // of places that sent more than they show; empty: none did
 
     [[nodiscard]] size_t places() const { return shown.size() - pieces; } // that are measured

@@ -60,11 +60,13 @@ bool areAlikeBodies(const Candidate& a, const Candidate& b)
            sizes > 1.0f / kSameBody;
 }
 
+/// Lamps of one model are of one colour: both are burnt out in all channels, or neither is.
 bool areOneModel(const Piece& a, const Piece& b)
 {
     const Candidate& p = a.candidate;
     const Candidate& q = b.candidate;
-    return std::min(p.area, q.area) >= kLeastModel && (areAlike(p, q) || areAlikeBodies(p, q));
+    return std::min(p.area, q.area) >= kLeastModel && (areAlike(p, q) || areAlikeBodies(p, q)) &&
+           (colouredShare(p) > 0.5f) == (colouredShare(q) > 0.5f);
 }
 
 } // namespace

@@ -110,6 +110,14 @@ TEST(Pieces, ThatLookAlikeAreOneModel)
     EXPECT_THAT(kin.leansOn, ElementsAre(IsEmpty(), IsEmpty(), IsEmpty()));
 }
 
+// A panel is burnt out in all channels; what it lights on its ceiling is burnt out in red alone.
+TEST(Pieces, OfTwoColoursAreNotOneModel)
+{
+    std::vector<Piece> pieces{panelAt(0, 10, 0), panelAt(2, 10, 1)};
+    for (ClippedPatch& patch : pieces[1].candidate.patches) patch.radiance = {1.0f, 0.9f, 0.6f};
+    EXPECT_THAT(kinshipOf(pieces).model, ElementsAre(IsEmpty(), IsEmpty()));
+}
+
 // Every crumb is flat and small.
 TEST(Pieces, ShapeOfASpeckSaysNothing)
 {

@@ -3,6 +3,7 @@
 #include "base/biweight.shared.h"
 #include "base/disjoint_sets.h"
 #include "base/radiometry.shared.h"
+#include "image/burnt_out.shared.h"
 
 #include <algorithm>
 #include <cmath>
@@ -300,6 +301,16 @@ bool fades(const Texels& texels, const SurfelRadiance& radiance, const Candidate
         return std::max({color.r, color.g, color.b}) > kFading;
     });
     return 2 * static_cast<size_t>(nearlyBurntOut) > rim.size();
+}
+
+float colouredShare(const Candidate& candidate)
+{
+    float area = 0.0f;
+    for (const ClippedPatch& patch : candidate.patches) {
+        const glm::vec3 rgb = patch.radiance;
+        if (std::min({rgb.r, rgb.g, rgb.b}) < kSafelyBelow) area += patch.area;
+    }
+    return candidate.area > 0.0f ? area / candidate.area : 0.0f;
 }
 
 size_t nearestTo(std::span<const Candidate> candidates, glm::vec3 place)

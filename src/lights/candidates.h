@@ -40,6 +40,9 @@ std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance
 /// ends sharply.
 bool fades(const Texels& texels, const SurfelRadiance& radiance, const Candidate& candidate);
 
+/// Share of its area that some channel is not burnt out in: that channel was seen as it is.
+float colouredShare(const Candidate& candidate);
+
 /// The candidate that a person points at: the one with the patch nearest to `place`, within 0.3 m;
 /// candidates.size() where there is none.
 size_t nearestTo(std::span<const Candidate> candidates, glm::vec3 place);
