@@ -440,8 +440,8 @@ void LampSearch::findColors()
         for (size_t f = 0; f < pieces_.size(); ++f)
             if (emits_[f] != 0) pieces_[f] = std::move(*next++);
         observe();
-        if (isGainSought_) findGain();
         if (isSunSought_) letSunIn(sides);
+        if (isGainSought_ && !sun_) findGain(); // a patch of sun is no drift
     }
 }
 
