@@ -92,8 +92,6 @@ CameraColumns emptyColumns(size_t places, std::vector<double> known)
     CameraColumns columns{.known = std::move(known)};
     columns.expected.assign(columns.count(), 0.0);
     columns.bend.assign(places * columns.count(), 0.0f);
-    columns.slope.assign(places * columns.count(), 0.0f);
-    columns.slopeKnown.assign(places, 1.0f);
     return columns;
 }
 
@@ -102,7 +100,8 @@ void takeMeansOut(CameraColumns& columns)
 {
     const size_t count = columns.count();
     std::vector<double> mean(count, 0.0);
-    const double places = static_cast<double>(columns.slopeKnown.size());
+    if (count == 0) return;
+    const auto places = static_cast<double>(columns.bend.size() / count);
     for (size_t i = 0; i < columns.bend.size(); ++i)
         mean[i % count] += static_cast<double>(columns.bend[i]) / places;
     for (size_t i = 0; i < columns.bend.size(); ++i)
@@ -117,10 +116,11 @@ CameraColumns columnsOf(const Response& known, const TexturePlaces& places)
     std::vector<double> slopes;
     for (const float slope : known.slope) slopes.push_back(static_cast<double>(slope) - 1.0);
     CameraColumns columns = emptyColumns(places.texture.size(), std::move(slopes));
+    columns.slope.assign(columns.bend.size(), 0.0f);
+    columns.slopeKnown.assign(places.texture.size(), 0.0f);
     for (size_t i = 0; i < places.texture.size(); ++i) {
         const std::span<float> slope(&columns.slope[i * n], n);
         addSlopes(known, places.texture[i], {&columns.bend[i * n], n}, slope);
-        columns.slopeKnown[i] = 0.0f;
         for (size_t k = 0; k < n; ++k) columns.slopeKnown[i] += known.slope[k] * slope[k];
     }
     takeMeansOut(columns);

@@ -277,7 +277,7 @@ double LightFitSearch::slopeOf(const Point& at, MaterialPair pair) const
 double LightFitSearch::costOfCamera(const Point& at) const
 {
     double nats = 0.0;
-    for (size_t k = 0; k < fit_.pairs_.size(); ++k)
+    for (size_t k = 0; k < fit_.pairs_.size() && !camera_.slope.empty(); ++k)
         nats -= fit_.paintShare(k) * perPair() * std::log(slopeOf(at, fit_.pairs_[k]));
     const size_t n = camera_.count();
     const std::vector<double> c = beyondExpected(at);
@@ -291,17 +291,25 @@ void LightFitSearch::addCamera(const Point& at, Normal& normal) const
     const size_t n = camera_.count();
     const auto first = static_cast<Eigen::Index>(lights());
     const std::vector<double> c = beyondExpected(at);
-    Eigen::VectorXd row(static_cast<Eigen::Index>(n));
-    for (size_t i = 0; i < fit_.pairs_.size(); ++i) {
+    std::vector<double> sums(n * (n + 1), 0.0); // of the rows' products, and then of the rows
+    std::vector<double> row(n);
+    for (size_t i = 0; i < fit_.pairs_.size() && !camera_.slope.empty(); ++i) {
         const MaterialPair pair = fit_.pairs_[i];
         const double slope = slopeOf(at, pair);
         const double weight = fit_.paintShare(i) * perPair();
         for (size_t k = 0; k < n; ++k)
-            row[static_cast<Eigen::Index>(k)] =
-                0.5 / slope *
-                static_cast<double>(camera_.slopeAt(pair.p)[k] + camera_.slopeAt(pair.q)[k]);
-        normal.slope.tail(row.size()) -= weight * row;
-        normal.matrix.bottomRightCorner(row.size(), row.size()) += weight * row * row.transpose();
+            row[k] = 0.5 / slope *
+                     static_cast<double>(camera_.slopeAt(pair.p)[k] + camera_.slopeAt(pair.q)[k]);
+        for (size_t k = 0; k < n; ++k) {
+            for (size_t j = 0; j < n; ++j) sums[k * n + j] += weight * row[k] * row[j];
+            sums[n * n + k] -= weight * row[k];
+        }
+    }
+    for (size_t k = 0; k < n; ++k) {
+        const Eigen::Index u = first + static_cast<Eigen::Index>(k);
+        normal.slope[u] += sums[n * n + k];
+        for (size_t j = 0; j < n; ++j)
+            normal.matrix(u, first + static_cast<Eigen::Index>(j)) += sums[k * n + j];
     }
     for (size_t i = 0; i < n; ++i)
         for (size_t j = 0; j < n; ++j) {

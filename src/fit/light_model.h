@@ -48,7 +48,7 @@ struct CameraColumns
     std::vector<double> known;     // coefficients that `shown` is for
     std::vector<double> expected;  // that are believed beforehand
     std::vector<float> bend;       // [place * count + coefficient]
-    std::vector<float> slope;      // likewise: of d log radiance / d log texture
+    std::vector<float> slope;      // likewise: of d log radiance / d log texture; empty: 0
     std::vector<float> slopeKnown; // of places: that with `known`
     double worth = 1.0; // how many times as many pairs are independent once these are known
     std::vector<double> precision; // of that belief: count * count
