@@ -57,6 +57,11 @@ const Closure& Decomposition::closure() const
     return state_->solution.closure;
 }
 
+const CrossValidation& Decomposition::crossValidation() const
+{
+    return state_->solution.crossValidation;
+}
+
 std::vector<std::string> Decomposition::warnings() const
 {
     const Solution& solution = state_->solution;

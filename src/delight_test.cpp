@@ -130,7 +130,7 @@ TEST(Delight, SaysSoWhereNothingShines)
     EXPECT_THAT(delight(scenes::copyOf(scan), thesis(), progress).warnings(),
                 testing::ElementsAre(testing::HasSubstr("no light was found")));
     EXPECT_THAT(delight(scenes::copyOf(scan), {}, progress).warnings(),
-                testing::ElementsAre(testing::HasSubstr("no lamp was found")));
+                testing::Contains(testing::HasSubstr("no lamp was found")));
 }
 
 /// A grey room lit from a burnt-out panel in its ceiling.

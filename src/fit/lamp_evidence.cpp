@@ -1,6 +1,7 @@
 #include "fit/lamp_evidence.h"
 
 #include "base/parallel.h"
+#include "fit/held_out.h"
 #include "fit/pairs.h"
 
 #include <algorithm>
@@ -61,13 +62,15 @@ LampEvidence::LampEvidence(const Texels& texels, const RayScene& scene, const Hi
     findAround();
 }
 
-/// Evenly along the curve through space that surfels are sorted by.
+/// Evenly along the curve through space that surfels are sorted by, but for what is held out.
 void LampEvidence::choosePlaces(size_t most)
 {
+    const HeldOut heldOut(texels_.surfels.seed);
     std::vector<uint32_t> good;
     for (uint32_t s = 0; s < texels_.surfels.count(); ++s)
         if (radiance_.plainArea[s] > 0.0f &&
-            radiance_.clippedArea[s] < 0.02f * radiance_.plainArea[s])
+            radiance_.clippedArea[s] < 0.02f * radiance_.plainArea[s] &&
+            !heldOut.has(texels_.surfels.position[s]))
             good.push_back(s);
     const size_t count = std::min(most, good.size());
     for (size_t i = 0; i < count; ++i) places_.push_back(good[i * good.size() / count]);

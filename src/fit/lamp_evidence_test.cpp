@@ -1,6 +1,7 @@
 #include "fit/lamp_evidence.h"
 
 #include "base/radiometry.shared.h"
+#include "fit/held_out.h"
 #include "scenes/lit_room.h"
 #include "scenes/surfaces.h"
 
@@ -53,6 +54,15 @@ TEST(LampEvidence, PlacesShowTheLightOfTheirLampsAndWalls)
     const auto middle = albedo.begin() + static_cast<ptrdiff_t>(albedo.size() / 2);
     std::nth_element(albedo.begin(), middle, albedo.end());
     EXPECT_NEAR(*middle, 0.42f, 0.03f); // most of the room is wall
+}
+
+TEST(LampEvidence, HasNoPlacesThatAreHeldOut)
+{
+    const Told told;
+    const Surfels& surfels = told.room.texels.surfels;
+    const HeldOut heldOut(surfels.seed);
+    for (const uint32_t place : told.evidence.places())
+        EXPECT_FALSE(heldOut.has(surfels.position[place]));
 }
 
 // The light of a piece comes from it alone, emits it or reflects.

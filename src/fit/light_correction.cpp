@@ -54,10 +54,11 @@ constexpr float kOpen = 0.015f; // share of a view that is so near: less, and no
 struct Paint
 {
     float brightness;
-    float even;   // the same without thin patterns
-    float red;    // over green
-    float blue;   // over green
-    float belief; // in the light; < 0: nothing is known here
+    float even;    // the same without thin patterns
+    float red;     // over green
+    float blue;    // over green
+    float belief;  // in the light; < 0: nothing is known here
+    bool isUnseen; // the light is what goes on from around
 };
 
 float logOf(float value)
@@ -96,7 +97,7 @@ float medianOf(std::span<const glm::vec3> irradiance)
 }
 
 std::vector<Paint> paintOf(const SurfelRadiance& radiance, const HitLists& hits,
-                           const FoundLight& light)
+                           const FoundLight& light, std::span<const uint8_t> unseen)
 {
     const float usual = medianOf(light.irradiance);
     std::vector<Paint> paint(light.irradiance.size());
@@ -110,8 +111,12 @@ std::vector<Paint> paintOf(const SurfelRadiance& radiance, const HitLists& hits,
         const float belief =
             beliefIn(luminance(found), light.spread[s], backsBefore(hits, s), usual);
         const float brightness = logOf(luminance(seen)) - logOf(luminance(found));
-        paint[s] = {brightness, brightness, logOf(seen.r) - logOf(found.r) - green,
-                    logOf(seen.b) - logOf(found.b) - green, isKnown ? belief : -1.0f};
+        paint[s] = {brightness,
+                    brightness,
+                    logOf(seen.r) - logOf(found.r) - green,
+                    logOf(seen.b) - logOf(found.b) - green,
+                    isKnown ? belief : -1.0f,
+                    !unseen.empty() && unseen[s] != 0};
     });
     return paint;
 }
@@ -119,6 +124,7 @@ std::vector<Paint> paintOf(const SurfelRadiance& radiance, const HitLists& hits,
 /// How alike two neighbours' paint is, by colour: 0..1.
 float alike(const Paint& a, const Paint& b)
 {
+    if (a.isUnseen || b.isUnseen) return 1.0f;
     const float red = (a.red - b.red) / kColorStep;
     const float blue = (a.blue - b.blue) / kColorStep;
     const float far = 1.0f + red * red + blue * blue;
@@ -130,8 +136,9 @@ struct Sheet
 {
     std::vector<int> first{0};
     std::vector<int> surfel;
-    std::vector<float> alike; // in colour
-    std::vector<char> atRim;  // of surfels: the others lie on one side of it
+    std::vector<float> alike;   // in colour
+    std::vector<char> atRim;    // of surfels: the others lie on one side of it
+    std::vector<char> isUnseen; // of surfels, as Paint
 
     [[nodiscard]] size_t count() const { return first.size() - 1; }
     [[nodiscard]] size_t begin(size_t s) const { return static_cast<size_t>(first[s]); }
@@ -159,6 +166,7 @@ Sheet sheetOf(const Surfels& surfels, std::span<const Paint> paint)
         }
         sheet.first.push_back(static_cast<int>(sheet.surfel.size()));
         const auto beside = static_cast<float>(sheet.end(s) - sheet.begin(s) - 1);
+        sheet.isUnseen.push_back(paint[s].isUnseen);
         sheet.atRim.push_back(glm::length(ways) > kOneSidedRing * surfels.size * beside);
     }
     return sheet;
@@ -173,7 +181,8 @@ std::vector<float> closed(const Sheet& sheet, std::vector<float> values)
         before = values;
         forEach(values.size(), [&](size_t s) {
             for (size_t i = sheet.begin(s); i < sheet.end(s); ++i)
-                values[s] = pick(s, before[static_cast<size_t>(sheet.surfel[i])]);
+                if (const auto n = static_cast<size_t>(sheet.surfel[i]); !sheet.isUnseen[n])
+                    values[s] = pick(s, before[n]);
         });
     };
     const auto greater = [&](size_t s, float other) {
@@ -247,7 +256,7 @@ Partners partnersOf(std::span<const Paint> paint, uint seed)
     for (uint draw = 0; draw < kDraws; ++draw) {
         std::vector<Drawn> drawn;
         for (uint32_t s = 0; s < paint.size(); ++s)
-            if (paint[s].belief >= 0.0f)
+            if (paint[s].belief >= 0.0f && !paint[s].isUnseen)
                 drawn.push_back(
                     {classOf(paint[s], seed, draw), seededShift(seed, s, 10 + draw), s});
         std::sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) {
@@ -309,9 +318,11 @@ Settling::Settling(const Sheet& sheet, const Partners& partners, std::span<const
     weight_.resize(column_.size());
 }
 
-/// Of brightness from b to a. Within a pattern it is as it shows, into one there is none.
+/// Of brightness from b to a. Within a pattern it is as it shows, into one there is none, nor into
+/// what is not looked at.
 float stepBetween(const Paint& a, const Paint& b)
 {
+    if (a.isUnseen || b.isUnseen) return 0.0f;
     const float step = a.brightness - b.brightness;
     const float even = a.even - b.even;
     return std::abs(even) < std::abs(step) ? even : step;
@@ -402,10 +413,11 @@ FoundLight foundLight(const Texels& texels, const SurfelRadiance& radiance,
 }
 
 std::vector<float> correctionOf(const Surfels& surfels, const SurfelRadiance& radiance,
-                                const HitLists& hits, const FoundLight& light)
+                                const HitLists& hits, const FoundLight& light,
+                                std::span<const uint8_t> unseen)
 {
     if (light.irradiance.empty()) return {};
-    std::vector<Paint> paint = paintOf(radiance, hits, light);
+    std::vector<Paint> paint = paintOf(radiance, hits, light, unseen);
     const Sheet sheet = sheetOf(surfels, paint);
     clearOfPatterns(surfels, hits, sheet, paint);
     const Eigen::VectorXf lit = Settling(sheet, partnersOf(paint, surfels.seed), paint).run();

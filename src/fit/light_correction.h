@@ -30,9 +30,11 @@ FoundLight foundLight(const Texels& texels, const SurfelRadiance& radiance,
 /// one paint have one albedo, near and far. Light is believed by its variance: little where a
 /// shadow's edge is near, where backs are seen and in the dark. `hits`: of all fronts. A surfel
 /// that is burnt out keeps its light. A thin pattern is paint unless `hits` say that something is
-/// near.
+/// near. `unseen`, if not empty, marks surfels whose paint is not looked at: the correction goes on
+/// there from around.
 std::vector<float> correctionOf(const Surfels& surfels, const SurfelRadiance& radiance,
-                                const HitLists& hits, const FoundLight& light);
+                                const HitLists& hits, const FoundLight& light,
+                                std::span<const uint8_t> unseen = {});
 
 /// The shading times that, interpolated between surfels; direct and indirect alike.
 TexelShading corrected(const Texels& texels, TexelShading shade, std::span<const float> lit);

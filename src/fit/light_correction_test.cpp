@@ -170,6 +170,37 @@ TEST(LightCorrection, PlacesOfOnePaintTellEachOther)
     EXPECT_NEAR(shareBetween(floor.texels.surfels, shares, 1.0f, 1.9f), 1.0f, 0.03f);
 }
 
+// Nothing hangs on what shows there, and along a fade the correction goes on.
+TEST(LightCorrection, GoesOnFromAroundWhereNothingIsLookedAt)
+{
+    scenes::Surfaces floor(scenes::square(kSide, 128, [](glm::vec3 p, glm::vec3) {
+        return glm::vec3(0.7f, 0.6f, 0.5f) * foundAt(p.x) * fadeAt(p.x);
+    }));
+    const Surfels& surfels = floor.texels.surfels;
+    std::vector<uint8_t> unseen;
+    for (const glm::vec3 place : surfels.position)
+        unseen.push_back(std::abs(place.z - 1.0f) < 0.25f ? 1 : 0);
+    const auto corrected = [&] {
+        return correctionOf(surfels, floor.radiance, seeingNothing(surfels), foundOn(surfels),
+                            unseen);
+    };
+    const std::vector<float> shares = corrected();
+    for (size_t s = 0; s < unseen.size(); ++s)
+        if (unseen[s] != 0)
+            floor.radiance.plain[s] = {0.1f, 0.1f * static_cast<float>(s % 7), 0.3f};
+    EXPECT_EQ(corrected(), shares);
+
+    float sum = 0.0f;
+    float count = 0.0f;
+    for (size_t s = 0; s < unseen.size(); ++s) {
+        if (unseen[s] == 0 || surfels.position[s].x > 0.15f) continue;
+        sum += shares[s];
+        count += 1.0f;
+    }
+    EXPECT_NEAR(sum / count, shareBetween(surfels, shares, 0.0f, 0.15f), 0.2f);
+    EXPECT_LT(sum / count, 0.7f);
+}
+
 TEST(LightCorrection, DarkensDirectAndIndirectAlike)
 {
     const scenes::Surfaces floor(scenes::square(kSide, 64, scenes::plain(glm::vec3(0.5f))));

@@ -1,5 +1,6 @@
 #include "fit/sun_rim.h"
 
+#include "fit/held_out.h"
 #include "fit/pairs.h"
 
 #include <algorithm>
@@ -47,10 +48,11 @@ SunRim::SunRim(const Texels& texels, const SurfelRadiance& radiance,
                std::span<const AreaSample> onSides)
 {
     const Surfels& surfels = texels.surfels;
+    const HeldOut heldOut(surfels.seed);
     Cells lit;
     Cells dark; // and not burnt out: what is tells nothing of its paint
     for (uint32_t s = 0; s < surfels.count(); ++s) {
-        if (onSides[s].open <= 0.0f) continue;
+        if (onSides[s].open <= 0.0f || heldOut.has(surfels.position[s])) continue;
         const bool isLit = onSides[s].visible > 0.5f * onSides[s].open;
         if (isLit || !isMostlyBurntOut(radiance, s))
             (isLit ? lit : dark)[cellOf(surfels.position[s])].push_back(s);

@@ -3,6 +3,7 @@
 #include "base/call_all.h"
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
+#include "fit/held_out.h"
 #include "fit/lamp_groups.h"
 #include "fit/light_correction.h"
 
@@ -81,6 +82,20 @@ void shine(const Texels& texels, SolvedRoom& room, const LampPowers& powers,
     room.light = light;
 }
 
+/// Its light with and without a look at what is held out.
+void correct(const Texels& texels, SolvedRoom& room)
+{
+    const FoundRoom& found = room.found;
+    const FoundLight light =
+        foundLight(texels, found.radiance, shadingOf(texels, room.light), room.lighting.spread);
+    const auto correction = [&](std::span<const uint8_t> unseen) {
+        return correctionOf(texels.surfels, found.radiance, found.hits, light, unseen);
+    };
+    callAll([&] { room.lit = correction({}); },
+            [&] { room.litUnseen = correction(heldOutOf(texels.surfels)); },
+            [&] { room.witnesses = witnessesOf(texels.surfels, found.radiance); });
+}
+
 } // namespace
 
 SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom found,
@@ -89,15 +104,7 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
     SolvedRoom room{.found = std::move(found)};
     room.light = lightOf(texels, scene, room.found, indirectOf(texels, room));
     room.lighting = lightOnSurfels(texels.surfels, *room.light);
-    std::vector<float> lit;
-    callAll(
-        [&] {
-            lit = correctionOf(texels.surfels, room.found.radiance, room.found.hits,
-                               foundLight(texels, room.found.radiance,
-                                          shadingOf(texels, room.light), room.lighting.spread));
-        },
-        [&] { meanwhile(room); });
-    room.lit = std::move(lit);
+    callAll([&] { correct(texels, room); }, [&] { meanwhile(room); });
     return room;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit/cross_validation.h"
 #include "shading/gathered_light.h"
 #include "solve/found_room.h"
 
@@ -22,10 +23,13 @@ struct SolvedRoom
     std::shared_ptr<const GatheredLight> light; // its lamps are those of `found`, then the sun
     SurfelLighting lighting;                    // what it brings to surfels
     std::vector<float> lit; // of surfels, as correctionOf(); of the first solution
+    Witnesses witnesses;
+    std::vector<float> litUnseen; // as `lit`, by a correction that did not look at the witnesses
 };
 
 /// Shadows, indirect light and its correction in a room whose lamps are known. That takes one
-/// thread: `meanwhile` is called beside it, with the room as it is but for `lit`.
+/// thread: `meanwhile` is called beside it, with the room as it is but for `lit` and
+/// what follows there.
 SolvedRoom solvedRoom(
     const Texels& texels, const RayScene& scene, FoundRoom found,
     const std::function<void(const SolvedRoom&)>& meanwhile = [](const auto&) {});

@@ -4,7 +4,9 @@
 #include "albedo/gather_closure.h"
 #include "shading/lit_sides.h"
 #include "solve/found_room.h"
+#include "solve/proof.h"
 
+#include <span>
 #include <utility>
 
 namespace relamp
@@ -12,11 +14,11 @@ namespace relamp
 namespace
 {
 
-/// On surfels, corrected.
-std::vector<glm::vec3> irradianceOf(const SolvedRoom& room)
+/// On surfels, corrected by `lit`.
+std::vector<glm::vec3> irradianceOf(const SolvedRoom& room, std::span<const float> lit)
 {
     std::vector<glm::vec3> irradiance = room.lighting.irradiance;
-    for (size_t s = 0; s < irradiance.size(); ++s) irradiance[s] *= room.lit[s];
+    for (size_t s = 0; s < irradiance.size(); ++s) irradiance[s] *= lit[s];
     return irradiance;
 }
 
@@ -35,7 +37,7 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightO
                     Rating rating)
 {
     const FoundRoom& found = room.found;
-    const std::vector<glm::vec3> irradiance = irradianceOf(room);
+    const std::vector<glm::vec3> irradiance = irradianceOf(room, room.lit);
     doubtCorrections(room.lit, rating.trust);
     Solution solution{.options = asked};
     solution.options.gather = found.options;
@@ -44,9 +46,11 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightO
     solution.texels = {.shade = shadingOf(texels, room),
                        .rims = rimsOf(texels.surfels, found.radiance, irradiance),
                        .shining = shiningOf(found),
-                       .trust = std::move(rating.trust),
-                       .fill = fillOf(texels.surfels, found.radiance,
-                                      albedoOf(texels, found.radiance, irradiance))};
+                       .trust = std::move(rating.trust)};
+    prove(room.witnesses, irradianceOf(room, room.litUnseen), solution);
+    solution.texels.fill =
+        fillOf(texels.surfels, found.radiance,
+               albedoOf(texels, found.radiance, tempered(solution.texels.tempering, irradiance)));
     solution.lights = lightsOf(found);
     solution.fixtureOf = fixturesOfSurfels(found);
     solution.merged = solution.lights.points;
