@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace relamp
@@ -55,6 +56,17 @@ DelightOptions Decomposition::optionsInForce() const
 const Closure& Decomposition::closure() const
 {
     return state_->solution.closure;
+}
+
+const CrossValidation& Decomposition::crossValidation() const
+{
+    return state_->solution.crossValidation;
+}
+
+float CrossValidation::gain() const
+{
+    constexpr float kLeast = 1e-3f; // stops, that a texture of bytes tells
+    return 20.0f * std::log10(std::max(scan, kLeast) / std::max(albedo, kLeast));
 }
 
 std::vector<std::string> Decomposition::warnings() const

@@ -201,6 +201,17 @@ std::vector<glm::vec3> placesFrom(const std::vector<float>& numbers)
     return places;
 }
 
+/// What can be told without the truth.
+std::string closingLine(const relamp::CrossValidation& validation)
+{
+    if (validation.pairs == 0)
+        return "too few places look like one paint to tell whether the albedo is better than the "
+               "scan\n";
+    return fmt::format("places of one paint differ by {:.2f} stops in the scan and by {:.2f} in "
+                       "the albedo, a gain of {:.1f} dB\n",
+                       validation.scan, validation.albedo, validation.gain());
+}
+
 void printSummary(const DelightArguments& arguments, const relamp::Decomposition& result,
                   double seconds)
 {
@@ -229,6 +240,8 @@ void printSummary(const DelightArguments& arguments, const relamp::Decomposition
     printAside(text);
     for (const std::string& warning : scan.warnings) printProblem("note: " + warning);
     for (const std::string& warning : result.warnings()) printProblem("note: " + warning);
+    if (result.optionsInForce().solver != relamp::Solver::thesis)
+        printAside(closingLine(result.crossValidation()));
 }
 
 int run(DelightArguments& arguments)

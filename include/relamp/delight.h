@@ -60,9 +60,10 @@ enum class Doubt : uint8_t {
     backFace,        // most of what it faces is seen from behind, where the texture says nothing
     penumbra,        // the shadow edges in the texture are not where the lamps put them
     whiterThanPaper, // it got more light than was found, or shines by polish
-    shared           // the texel stands for several places in different light
+    shared,          // the texel stands for several places in different light
+    unproven         // places of one paint, which no fit looked at, do not agree under the shading
 };
-constexpr size_t kDoubts = 9;
+constexpr size_t kDoubts = 10;
 
 /// What delight makes of one page: pictures of the page's size. RGB as linear IEEE half floats,
 /// 3 * width * height; pixels that no surface covers continue what lies next to them.
@@ -96,6 +97,24 @@ struct Closure
     float rmsInput = 0.0f; // of the texture itself, for comparison
 };
 
+/// Whether albedo is more even than the scan, measured at places that no fit of light looked at: by
+/// how much do those differ that are of one paint? In stops, doublings of luminance, as half of
+/// such pairs do at most where half of all pairs are of one paint. See
+/// docs/method/cross_validation.md.
+struct CrossValidation
+{
+    size_t pairs = 0;          // that were looked at; 0: there were too few to tell
+    float scan = 0.0f;         // stops, of what the texture shows
+    float albedo = 0.0f;       // stops, of albedo as it is
+    float chromaOfScan = 0.0f; // the same of log2 (r / g) and log2 (b / g), root mean square
+    float chromaOfAlbedo = 0.0f;
+    float shadingPower = 1.0f; // 0..1, that the shading found was taken to; less than 1: it was
+                               // clearly too strong; 0: the scan itself is the albedo
+    bool improves = true;      // pairs agree better in the albedo, on the whole
+
+    [[nodiscard]] RELAMP_API float gain() const; // dB, 20 log10 of `scan` over `albedo`
+};
+
 /// A room taken apart: its lights, and a shading that every page can be divided by.
 class RELAMP_API Decomposition
 {
@@ -116,6 +135,8 @@ public:
     /// while it makes layers.
     [[nodiscard]] DelightOptions optionsInForce() const;
     [[nodiscard]] const Closure& closure() const;
+    /// Of the thesis solver nothing is measured.
+    [[nodiscard]] const CrossValidation& crossValidation() const;
     [[nodiscard]] std::vector<std::string> warnings() const;
     [[nodiscard]] size_t texelCount() const;
     [[nodiscard]] double area() const; // m^2 of textured surface

@@ -38,9 +38,9 @@ struct Names<Quality>
 template<>
 struct Names<Doubt>
 {
-    static constexpr std::array<const char*, kDoubts> all{"none",     "clipped",         "shines",
-                                                          "unlit",    "unseen",          "backFace",
-                                                          "penumbra", "whiterThanPaper", "shared"};
+    static constexpr std::array<const char*, kDoubts> all{
+        "none",     "clipped",  "shines",          "unlit",  "unseen",
+        "backFace", "penumbra", "whiterThanPaper", "shared", "unproven"};
 };
 
 template<>

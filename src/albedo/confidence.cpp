@@ -16,7 +16,7 @@ static_assert(areSame(Doubt::none, kDoubtNone) && areSame(Doubt::clipped, kDoubt
               areSame(Doubt::unseen, kDoubtUnseen) && areSame(Doubt::backFace, kDoubtBackFace) &&
               areSame(Doubt::penumbra, kDoubtPenumbra) &&
               areSame(Doubt::whiterThanPaper, kDoubtWhiterThanPaper) &&
-              areSame(Doubt::shared, kDoubtShared));
+              areSame(Doubt::shared, kDoubtShared) && areSame(Doubt::unproven, kDoubtUnproven));
 
 } // namespace
 
@@ -28,8 +28,8 @@ uint8_t Confidence::byte() const
 Confidence confidenceOf(glm::vec3 radiance, bool clips, glm::vec3 shading, float darkest,
                         SurfelTrust trust)
 {
-    const Rated rated =
-        ratedAlbedo(radiance, clips, shading, darkest, {trust.seen, trust.front, trust.edges});
+    const Rated rated = ratedAlbedo(radiance, clips, shading, darkest,
+                                    {trust.seen, trust.front, trust.edges, trust.proven});
     return {rated.value, static_cast<Doubt>(doubtOf(rated))};
 }
 

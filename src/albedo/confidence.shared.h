@@ -20,6 +20,7 @@ const uint kDoubtBackFace = 5u;
 const uint kDoubtPenumbra = 6u;
 const uint kDoubtWhiterThanPaper = 7u;
 const uint kDoubtShared = 8u;
+const uint kDoubtUnproven = 9u;
 
 struct Rated
 {
@@ -38,8 +39,9 @@ SHARED_FN Rated lessBy(Rated rated, float left, uint doubt)
     return rated;
 }
 
-// How far an albedo can be believed. `trust` in the shading: SurfelTrust's seen, front, edges.
-SHARED_FN Rated ratedAlbedo(vec3 radiance, bool clips, vec3 shading, float darkest, vec3 trust)
+// How far an albedo can be believed. `trust` in the shading: SurfelTrust's seen, front, edges,
+// proven.
+SHARED_FN Rated ratedAlbedo(vec3 radiance, bool clips, vec3 shading, float darkest, vec4 trust)
 {
     const float lack = lightThatLacks(dividedByShading(radiance, shading, darkest));
     const float weakest = min(shading.x, min(shading.y, shading.z));
@@ -53,7 +55,8 @@ SHARED_FN Rated ratedAlbedo(vec3 radiance, bool clips, vec3 shading, float darke
     rated = lessBy(rated, trust.x, kDoubtUnseen);
     rated = lessBy(rated, trust.y, kDoubtBackFace);
     rated = lessBy(rated, trust.z, kDoubtPenumbra);
-    return lessBy(rated, ramp(kMuchLacks, 1.0f, lack), kDoubtWhiterThanPaper);
+    rated = lessBy(rated, ramp(kMuchLacks, 1.0f, lack), kDoubtWhiterThanPaper);
+    return lessBy(rated, trust.w, kDoubtUnproven);
 }
 
 SHARED_FN uint confidenceByte(float value)

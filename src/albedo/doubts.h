@@ -18,10 +18,11 @@ namespace relamp
 /// where 1 is none.
 struct SurfelTrust
 {
-    float seen = 1.0f;  // falls where most of its rays leave the scan
-    float front = 1.0f; // falls where most of its rays meet backs of surfaces
-    float edges = 1.0f; // falls where shadow edges are not those of the texture, or the light had
-                        // to be corrected by much, to 0.1
+    float seen = 1.0f;   // falls where most of its rays leave the scan
+    float front = 1.0f;  // falls where most of its rays meet backs of surfaces
+    float edges = 1.0f;  // falls where shadow edges are not those of the texture, or the light had
+                         // to be corrected by much, to 0.1
+    float proven = 1.0f; // falls, everywhere, where albedo is no better than the scan
 };
 
 /// What the fronts of surfels look at, one entry a surfel.

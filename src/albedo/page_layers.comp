@@ -8,6 +8,7 @@
 #include "base/radiometry.shared.h"
 #include "lights/shining.shared.h"
 #include "shading/enclosed_texels.shared.h"
+#include "shading/tempering.shared.h"
 
 ARGUMENTS(PageLayersArguments)
 
@@ -17,8 +18,13 @@ struct Shading
     vec3 indirect;
 };
 
+bool isSo(uint flag)
+{
+    return (arguments.flags & flag) != 0;
+}
+
 // With some of the light around at the rim of what is enclosed.
-Shading shadingOf(uint i, vec4 rim, vec3 radiance)
+Shading shadingFound(uint i, vec4 rim, vec3 radiance)
 {
     Shading shading;
     shading.direct = 1.0 / kPi * halves(arguments.direct.at[i]).rgb;
@@ -32,12 +38,23 @@ Shading shadingOf(uint i, vec4 rim, vec3 radiance)
     return shading;
 }
 
+// As far as it is believed.
+Shading shadingOf(uint i, vec4 rim, vec3 radiance)
+{
+    Shading shading = shadingFound(i, rim, radiance);
+    const vec4 tempering = arguments.tempering;
+    const vec3 times = temperedBy(shading.direct + shading.indirect, tempering.rgb, tempering.w);
+    shading.direct *= times;
+    shading.indirect *= times;
+    return shading;
+}
+
 // What is burnt out, and if asked for what is unlit, follows the surface around.
 vec3 filled(vec3 albedo, float lack, vec3 radiance, vec3 shading, vec3 around)
 {
-    const vec3 burntOut = burntOutShares(radiance, arguments.clips != 0);
-    const bvec3 isUnlit = lessThan(shading, vec3(arguments.unlitBelow));
-    if (arguments.fills == 0 || (!any(isUnlit) && burntOut == vec3(0.0))) return albedo;
+    const vec3 burntOut = burntOutShares(radiance, isSo(kClips));
+    const bvec3 isUnlit = lessThan(shading, vec3(isSo(kFillsUnlit) ? arguments.darkest : 0.0));
+    if (!isSo(kFills) || (!any(isUnlit) && burntOut == vec3(0.0))) return albedo;
     return filledAlbedo(albedo, lack, around, burntOut, isUnlit);
 }
 
@@ -47,7 +64,7 @@ void main()
     if (i >= arguments.count) return;
     const uint surfel = arguments.surfel.at[i];
     const uint pixel = arguments.pixel.at[i];
-    const bool clips = arguments.clips != 0;
+    const bool clips = isSo(kClips);
     const vec3 radiance = halves(arguments.radiance.at[i]).rgb;
     const vec4 rim = arguments.rims.at[surfel];
     const Shading shading = shadingOf(i, rim, radiance);
@@ -65,6 +82,6 @@ void main()
     const vec3 albedo = filled(divided / lack, lack, radiance, total, around.rgb);
     arguments.albedoOut.at[pixel] = packedHalves(vec4(albedo, 1.0));
     const vec4 trust = arguments.trust.at[surfel];
-    const Rated rated = ratedAlbedo(radiance, clips, total, arguments.darkest, trust.xyz);
+    const Rated rated = ratedAlbedo(radiance, clips, total, arguments.darkest, trust);
     arguments.ratingOut.at[pixel] = confidenceByte(rated.value) | doubtOf(rated) << 8;
 }

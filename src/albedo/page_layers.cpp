@@ -119,6 +119,7 @@ void LayerMaker::makeBlock(size_t begin, size_t count)
     loader_.loadSurfel(begin, count, block);
     solved_.shade(page_, begin, block, shading);
     if (!solved_.rims.empty()) letRimsIn(solved_.rims, block, shading);
+    temper(solved_.tempering, count, shading);
     divide(block, shading, options_.darkest, albedo);
     loader_.loadArea(begin, count, block);
     for (size_t i = 0; i < count; ++i)

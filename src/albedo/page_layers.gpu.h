@@ -5,6 +5,10 @@
 
 SHARED_BEGIN
 
+const uint kClips = 1u;      // Image::clipsAtWhite
+const uint kFills = 2u;      // `around` is known
+const uint kFillsUnlit = 4u; // what `darkest` is not reached by is filled, too
+
 // A thread a texel. Pictures are halves; the last is 1 where a texel is.
 struct PageLayersArguments
 {
@@ -14,18 +18,17 @@ struct PageLayersArguments
     Uints surfel;
     Uints pixel;
     Vec4s rims;   // of surfels: shading around enclosed ones, and its albedo or 0
-    Vec4s trust;  // seen, front, edges
+    Vec4s trust;  // seen, front, edges, proven
     Vec4s around; // albedo for what is burnt out; w: 1 where it holds a part of a lamp
     Uvec2s albedoOut;
     Uvec2s directOut;
     Uvec2s indirectOut;
     Uints ratingOut; // of pixels: confidence 0..255 and 256 times the doubt
-    float darkest;
-    float unlitBelow; // shading from which an albedo is the texel's own
-    float threshold;  // luminance from which a texel of a lamp shines
-    uint clips;       // not 0: Image::clipsAtWhite
-    uint fills;       // not 0: `around` is known
-    uint count;       // of texels
+    float darkest;   // shading
+    float threshold; // luminance from which a texel of a lamp shines
+    vec4 tempering;  // kept, power
+    uint flags;      // the sum of what is so:
+    uint count;      // of texels
 };
 
 SHARED_END

@@ -5,6 +5,7 @@
 #include "relamp/delight.h"
 #include "scan/texels.h"
 #include "shading/enclosed_texels.h"
+#include "shading/tempering.h"
 #include "shading/texel_shading.h"
 
 #include <functional>
@@ -21,6 +22,7 @@ struct SolvedTexels
 {
     TexelShading shade;    // refers to the texels and the scene that were solved
     std::vector<Rim> rims; // of surfels, for the enclosed ones; or none
+    Tempering tempering;   // of the shading, rims included
     Shining shining;
     std::vector<SurfelTrust> trust; // in the shading of surfels; empty: full
     std::vector<glm::vec3> fill;    // albedo of surfels, for what is burnt out; or none

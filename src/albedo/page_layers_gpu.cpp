@@ -117,12 +117,14 @@ void PageLayersGpu::setSurfels(const SolvedTexels& solved)
     for (size_t s = 0; s < solved.rims.size(); ++s)
         rims[s] = glm::vec4(solved.rims[s].shading, solved.rims[s].albedo);
     for (size_t s = 0; s < solved.trust.size(); ++s)
-        trust[s] = {solved.trust[s].seen, solved.trust[s].front, solved.trust[s].edges, 0.0f};
+        trust[s] = {solved.trust[s].seen, solved.trust[s].front, solved.trust[s].edges,
+                    solved.trust[s].proven};
     for (size_t s = 0; s < solved.fill.size(); ++s) around[s] = glm::vec4(solved.fill[s], 0.0f);
     for (size_t s = 0; s < count; ++s) around[s].w = solved.shining.surfels[s] != 0 ? 1.0f : 0.0f;
     rims_.upload(rims);
     trust_.upload(trust);
     around_.upload(around);
+    tempering_ = glm::vec4(solved.tempering.kept, solved.tempering.power);
     threshold_ = solved.shining.threshold;
     fills_ = !solved.fill.empty();
 }
@@ -130,6 +132,8 @@ void PageLayersGpu::setSurfels(const SolvedTexels& solved)
 void PageLayersGpu::divide(gpu::Commands& commands, const LitPage& page,
                            const AlbedoOptions& options, const LayerPictures& out) const
 {
+    const uint32_t flags =
+        (page.clips ? kClips : 0u) | (fills_ ? kFills : 0u) | (options.fill ? kFillsUnlit : 0u);
     commands.dispatch(program_, page.texels.count,
                       PageLayersArguments{.radiance = page.texels.radiance.ref(),
                                           .direct = page.direct.ref(),
@@ -144,10 +148,9 @@ void PageLayersGpu::divide(gpu::Commands& commands, const LitPage& page,
                                           .indirectOut = out.indirect.pixels().ref(),
                                           .ratingOut = out.rating.ref(),
                                           .darkest = options.darkest,
-                                          .unlitBelow = options.fill ? options.darkest : 0.0f,
                                           .threshold = threshold_,
-                                          .clips = page.clips ? 1u : 0u,
-                                          .fills = fills_ ? 1u : 0u,
+                                          .tempering = tempering_,
+                                          .flags = flags,
                                           .count = static_cast<uint32_t>(page.texels.count)});
     commands.barrier();
 }

@@ -52,6 +52,7 @@ private:
     gpu::Array<glm::vec4> rims_;
     gpu::Array<glm::vec4> trust_;
     gpu::Array<glm::vec4> around_;
+    glm::vec4 tempering_{1.0f};
     float threshold_ = 0.0f;
     bool fills_ = false;
 };

@@ -62,10 +62,12 @@ struct Lit
     /// Something of everything, of some surfels.
     void sayAll()
     {
+        said.tempering = {{0.9f, 1.0f, 1.1f}, 0.6f};
         for (size_t s = 0; s < texels.surfels.count(); ++s) {
             said.shining.surfels[s] = drawn(s, 31) < 0.2f ? 1 : 0;
             said.rims.push_back({3.0f * drawnColor(s, 41), drawn(s, 44) < 0.5f ? 0.4f : 0.0f});
-            said.trust.push_back({drawn(s, 51), 1.0f, 0.5f + 0.5f * drawn(s, 52)});
+            said.trust.push_back(
+                {drawn(s, 51), 1.0f, 0.5f + 0.5f * drawn(s, 52), 0.5f + 0.5f * drawn(s, 53)});
             said.fill.push_back(0.9f * drawnColor(s, 61));
         }
     }
@@ -145,6 +147,7 @@ TEST_F(GpuPageLayers, FollowWhatIsSaidOfSurfels)
     all.sayAll();
     const std::vector<std::function<void(SolvedTexels&)>> parts = {
         [&](SolvedTexels& said) { said.rims = all.said.rims; },
+        [&](SolvedTexels& said) { said.tempering = all.said.tempering; },
         [&](SolvedTexels& said) { said.shining = all.said.shining; },
         [&](SolvedTexels& said) { said.trust = all.said.trust; },
         [&](SolvedTexels& said) { said.fill = all.said.fill; }};

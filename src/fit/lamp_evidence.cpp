@@ -57,30 +57,30 @@ std::vector<uint32_t> looksFrom(const Piece& piece)
 
 } // namespace
 
+std::vector<uint32_t> placesToLookAt(const Surfels& surfels, const SurfelRadiance& radiance,
+                                     Quality quality)
+{
+    std::vector<uint32_t> good;
+    for (uint32_t s = 0; s < surfels.count(); ++s)
+        if (radiance.plainArea[s] > 0.0f && radiance.clippedArea[s] < 0.02f * radiance.plainArea[s])
+            good.push_back(s);
+    const size_t most = quality == Quality::draft ? kPlacesOfDraft : kEvidencePlaces;
+    std::vector<uint32_t> places(std::min(most, good.size()));
+    for (size_t i = 0; i < places.size(); ++i) places[i] = good[i * good.size() / places.size()];
+    return places;
+}
+
 LampEvidence::LampEvidence(const Texels& texels, const RayScene& scene, const HitLists& hits,
                            SurfelRadiance radiance, Quality quality)
     : texels_(texels), scene_(scene), hits_(hits), radiance_(std::move(radiance)),
       textureOfAll_(radiance_.plain), field_(fieldOf(radiance_))
 {
-    choosePlaces(quality == Quality::draft ? kPlacesOfDraft : kEvidencePlaces);
-    findAround();
-}
-
-/// Evenly along the curve through space that surfels are sorted by.
-void LampEvidence::choosePlaces(size_t most)
-{
-    std::vector<uint32_t> good;
-    for (uint32_t s = 0; s < texels_.surfels.count(); ++s)
-        if (radiance_.plainArea[s] > 0.0f &&
-            radiance_.clippedArea[s] < 0.02f * radiance_.plainArea[s])
-            good.push_back(s);
-    const size_t count = std::min(most, good.size());
-    for (size_t i = 0; i < count; ++i) {
-        const uint32_t place = good[i * good.size() / count];
+    for (const uint32_t place : placesToLookAt(texels.surfels, radiance_, quality)) {
         places_.push_back(place);
         texture_.push_back(radiance_.plain[place]);
-        positions_.push_back(texels_.surfels.position[place]);
+        positions_.push_back(texels.surfels.position[place]);
     }
+    findAround();
 }
 
 void LampEvidence::findAround()

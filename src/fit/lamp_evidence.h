@@ -19,6 +19,11 @@
 namespace relamp
 {
 
+/// Surfels to look at: with next to nothing burnt out, evenly along the curve through space that
+/// surfels are sorted by.
+std::vector<uint32_t> placesToLookAt(const Surfels& surfels, const SurfelRadiance& radiance,
+                                     Quality quality);
+
 /// What a scan tells of the lamps in it, whichever these are: places all over its surfaces with
 /// what they show, pairs of them that are of one material, and the light between them.
 ///
@@ -65,7 +70,6 @@ public:
     static constexpr size_t kPairs = 6;
 
 private:
-    void choosePlaces(size_t most);
     [[nodiscard]] double meanLogOfPlaces() const;
     void findAround();
     void addLightOnPieces(std::span<const Piece> pieces, LightModel& model) const;

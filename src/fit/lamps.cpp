@@ -10,6 +10,7 @@
 #include "fit/pieces.h"
 #include "fit/sun.h"
 #include "fit/sun_search.h"
+#include "fit/unseen.h"
 #include "lights/lamp_body.h"
 #include "shading/openings.h"
 
@@ -493,6 +494,10 @@ FoundLamps LampSearch::result()
 {
     FoundLamps found{.outside = outside_,
                      .residual = static_cast<float>(estimate_.residual),
+                     .changeUnseen = changeUnseen(
+                         {model_, evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, noise_,
+                          emits_, estimate_.log, camera_, evidence_.texturePlaces()},
+                         texels_.surfels.seed),
                      .warnings = std::move(warnings_)};
     std::vector<Piece> lamps = this->lamps();
     const auto power = [](const Piece& lamp) {

@@ -48,6 +48,9 @@ struct FoundLamps
     float residual = 0.0f; // of the fit, in log radiance
     std::optional<FoundSun> sun{};
     CameraModel camera{}; // what it made of the light
+    // By how much the log albedo of each of placesToLookAt() is another where no fit looks at it:
+    // fit/unseen.h. Empty: nothing was fitted.
+    std::vector<float> changeUnseen{};
     std::vector<std::string> warnings;
 };
 

@@ -711,6 +711,20 @@ double LightFit::costOfPairs(size_t first, std::span<const double> log) const
     return perPair() * sum;
 }
 
+std::vector<double> LightFit::logAlbedo(const LightEstimate& estimate,
+                                        const CameraColumns& camera) const
+{
+    const std::vector<double> radiance = exponentials(estimate.log);
+    std::vector<double> logAlbedo;
+    for (size_t i = 0; i < model_.places(); ++i) {
+        logAlbedo.push_back(logShown_[i] - std::log(irradiance(i, radiance)));
+        for (size_t k = 0; k < camera.count(); ++k)
+            logAlbedo.back() +=
+                (estimate.camera[k] - camera.known[k]) * static_cast<double>(camera.bendAt(i)[k]);
+    }
+    return logAlbedo;
+}
+
 double LightFit::effectivePairs()
 {
     return kEffectivePairs;

@@ -75,6 +75,10 @@ public:
     [[nodiscard]] double reflected(size_t piece, std::span<const double> log) const;
     /// Nats of the pairs from `first` on.
     [[nodiscard]] double costOfPairs(size_t first, std::span<const double> log) const;
+    /// Log albedo of places by such an estimate, luminance: with a camera that is `camera` at the
+    /// coefficients of the estimate.
+    [[nodiscard]] std::vector<double> logAlbedo(const LightEstimate& estimate,
+                                                const CameraColumns& camera) const;
     static double effectivePairs(); // how many independent ones all pairs are worth
 
 private:

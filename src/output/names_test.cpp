@@ -24,6 +24,7 @@ TEST(Names, StandForTheirValues)
     EXPECT_STREQ(nameOf(Doubt::backFace), "backFace");
     EXPECT_STREQ(nameOf(Doubt::whiterThanPaper), "whiterThanPaper");
     EXPECT_STREQ(nameOf(Doubt::shared), "shared");
+    EXPECT_STREQ(nameOf(Doubt::unproven), "unproven");
     EXPECT_EQ(named<Solver>("Gather"), std::nullopt);
     EXPECT_EQ(namesInWords<UpAxis>(), "y, z");
 }

@@ -175,6 +175,20 @@ ordered_json lightsAsReport(const Decomposition& result)
     return json;
 }
 
+/// Stops; null where nothing was measured.
+ordered_json crossValidationAsJson(const CrossValidation& validation)
+{
+    if (validation.pairs == 0) return nullptr;
+    return {{"pairs", validation.pairs},
+            {"scan", shortest(validation.scan)},
+            {"albedo", shortest(validation.albedo)},
+            {"gainDb", shortest(validation.gain())},
+            {"chromaOfScan", shortest(validation.chromaOfScan)},
+            {"chromaOfAlbedo", shortest(validation.chromaOfAlbedo)},
+            {"shadingPower", shortest(validation.shadingPower)},
+            {"improves", validation.improves}};
+}
+
 /// Shares of the area.
 ordered_json confidenceAsJson(const std::array<double, kDoubts>& area)
 {
@@ -202,6 +216,7 @@ std::string reportAsJson(const Decomposition& result, const Written& written,
                               {"closedLoop",
                                {{"rmsError", shortest(result.closure().rmsError)},
                                 {"rmsOfScan", shortest(result.closure().rmsInput)}}},
+                              {"crossValidation", crossValidationAsJson(result.crossValidation())},
                               {"confidence", confidenceAsJson(written.area)},
                               {"warnings", warnings},
                               {"files", written.files.asJson()}};

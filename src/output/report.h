@@ -21,7 +21,8 @@ struct Written
 };
 
 /// The text of report.json: what was read, the options in force, the seconds of every stage, the
-/// lights, how well the loop closes, how much can be believed, warnings, what was written.
+/// lights, how well the loop closes, how even places of one paint are, how much can be believed,
+/// warnings, what was written.
 std::string reportAsJson(const Decomposition& decomposition, const Written& written,
                          const Progress& progress);
 

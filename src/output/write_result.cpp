@@ -56,9 +56,9 @@ std::vector<float> floatsFrom(const std::vector<uint16_t>& half)
 }
 
 /// Colours of Doubt, as docs/guide/results.md lists them.
-constexpr uint8_t kColorOfDoubt[kDoubts][3] = {{0, 0, 0},     {255, 64, 64}, {255, 255, 255},
-                                               {64, 64, 255}, {0, 192, 192}, {192, 0, 192},
-                                               {255, 176, 0}, {0, 224, 0},   {160, 96, 32}};
+constexpr uint8_t kColorOfDoubt[kDoubts][3] = {
+    {0, 0, 0},     {255, 64, 64}, {255, 255, 255}, {64, 64, 255}, {0, 192, 192},
+    {192, 0, 192}, {255, 176, 0}, {0, 224, 0},     {160, 96, 32}, {128, 128, 128}};
 
 std::vector<uint8_t> pictureOf(const std::vector<Doubt>& doubt)
 {

@@ -41,7 +41,8 @@ private:
         SolvedRoom room;
         DelightOptions asked;
         Lights found;
-        LampPowers powers; // that were found
+        LampPowers powers;   // that were found
+        Tempering tempering; // of these
         Kept<EngineOptions, std::shared_ptr<ReevaluateEngine>> engine;
     };
 

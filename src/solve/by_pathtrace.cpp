@@ -3,6 +3,7 @@
 #include "albedo/gather_closure.h"
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
+#include "solve/proof.h"
 
 #include <algorithm>
 #include <memory>
@@ -61,22 +62,29 @@ std::vector<TracedShading> shadeSurfels(const Texels& texels, const PathTracer& 
     return shading;
 }
 
+struct Settled
+{
+    Closure closure;
+    std::vector<glm::vec3> irradiance; // on the fronts of surfels
+};
+
 /// Albedo and light in turn until they agree; closes the loop on the way.
-Closure settle(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance,
+Settled settle(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance,
                const PathtraceOptions& options, TracedRoom& room, Progress& progress)
 {
     Progress::Stage stage(progress, "paths", kRounds * texels.surfels.count());
-    Closure closure;
+    Settled settled;
     for (int round = 0; round < kRounds; ++round) {
         const PathTracer tracer(texels, scene, room);
-        const std::vector<glm::vec3> irradiance =
+        settled.irradiance =
             irradianceOf(texels, shadeSurfels(texels, tracer, options, round, stage));
+        const std::vector<glm::vec3>& irradiance = settled.irradiance;
         std::vector<glm::vec3> again(irradiance.size());
         for (size_t s = 0; s < again.size(); ++s) again[s] = room.albedo[s] * irradiance[s] / kPi;
-        closure = closureOf(radiance, again);
+        settled.closure = closureOf(radiance, again);
         room.albedo = albedoOf(texels, radiance, irradiance);
     }
-    return closure;
+    return settled;
 }
 
 } // namespace
@@ -137,18 +145,23 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
     FoundRoom found = findRoom(texels, scene, options, progress);
     solution.warnings = found.warnings;
     solution.options.gather = found.options;
-    solution.texels.shining = shiningOf(found);
+    const auto room = std::make_shared<TracedRoom>(
+        tracedRoomOf(texels, found, found.sides.albedo)); // a good start
+    Settled settled = settle(texels, scene, found.radiance, options.pathtrace, *room, progress);
+    solution.closure = settled.closure;
+    const Witnesses witnesses = witnessesOf(texels, found);
+    const Tempering tempering = provenIn(texels, witnesses, settled.irradiance, found);
+    solution.texels = {
+        .shade = shadingOf(texels, scene, room, options.pathtrace),
+        .shining = shiningOf(found),
+        .trust = trustByView(found.hits, texels.surfels.count()),
+        .fill = fillOf(texels.surfels, found.radiance,
+                       albedoOf(texels, found.radiance, tempered(tempering, settled.irradiance))),
+        .linearization = found.linearization};
+    prove(witnesses, settled.irradiance, tempering, solution);
     solution.lights = lightsOf(found);
     solution.fixtureOf = fixturesOfSurfels(found);
     solution.merged = solution.lights.points;
-
-    const auto room = std::make_shared<TracedRoom>(
-        tracedRoomOf(texels, found, found.sides.albedo)); // a good start
-    solution.closure = settle(texels, scene, found.radiance, options.pathtrace, *room, progress);
-    solution.texels.linearization = found.linearization;
-    solution.texels.fill = fillOf(texels.surfels, found.radiance, room->albedo);
-    solution.texels.shade = shadingOf(texels, scene, room, options.pathtrace);
-    solution.texels.trust = trustByView(found.hits, texels.surfels.count());
     return solution;
 }
 

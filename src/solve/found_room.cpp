@@ -139,8 +139,9 @@ void letIn(SunOnRoom sun, const Texels& texels, const RayScene& scene, FoundRoom
 void linearize(const Texels& texels, FoundRoom& room)
 {
     room.linearization = linearizationOf(room.found.camera, texels.surfels);
-    if (!room.linearization.isNeutral())
-        room.radiance = collectRadiance(texels, unwatched(), {}, &room.linearization);
+    if (room.linearization.isNeutral()) return;
+    room.texture = std::move(room.radiance.plain);
+    room.radiance = collectRadiance(texels, unwatched(), {}, &room.linearization);
 }
 
 /// Finds lamps and sun.
@@ -169,6 +170,7 @@ void take(const Lights& given, const DelightOptions& options, const Texels& texe
     const std::vector<std::vector<ClippedPatch>> surfaces =
         surfacesOf(given.fixtures, known, texels, scene, room.warnings);
     room.found = asGiven(given, surfaces);
+    room.isGiven = true;
     room.found.camera = given.camera;
     linearize(texels, room);
     if (given.openings.size() == room.hits.shareOfPart.size())

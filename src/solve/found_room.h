@@ -35,11 +35,13 @@ struct SunOnRoom
 /// A scan whose lamps are known: where the solvers start that shade by area and shadow.
 struct FoundRoom
 {
-    Linearization linearization; // of the texture
-    SurfelRadiance radiance;     // by it
-    GatherOptions options;       // with what was left open filled in
+    Linearization linearization;    // of the texture
+    SurfelRadiance radiance;        // by it
+    std::vector<glm::vec3> texture; // what SurfelRadiance::plain was without it; empty: the same
+    GatherOptions options;          // with what was left open filled in
     HitLists hits;
     FoundLamps found;             // or as a person gave them
+    bool isGiven = false;         // the latter
     std::vector<uint8_t> shines;  // of surfels; not 0: its burnt-out texels are a lamp's
     std::optional<SunOnRoom> sun; // that shines in
     LitSides sides;               // the light as the texture tells it

@@ -5,6 +5,7 @@
 #include "base/radiometry.shared.h"
 #include "fit/lamp_groups.h"
 #include "fit/light_correction.h"
+#include "solve/proof.h"
 
 #include <algorithm>
 #include <utility>
@@ -89,6 +90,8 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
     SolvedRoom room{.found = std::move(found)};
     room.light = lightOf(texels, scene, room.found, indirectOf(texels, room));
     room.lighting = lightOnSurfels(texels.surfels, *room.light);
+    room.witnesses = witnessesOf(texels, room.found);
+    room.tempering = provenIn(texels, room.witnesses, room.lighting.irradiance, room.found);
     std::vector<float> lit;
     callAll(
         [&] {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "shading/gathered_light.h"
+#include "solve/cross_validation.h"
 #include "solve/found_room.h"
 
 #include <cstdint>
@@ -22,10 +23,13 @@ struct SolvedRoom
     std::shared_ptr<const GatheredLight> light; // its lamps are those of `found`, then the sun
     SurfelLighting lighting;                    // what it brings to surfels
     std::vector<float> lit; // of surfels, as correctionOf(); of the first solution
+    Witnesses witnesses;
+    Tempering tempering;
 };
 
-/// Shadows, indirect light and its correction in a room whose lamps are known. That takes one
-/// thread: `meanwhile` is called beside it, with the room as it is but for `lit`.
+/// Shadows, indirect light, how far it is believed, and its correction in a room whose lamps are
+/// known. The last takes one thread: `meanwhile` is called beside it, with the room as it is but
+/// for `lit`.
 SolvedRoom solvedRoom(
     const Texels& texels, const RayScene& scene, FoundRoom found,
     const std::function<void(const SolvedRoom&)>& meanwhile = [](const auto&) {});

@@ -4,6 +4,7 @@
 #include "albedo/gather_closure.h"
 #include "shading/lit_sides.h"
 #include "solve/found_room.h"
+#include "solve/proof.h"
 
 #include <utility>
 
@@ -41,13 +42,15 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightO
     solution.options.gather = found.options;
     solution.warnings = found.warnings;
     solution.closure = rating.closure;
-    solution.texels = {.shade = shadingOf(texels, room),
-                       .rims = rimsOf(texels.surfels, found.radiance, irradiance),
-                       .shining = shiningOf(found),
-                       .trust = std::move(rating.trust),
-                       .fill = fillOf(texels.surfels, found.radiance,
-                                      albedoOf(texels, found.radiance, irradiance)),
-                       .linearization = found.linearization};
+    solution.texels = {
+        .shade = shadingOf(texels, room),
+        .rims = rimsOf(texels.surfels, found.radiance, irradiance),
+        .shining = shiningOf(found),
+        .trust = std::move(rating.trust),
+        .fill = fillOf(texels.surfels, found.radiance,
+                       albedoOf(texels, found.radiance, tempered(room.tempering, irradiance))),
+        .linearization = found.linearization};
+    prove(room.witnesses, room.lighting.irradiance, room.tempering, solution);
     solution.lights = lightsOf(found);
     solution.fixtureOf = fixturesOfSurfels(found);
     solution.merged = solution.lights.points;

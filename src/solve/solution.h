@@ -23,6 +23,7 @@ struct Solution
     std::function<gpu::InForce()> engine; // what makes layers, which may change meanwhile; null: no
                                           // GPU can
     Closure closure;
+    CrossValidation crossValidation;
     std::vector<std::string> warnings;
 };
 

@@ -1,0 +1,57 @@
+#include "fit/unseen.h"
+
+#include "base/parallel.h"
+#include "fit/light_fit.h"
+#include "scan/held_out.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace relamp
+{
+namespace
+{
+
+CameraColumns columnsOf(const CameraModel& camera, const TexturePlaces& places)
+{
+    if (!camera.gain.isOne()) return columnsOf(camera.gain, places);
+    if (!camera.response.isStraight()) return columnsOf(camera.response, places);
+    return {};
+}
+
+/// Of all places, as these pairs tell it.
+std::vector<double> logAlbedoBy(const FittedLight& light, const CameraColumns& camera,
+                                std::span<const MaterialPair> pairs)
+{
+    LightFit fit(light.model, pairs, light.alike, light.noise);
+    fit.expectLeaks(light.log);
+    return fit.logAlbedo(fit.solve(light.emits, {light.log.begin(), light.log.end()}, camera),
+                         camera);
+}
+
+} // namespace
+
+std::vector<float> changeUnseen(const FittedLight& light, uint32_t seed)
+{
+    std::vector<size_t> fold;
+    for (const glm::vec3 place : light.texture.position)
+        fold.push_back(static_cast<size_t>(foldOf(place, seed)));
+    fold.resize(light.model.places(), kFolds); // a sun's rim has further ones, which all fits see
+    const CameraColumns camera = columnsOf(light.camera, light.texture);
+    std::array<std::vector<double>, kFolds + 1> logAlbedo;
+    forEach(logAlbedo.size(), [&](size_t k) {
+        std::vector<MaterialPair> seen;
+        std::copy_if(light.pairs.begin(), light.pairs.end(), std::back_inserter(seen),
+                     [&](MaterialPair pair) {
+                         return k == kFolds || (fold[pair.p] != k && fold[pair.q] != k);
+                     });
+        logAlbedo[k] = logAlbedoBy(light, camera, seen);
+    });
+    std::vector<float> change;
+    for (size_t i = 0; i < light.texture.position.size(); ++i)
+        change.push_back(static_cast<float>(logAlbedo[fold[i]][i] - logAlbedo[kFolds][i]));
+    return change;
+}
+
+} // namespace relamp

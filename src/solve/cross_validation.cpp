@@ -1,0 +1,246 @@
+#include "solve/cross_validation.h"
+
+#include "base/radiometry.shared.h"
+#include "fit/lamp_evidence.h"
+#include "fit/pairs.h"
+#include "scan/held_out.h"
+#include "shading/tempering.shared.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kErrsAlike = 0.5f; // m; light is much the same, and wrong, so far around
+constexpr size_t kFewestPairs = 100;
+constexpr uint32_t kFewestCubes = 8;
+constexpr double kBright = 0.9;       // of places lie below it
+constexpr int kPowerSteps = 10;       // of the power from 1 to 0
+constexpr double kOnePaint = 0.2;     // stops, beyond which a pair is likelier of two paints
+constexpr double kClearly = 2.0;      // standard errors
+constexpr float kDarkestTold = 1e-5f; // radiance and shading
+
+bool tells(const Witnesses& witnesses)
+{
+    return witnesses.pairs.size() >= kFewestPairs && witnesses.cubes >= kFewestCubes;
+}
+
+/// At the witnesses, where no fit looks.
+std::vector<glm::vec3> shadingOf(const Witnesses& witnesses, std::span<const glm::vec3> irradiance)
+{
+    std::vector<glm::vec3> shading;
+    for (size_t i = 0; i < witnesses.surfels.size(); ++i)
+        shading.push_back(
+            glm::max(irradiance[witnesses.surfels[i]] * (std::exp(-witnesses.unseen[i]) / kPi),
+                     glm::vec3(kDarkestTold)));
+    return shading;
+}
+
+/// What the best lit places have: then no albedo gets much brighter, and what is whiter than paper
+/// would be cut off.
+glm::vec3 brightOf(std::span<const glm::vec3> shading)
+{
+    glm::vec3 bright;
+    for (int c = 0; c < 3; ++c) {
+        std::vector<float> values;
+        for (const glm::vec3 s : shading) values.push_back(s[c]);
+        const auto at =
+            values.begin() + static_cast<ptrdiff_t>(kBright * static_cast<double>(values.size()));
+        std::nth_element(values.begin(), at, values.end());
+        bright[c] = *at;
+    }
+    return bright;
+}
+
+std::vector<glm::vec3> albedoUnder(const Witnesses& witnesses, std::span<const glm::vec3> shading,
+                                   const Tempering& tempering)
+{
+    if (tempering.isOfScan()) return witnesses.texture;
+    std::vector<glm::vec3> albedo;
+    for (size_t i = 0; i < shading.size(); ++i)
+        albedo.push_back(witnesses.radiance[i] /
+                         (shading[i] * temperedBy(shading[i], tempering.kept, tempering.power)));
+    return albedo;
+}
+
+/// log2 of luminance.
+std::vector<float> stopsOf(std::span<const glm::vec3> colors)
+{
+    std::vector<float> stops;
+    for (const glm::vec3 c : colors)
+        stops.push_back(std::log2(std::max(luminance(c), kDarkestTold)));
+    return stops;
+}
+
+/// One a pair.
+std::vector<double> disagreements(const Witnesses& witnesses, std::span<const float> stops)
+{
+    std::vector<double> disagreements;
+    for (const auto& [p, q] : witnesses.pairs) {
+        const double off = static_cast<double>(stops[p] - stops[q]) / kOnePaint;
+        disagreements.push_back(std::log1p(off * off));
+    }
+    return disagreements;
+}
+
+/// By how much `other` is better than `all`, a pair in the mean, and the standard error of that:
+/// of pairs that have a place in the same cube, as of dyads (Aronow, Samii and Assenova 2015).
+struct Improvement
+{
+    double mean = 0.0;
+    double error = 0.0;
+};
+Improvement improvementOf(const Witnesses& witnesses, std::span<const double> all,
+                          std::span<const double> other)
+{
+    Improvement by;
+    const auto count = static_cast<double>(all.size());
+    for (size_t k = 0; k < all.size(); ++k) by.mean += (all[k] - other[k]) / count;
+    std::vector<double> ofCube(witnesses.cubes, 0.0);
+    for (size_t k = 0; k < all.size(); ++k) {
+        const auto [p, q] = witnesses.pairs[k];
+        const double off = all[k] - other[k] - by.mean;
+        ofCube[witnesses.cube[p]] += off;
+        if (witnesses.cube[p] != witnesses.cube[q]) ofCube[witnesses.cube[q]] += off;
+    }
+    for (const double sum : ofCube) by.error += sum * sum;
+    by.error = std::sqrt(by.error) / count;
+    return by;
+}
+
+double meanOf(std::span<const double> values)
+{
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+float lowerQuartile(std::vector<float> values)
+{
+    const auto at = values.begin() + static_cast<ptrdiff_t>(values.size() / 4);
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+float unevennessOf(const Witnesses& witnesses, std::span<const glm::vec3> colors)
+{
+    const std::vector<float> stops = stopsOf(colors);
+    std::vector<float> differences;
+    for (const auto& [p, q] : witnesses.pairs) differences.push_back(std::abs(stops[p] - stops[q]));
+    return lowerQuartile(std::move(differences));
+}
+
+/// Root mean square over log2 (r / g) and log2 (b / g).
+float unevennessOfChroma(const Witnesses& witnesses, std::span<const glm::vec3> colors)
+{
+    const auto chroma = [&](size_t i) {
+        const glm::vec3 log = glm::log2(glm::max(colors[i], glm::vec3(kDarkestTold)));
+        return glm::vec2(log.r, log.b) - log.g;
+    };
+    std::vector<float> differences;
+    for (const auto& [p, q] : witnesses.pairs)
+        differences.push_back(glm::distance(chroma(p), chroma(q)) / std::sqrt(2.0f));
+    return lowerQuartile(std::move(differences));
+}
+
+} // namespace
+
+Witnesses witnessesOf(const Surfels& surfels, std::span<const glm::vec3> texture,
+                      const SurfelRadiance& radiance, std::span<const float> changeUnseen,
+                      Quality quality)
+{
+    Witnesses found{.surfels = placesToLookAt(surfels, radiance, quality)};
+    found.unseen.assign(changeUnseen.begin(), changeUnseen.end());
+    found.unseen.resize(found.surfels.size(), 0.0f);
+    std::vector<int> fold;
+    std::map<std::array<int, 3>, uint32_t> cubes;
+    for (const uint32_t s : found.surfels) {
+        found.texture.push_back(texture[s]);
+        found.radiance.push_back(radiance.plain[s]);
+        fold.push_back(foldOf(surfels.position[s], surfels.seed));
+        const glm::ivec3 cube = cubeOf(surfels.position[s], kErrsAlike, surfels.seed);
+        found.cube.push_back(
+            cubes.try_emplace({cube.x, cube.y, cube.z}, found.cubes).first->second);
+        found.cubes = static_cast<uint32_t>(cubes.size());
+    }
+    found.pairs = drawPairs(found.texture, found.surfels, surfels, LampEvidence::kPairs);
+    const auto place = [&](uint32_t i) { return surfels.position[found.surfels[i]]; };
+    std::erase_if(found.pairs, [&](MaterialPair pair) {
+        return fold[pair.p] != fold[pair.q] ||
+               glm::distance(place(pair.p), place(pair.q)) < kErrsAlike;
+    });
+    return found;
+}
+
+Tempering temperingFor(const Witnesses& witnesses, std::span<const glm::vec3> irradiance)
+{
+    if (!tells(witnesses)) return {};
+    const std::vector<glm::vec3> shading = shadingOf(witnesses, irradiance);
+    const glm::vec3 kept = brightOf(shading);
+    const auto under = [&](const Tempering& tempering) {
+        return disagreements(witnesses, stopsOf(albedoUnder(witnesses, shading, tempering)));
+    };
+    const std::vector<double> all = under({});
+    Tempering best;
+    double most = 0.0;
+    for (int step = kPowerSteps - 1; step >= 0; --step) {
+        const Tempering tempering =
+            step == 0 ? Tempering::ofScan()
+                      : Tempering{kept, static_cast<float>(step) / static_cast<float>(kPowerSteps)};
+        const Improvement by = improvementOf(witnesses, all, under(tempering));
+        if (by.mean <= most || by.mean <= kClearly * by.error) continue;
+        most = by.mean;
+        best = tempering;
+    }
+    return best;
+}
+
+CrossValidation crossValidate(const Witnesses& witnesses, std::span<const glm::vec3> irradiance,
+                              const Tempering& tempering)
+{
+    if (!tells(witnesses)) return {};
+    const std::vector<glm::vec3> albedo =
+        albedoUnder(witnesses, shadingOf(witnesses, irradiance), tempering);
+    return {.pairs = witnesses.pairs.size(),
+            .scan = unevennessOf(witnesses, witnesses.texture),
+            .albedo = unevennessOf(witnesses, albedo),
+            .chromaOfScan = unevennessOfChroma(witnesses, witnesses.texture),
+            .chromaOfAlbedo = unevennessOfChroma(witnesses, albedo),
+            .shadingPower = tempering.power,
+            .improves = meanOf(disagreements(witnesses, stopsOf(albedo))) <
+                        meanOf(disagreements(witnesses, stopsOf(witnesses.texture)))};
+}
+
+std::vector<std::string> warningsOf(const CrossValidation& validation)
+{
+    constexpr const char* kWayOut =
+        "Look at the lights in lights.json: point at lamps that are not there with --light, at "
+        "what is none with --not-a-light, correct lights.json and pass it with --lights, or leave "
+        "the sun out with --no-sun";
+    if (validation.shadingPower == 0.0f)
+        return {fmt::format("places of one paint agree better in the scan than in the albedo, so "
+                            "the scan itself was taken for it. {}",
+                            kWayOut)};
+    if (validation.shadingPower < 1.0f)
+        return {fmt::format(
+            "the light that was found is stronger than what the scan shows of it: places of one "
+            "paint agree better under its shading to the power of {:.1f}, which was taken "
+            "instead, and confidence is lowered everywhere. {}",
+            validation.shadingPower, kWayOut)};
+    if (!validation.improves)
+        return {fmt::format(
+            "the albedo is no better than the scan: places of one paint agree no more in it, so "
+            "that its shading is not to be believed, and confidence is lowered everywhere. {}",
+            kWayOut)};
+    return {};
+}
+
+} // namespace relamp
