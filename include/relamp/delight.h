@@ -110,7 +110,7 @@ struct CrossValidation
     float chromaOfAlbedo = 0.0f;
     float shadingPower = 1.0f; // 0..1, that the shading found was taken to; less than 1: it was
                                // clearly too strong; 0: the scan itself is the albedo
-    bool improves = true;      // pairs agree better in the albedo, on the whole
+    bool improves = true;      // false: pairs agree clearly better in the scan
 
     [[nodiscard]] RELAMP_API float gain() const; // dB, 20 log10 of `scan` over `albedo`
 };

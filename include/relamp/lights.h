@@ -67,6 +67,17 @@ struct Sun
     bool determined = true; // false: irradiance is a lower bound
 };
 
+/// How far the shading of a room is believed: as `kept` (shading / kept)^power
+/// (docs/method/cross_validation.md).
+struct Tempering
+{
+    glm::vec3 kept{1.0f}; // shading that stays as it is, > 0
+    float power = 1.0f; // 0..1; 1: all of it is believed; 0: nothing is, and where `kept` is 1 the
+                        // texture is the albedo
+
+    bool operator==(const Tempering&) const = default;
+};
+
 /// All light of a room, as delight finds it and a person may edit it.
 ///
 /// A lamp of a scan has the same number and name in whatever quality it is found.
@@ -83,6 +94,7 @@ struct Lights
     std::optional<Sun> sun; // the thesis solver has none
     CameraModel camera;     // what it made of this light in the texture; the thesis solver knows
                             // none
+    Tempering tempering;    // of its shading; the thesis solver knows none
 
     /// The number of a fixture by its place in the list; those without one are counted behind all
     /// others.

@@ -114,6 +114,18 @@ Fixture fixtureFrom(const JsonItem& item, std::vector<std::string>& warnings)
     return fixture;
 }
 
+Tempering temperingOf(const JsonItem& top, std::vector<std::string>& warnings)
+{
+    const std::optional<JsonItem> item = top.objectIn("tempering");
+    if (!item) return {};
+    item->warnOfUnknown({"power", "kept"}, warnings);
+    const Tempering tempering{.kept = item->lightAt("kept"),
+                              .power = static_cast<float>(item->numberAt("power", 0.0, 1.0))};
+    if (std::min({tempering.kept.r, tempering.kept.g, tempering.kept.b}) <= 0.0f)
+        item->refuse("\"kept\" must be above 0", "kept");
+    return tempering;
+}
+
 /// One that was copied by hand has the number and the name of its model, and loses them.
 void dropCopiedNumbers(std::vector<Fixture>& fixtures, const std::string& file,
                        std::vector<std::string>& warnings)
@@ -245,6 +257,9 @@ std::string lightsAsJson(const Lights& lights)
         document["openings"].push_back({{"timesAmbient", toJson(times)}});
     if (lights.sun) document["sun"] = toJson(*lights.sun);
     if (!lights.camera.isNeutral()) document["camera"] = cameraAsJson(lights.camera);
+    if (lights.tempering != Tempering{})
+        document["tempering"] = {{"power", shortest(lights.tempering.power)},
+                                 {"kept", toJson(lights.tempering.kept)}};
     return textOf(document);
 }
 
@@ -256,9 +271,9 @@ Lights readLights(const std::filesystem::path& file, std::vector<std::string>& w
 Lights lightsFrom(const JsonDocument& document, std::vector<std::string>& warnings)
 {
     const JsonItem top = document.top();
-    top.warnOfUnknown(
-        {"format", "units", "fixtures", "lights", "ambient", "openings", "sun", "camera"},
-        warnings);
+    top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient", "openings", "sun",
+                       "camera", "tempering"},
+                      warnings);
 
     Lights lights;
     top.forEachIn("fixtures", "fixture", [&](const JsonItem& item) {
@@ -277,6 +292,7 @@ Lights lightsFrom(const JsonDocument& document, std::vector<std::string>& warnin
     });
     lights.sun = sunOf(top, warnings);
     lights.camera = cameraOf(top, warnings);
+    lights.tempering = temperingOf(top, warnings);
     if (lights.points.empty() && lights.ambient == glm::vec3(0.0f) && !lights.sun)
         malformed(top.what, "holds no light: it needs \"lights\", \"fixtures\", \"ambient\" or "
                             "\"sun\" that shine");

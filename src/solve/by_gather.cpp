@@ -132,7 +132,6 @@ void GatherSolver::keep(SolvedRoom room, const DelightOptions& asked,
     kept_.emplace(KeptRoom{.room = std::move(room), .asked = asked});
     kept_->found = lightsOf(kept_->room.found);
     kept_->powers = powersOf(kept_->room);
-    kept_->tempering = kept_->room.tempering;
     kept_->engine.of(asked.engine, [&] { return std::move(engine); });
 }
 
@@ -168,7 +167,7 @@ Solution GatherSolver::reevaluate(const Lights& lights, const AlbedoOptions& alb
     Progress::Stage stage(progress, "re-evaluation", 2);
     SolvedRoom& room = kept_->room;
     const LampPowers powers = setPowers(lights);
-    room.tempering = powers == kept_->powers ? kept_->tempering : Tempering{}; // a person's
+    room.found.tempering = lights.tempering;
     room.found.shines = shinesOf(room.found);
     const auto& engine = kept_->engine.of(kept_->asked.engine, [&] {
         return std::make_shared<ReevaluateEngine>(texels_, kept_->asked.engine);

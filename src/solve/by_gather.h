@@ -41,8 +41,7 @@ private:
         SolvedRoom room;
         DelightOptions asked;
         Lights found;
-        LampPowers powers;   // that were found
-        Tempering tempering; // of these
+        LampPowers powers; // that were found
         Kept<EngineOptions, std::shared_ptr<ReevaluateEngine>> engine;
     };
 

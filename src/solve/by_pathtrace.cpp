@@ -150,16 +150,17 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
     Settled settled = settle(texels, scene, found.radiance, options.pathtrace, *room, progress);
     solution.closure = settled.closure;
     const Witnesses witnesses = witnessesOf(texels, found);
-    const Tempering tempering = provenIn(texels, witnesses, settled.irradiance, found);
-    solution.texels = {
-        .shade = shadingOf(texels, scene, room, options.pathtrace),
-        .shining = shiningOf(found),
-        .trust = trustByView(found.hits, texels.surfels.count()),
-        .fill = fillOf(texels.surfels, found.radiance,
-                       albedoOf(texels, found.radiance, tempered(tempering, settled.irradiance))),
-        .linearization = found.linearization};
-    prove(witnesses, settled.irradiance, tempering, solution);
+    temper(texels, witnesses, settled.irradiance, found);
+    solution.texels = {.shade = shadingOf(texels, scene, room, options.pathtrace),
+                       .tempering = found.tempering,
+                       .shining = shiningOf(found),
+                       .trust = trustByView(found.hits, texels.surfels.count()),
+                       .fill = fillOf(texels.surfels, found.radiance,
+                                      albedoOf(texels, found.radiance,
+                                               tempered(found.tempering, settled.irradiance))),
+                       .linearization = found.linearization};
     solution.lights = lightsOf(found);
+    prove(witnesses, settled.irradiance, solution);
     solution.fixtureOf = fixturesOfSurfels(found);
     solution.merged = solution.lights.points;
     return solution;

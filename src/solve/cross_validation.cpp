@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include <fmt/format.h>
 #include <glm/exponential.hpp>
@@ -65,7 +64,7 @@ glm::vec3 brightOf(std::span<const glm::vec3> shading)
 std::vector<glm::vec3> albedoUnder(const Witnesses& witnesses, std::span<const glm::vec3> shading,
                                    const Tempering& tempering)
 {
-    if (tempering.isOfScan()) return witnesses.texture;
+    if (isOfScan(tempering)) return witnesses.texture;
     std::vector<glm::vec3> albedo;
     for (size_t i = 0; i < shading.size(); ++i)
         albedo.push_back(witnesses.radiance[i] /
@@ -99,6 +98,8 @@ struct Improvement
 {
     double mean = 0.0;
     double error = 0.0;
+
+    [[nodiscard]] bool isClear() const { return mean > kClearly * error; }
 };
 Improvement improvementOf(const Witnesses& witnesses, std::span<const double> all,
                           std::span<const double> other)
@@ -116,11 +117,6 @@ Improvement improvementOf(const Witnesses& witnesses, std::span<const double> al
     for (const double sum : ofCube) by.error += sum * sum;
     by.error = std::sqrt(by.error) / count;
     return by;
-}
-
-double meanOf(std::span<const double> values)
-{
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 float lowerQuartile(std::vector<float> values)
@@ -193,10 +189,10 @@ Tempering temperingFor(const Witnesses& witnesses, std::span<const glm::vec3> ir
     double most = 0.0;
     for (int step = kPowerSteps - 1; step >= 0; --step) {
         const Tempering tempering =
-            step == 0 ? Tempering::ofScan()
+            step == 0 ? Tempering{.power = 0.0f}
                       : Tempering{kept, static_cast<float>(step) / static_cast<float>(kPowerSteps)};
         const Improvement by = improvementOf(witnesses, all, under(tempering));
-        if (by.mean <= most || by.mean <= kClearly * by.error) continue;
+        if (by.mean <= most || !by.isClear()) continue;
         most = by.mean;
         best = tempering;
     }
@@ -209,14 +205,15 @@ CrossValidation crossValidate(const Witnesses& witnesses, std::span<const glm::v
     if (!tells(witnesses)) return {};
     const std::vector<glm::vec3> albedo =
         albedoUnder(witnesses, shadingOf(witnesses, irradiance), tempering);
+    const Improvement byScan = improvementOf(witnesses, disagreements(witnesses, stopsOf(albedo)),
+                                             disagreements(witnesses, stopsOf(witnesses.texture)));
     return {.pairs = witnesses.pairs.size(),
             .scan = unevennessOf(witnesses, witnesses.texture),
             .albedo = unevennessOf(witnesses, albedo),
             .chromaOfScan = unevennessOfChroma(witnesses, witnesses.texture),
             .chromaOfAlbedo = unevennessOfChroma(witnesses, albedo),
             .shadingPower = tempering.power,
-            .improves = meanOf(disagreements(witnesses, stopsOf(albedo))) <
-                        meanOf(disagreements(witnesses, stopsOf(witnesses.texture)))};
+            .improves = !isOfScan(tempering) && !byScan.isClear()};
 }
 
 std::vector<std::string> warningsOf(const CrossValidation& validation)
@@ -237,8 +234,8 @@ std::vector<std::string> warningsOf(const CrossValidation& validation)
             validation.shadingPower, kWayOut)};
     if (!validation.improves)
         return {fmt::format(
-            "the albedo is no better than the scan: places of one paint agree no more in it, so "
-            "that its shading is not to be believed, and confidence is lowered everywhere. {}",
+            "the albedo is no better than the scan: places of one paint agree less in it, so that "
+            "its shading is not to be believed, and confidence is lowered everywhere. {}",
             kWayOut)};
     return {};
 }

@@ -55,8 +55,8 @@ Tempering temperingFor(const Witnesses& witnesses, std::span<const glm::vec3> ir
 /// where half are. Their median would be of two paints as soon as many pairs are. Nothing is
 /// measured where there are fewer than 100 pairs, or these are in fewer than 8 cubes.
 ///
-/// It does not see light that is wrong at fewer places than that, nor what a curve of contrast does
-/// to paints; whether albedo improves on the scan is told by the mean of temperingFor().
+/// It does not see light that is wrong at fewer places than that. Whether albedo improves on the
+/// scan is told by the mean of temperingFor(): it does unless it is worse by two standard errors.
 CrossValidation crossValidate(const Witnesses& witnesses, std::span<const glm::vec3> irradiance,
                               const Tempering& tempering);
 

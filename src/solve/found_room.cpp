@@ -171,6 +171,7 @@ void take(const Lights& given, const DelightOptions& options, const Texels& texe
         surfacesOf(given.fixtures, known, texels, scene, room.warnings);
     room.found = asGiven(given, surfaces);
     room.isGiven = true;
+    room.tempering = given.tempering;
     room.found.camera = given.camera;
     linearize(texels, room);
     if (given.openings.size() == room.hits.shareOfPart.size())
@@ -239,6 +240,7 @@ Lights lightsOf(const FoundRoom& room)
     lights.ambient = room.found.outside.even();
     lights.openings = room.found.outside.ratios();
     lights.camera = room.found.camera;
+    lights.tempering = room.tempering;
     if (room.sun) lights.sun = room.sun->sun;
     for (const FoundLamp& lamp : room.found.lamps) {
         if (lamp.isSunlit) continue;

@@ -42,6 +42,7 @@ struct FoundRoom
     HitLists hits;
     FoundLamps found;             // or as a person gave them
     bool isGiven = false;         // the latter
+    Tempering tempering;          // of its shading
     std::vector<uint8_t> shines;  // of surfels; not 0: its burnt-out texels are a lamp's
     std::optional<SunOnRoom> sun; // that shines in
     LitSides sides;               // the light as the texture tells it

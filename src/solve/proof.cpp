@@ -19,24 +19,20 @@ Witnesses witnessesOf(const Texels& texels, const FoundRoom& room)
                        room.options.quality);
 }
 
-Tempering provenIn(const Texels& texels, const Witnesses& witnesses,
-                   std::span<const glm::vec3> irradiance, FoundRoom& room)
+void temper(const Texels& texels, const Witnesses& witnesses, std::span<const glm::vec3> irradiance,
+            FoundRoom& room)
 {
-    if (room.isGiven) return {};
-    const Tempering tempering = temperingFor(witnesses, irradiance);
-    if (tempering.isOfScan() && !room.linearization.isNeutral()) {
-        room.found.camera = {};
-        room.linearization = {};
-        room.radiance = collectRadiance(texels, unwatched());
-    }
-    return tempering;
+    if (room.isGiven) return;
+    room.tempering = temperingFor(witnesses, irradiance);
+    if (!isOfScan(room.tempering) || room.linearization.isNeutral()) return;
+    room.found.camera = {};
+    room.linearization = {};
+    room.radiance = collectRadiance(texels, unwatched());
 }
 
-void prove(const Witnesses& witnesses, std::span<const glm::vec3> irradiance,
-           const Tempering& tempering, Solution& solution)
+void prove(const Witnesses& witnesses, std::span<const glm::vec3> irradiance, Solution& solution)
 {
-    solution.texels.tempering = tempering;
-    solution.crossValidation = crossValidate(witnesses, irradiance, tempering);
+    solution.crossValidation = crossValidate(witnesses, irradiance, solution.lights.tempering);
     const std::vector<std::string> warnings = warningsOf(solution.crossValidation);
     if (warnings.empty()) return;
     solution.warnings.insert(solution.warnings.end(), warnings.begin(), warnings.end());

@@ -91,7 +91,7 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
     room.light = lightOf(texels, scene, room.found, indirectOf(texels, room));
     room.lighting = lightOnSurfels(texels.surfels, *room.light);
     room.witnesses = witnessesOf(texels, room.found);
-    room.tempering = provenIn(texels, room.witnesses, room.lighting.irradiance, room.found);
+    temper(texels, room.witnesses, room.lighting.irradiance, room.found);
     std::vector<float> lit;
     callAll(
         [&] {

@@ -24,7 +24,6 @@ struct SolvedRoom
     SurfelLighting lighting;                    // what it brings to surfels
     std::vector<float> lit; // of surfels, as correctionOf(); of the first solution
     Witnesses witnesses;
-    Tempering tempering;
 };
 
 /// Shadows, indirect light, how far it is believed, and its correction in a room whose lamps are

@@ -45,13 +45,14 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightO
     solution.texels = {
         .shade = shadingOf(texels, room),
         .rims = rimsOf(texels.surfels, found.radiance, irradiance),
+        .tempering = found.tempering,
         .shining = shiningOf(found),
         .trust = std::move(rating.trust),
         .fill = fillOf(texels.surfels, found.radiance,
-                       albedoOf(texels, found.radiance, tempered(room.tempering, irradiance))),
+                       albedoOf(texels, found.radiance, tempered(found.tempering, irradiance))),
         .linearization = found.linearization};
-    prove(room.witnesses, room.lighting.irradiance, room.tempering, solution);
     solution.lights = lightsOf(found);
+    prove(room.witnesses, room.lighting.irradiance, solution);
     solution.fixtureOf = fixturesOfSurfels(found);
     solution.merged = solution.lights.points;
     return solution;
