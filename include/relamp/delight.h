@@ -97,16 +97,16 @@ struct Closure
     float rmsInput = 0.0f; // of the texture itself, for comparison
 };
 
-/// Whether albedo is more even than the scan, measured at places that no fit of light looked at: by
-/// how much do those differ that are of one paint? In stops, doublings of luminance, as half of
-/// such pairs do at most where half of all pairs are of one paint. See
-/// docs/method/cross_validation.md.
+/// Whether albedo is more even than the scan, under light that is found without looking at the
+/// places measured: by how much do those differ that are of one paint? In stops, root mean square
+/// over the channels, as half of such pairs do at most where half of all pairs are of one paint.
+/// See docs/method/cross_validation.md.
 struct CrossValidation
 {
     size_t pairs = 0;          // that were looked at; 0: there were too few to tell
     float scan = 0.0f;         // stops, of what the texture shows
     float albedo = 0.0f;       // stops, of albedo as it is
-    float chromaOfScan = 0.0f; // the same of log2 (r / g) and log2 (b / g), root mean square
+    float chromaOfScan = 0.0f; // the same without the mean of the channels
     float chromaOfAlbedo = 0.0f;
     float shadingPower = 1.0f; // 0..1, that the shading found was taken to; less than 1: it was
                                // clearly too strong; 0: the scan itself is the albedo

@@ -116,6 +116,12 @@ TEST(LightsFile, SunWithoutASenseIsRefused)
     EXPECT_THAT(refusal(R"({"ambient": [1, 1, 1], "camera": {"gain": {"origin": [0, 0, 0],
                             "spacing": 1, "count": [2, 1, 1], "stops": [0]}}})"),
                 HasSubstr("2 knots"));
+    EXPECT_THAT(
+        refusal(R"({"ambient": [1, 1, 1], "tempering": {"power": 0.5, "kept": [1, 0, 1]}})"),
+        HasSubstr("\"kept\" must be above 0"));
+    EXPECT_THAT(
+        refusal(R"({"ambient": [1, 1, 1], "tempering": {"power": 1.5, "kept": [1, 1, 1]}})"),
+        HasSubstr("\"power\""));
     EXPECT_THAT(refusal(R"({"sun": {"irradiance": [1, 1, 1]}})"),
                 HasSubstr("sun: \"direction\" is missing"));
     EXPECT_THAT(refusal(R"({"sun": {"direction": [0, 0, 0], "irradiance": [1, 1, 1]}})"),
@@ -145,6 +151,7 @@ TEST(LightsFile, WhatWasWrittenIsReadAgain)
     lights.openings = {{0.1f, 0.1f, 0.2f}, {5.0f, 6.0f, 7.0f}};
     lights.camera.response.slope = {0.7f, 0.8f, 0.9f, 1.0f, 1.25f};
     lights.camera.gain = {{-1, 0, 2.5f}, 1.25f, {3, 2, 1}, {0.1f, 0, -0.2f, 0.3f, 0, 0}};
+    lights.tempering = {.kept = {0.5f, 0.4f, 0.3f}, .power = 0.8f};
     const Lights again = read(lightsAsJson(lights));
     ASSERT_THAT(again.fixtures, SizeIs(1));
     EXPECT_EQ(again.fixtures[0].centre, lights.fixtures[0].centre);
@@ -164,6 +171,7 @@ TEST(LightsFile, WhatWasWrittenIsReadAgain)
     EXPECT_EQ(again.camera.gain.origin, lights.camera.gain.origin);
     EXPECT_EQ(again.camera.gain.count, lights.camera.gain.count);
     EXPECT_THAT(again.camera.gain.log, Pointwise(FloatNear(1e-6f), lights.camera.gain.log));
+    EXPECT_EQ(again.tempering, lights.tempering);
     EXPECT_THAT(lastWarnings, IsEmpty());
 }
 

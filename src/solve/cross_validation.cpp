@@ -72,21 +72,29 @@ std::vector<glm::vec3> albedoUnder(const Witnesses& witnesses, std::span<const g
     return albedo;
 }
 
-/// log2 of luminance.
-std::vector<float> stopsOf(std::span<const glm::vec3> colors)
+/// Of every channel, log2.
+std::vector<glm::vec3> stopsOf(std::span<const glm::vec3> colors)
 {
-    std::vector<float> stops;
-    for (const glm::vec3 c : colors)
-        stops.push_back(std::log2(std::max(luminance(c), kDarkestTold)));
+    std::vector<glm::vec3> stops;
+    for (const glm::vec3 c : colors) stops.push_back(glm::log2(glm::max(c, kDarkestTold)));
     return stops;
 }
 
-/// One a pair.
-std::vector<double> disagreements(const Witnesses& witnesses, std::span<const float> stops)
+/// Of pairs: root mean square over the channels.
+std::vector<float> differencesOf(const Witnesses& witnesses, std::span<const glm::vec3> stops)
+{
+    std::vector<float> differences;
+    for (const auto& [p, q] : witnesses.pairs)
+        differences.push_back(glm::distance(stops[p], stops[q]) / std::sqrt(3.0f));
+    return differences;
+}
+
+/// Likewise.
+std::vector<double> disagreements(const Witnesses& witnesses, std::span<const glm::vec3> colors)
 {
     std::vector<double> disagreements;
-    for (const auto& [p, q] : witnesses.pairs) {
-        const double off = static_cast<double>(stops[p] - stops[q]) / kOnePaint;
+    for (const float stops : differencesOf(witnesses, stopsOf(colors))) {
+        const double off = static_cast<double>(stops) / kOnePaint;
         disagreements.push_back(std::log1p(off * off));
     }
     return disagreements;
@@ -128,23 +136,15 @@ float lowerQuartile(std::vector<float> values)
 
 float unevennessOf(const Witnesses& witnesses, std::span<const glm::vec3> colors)
 {
-    const std::vector<float> stops = stopsOf(colors);
-    std::vector<float> differences;
-    for (const auto& [p, q] : witnesses.pairs) differences.push_back(std::abs(stops[p] - stops[q]));
-    return lowerQuartile(std::move(differences));
+    return lowerQuartile(differencesOf(witnesses, stopsOf(colors)));
 }
 
-/// Root mean square over log2 (r / g) and log2 (b / g).
+/// The same of what is left without brightness.
 float unevennessOfChroma(const Witnesses& witnesses, std::span<const glm::vec3> colors)
 {
-    const auto chroma = [&](size_t i) {
-        const glm::vec3 log = glm::log2(glm::max(colors[i], glm::vec3(kDarkestTold)));
-        return glm::vec2(log.r, log.b) - log.g;
-    };
-    std::vector<float> differences;
-    for (const auto& [p, q] : witnesses.pairs)
-        differences.push_back(glm::distance(chroma(p), chroma(q)) / std::sqrt(2.0f));
-    return lowerQuartile(std::move(differences));
+    std::vector<glm::vec3> stops = stopsOf(colors);
+    for (glm::vec3& s : stops) s -= (s.r + s.g + s.b) / 3.0f;
+    return lowerQuartile(differencesOf(witnesses, stops));
 }
 
 } // namespace
@@ -182,7 +182,7 @@ Tempering temperingFor(const Witnesses& witnesses, std::span<const glm::vec3> ir
     const std::vector<glm::vec3> shading = shadingOf(witnesses, irradiance);
     const glm::vec3 kept = brightOf(shading);
     const auto under = [&](const Tempering& tempering) {
-        return disagreements(witnesses, stopsOf(albedoUnder(witnesses, shading, tempering)));
+        return disagreements(witnesses, albedoUnder(witnesses, shading, tempering));
     };
     const std::vector<double> all = under({});
     Tempering best;
@@ -205,8 +205,8 @@ CrossValidation crossValidate(const Witnesses& witnesses, std::span<const glm::v
     if (!tells(witnesses)) return {};
     const std::vector<glm::vec3> albedo =
         albedoUnder(witnesses, shadingOf(witnesses, irradiance), tempering);
-    const Improvement byScan = improvementOf(witnesses, disagreements(witnesses, stopsOf(albedo)),
-                                             disagreements(witnesses, stopsOf(witnesses.texture)));
+    const Improvement byScan = improvementOf(witnesses, disagreements(witnesses, albedo),
+                                             disagreements(witnesses, witnesses.texture));
     return {.pairs = witnesses.pairs.size(),
             .scan = unevennessOf(witnesses, witnesses.texture),
             .albedo = unevennessOf(witnesses, albedo),

@@ -44,7 +44,8 @@ Witnesses witnessesOf(const Surfels& surfels, std::span<const glm::vec3> texture
 /// is better by two standard errors. Of a power of 0 the camera is not believed either, and the
 /// scan itself stands.
 ///
-/// Agreement is the mean of log(1 + (d / 0.2)^2) over pairs that differ by d stops, so that those
+/// Agreement is the mean of log(1 + (d / 0.2)^2) over pairs that differ by d stops, root mean
+/// square over the channels, so that those
 /// of two paints, a third to a half of them, hardly count. The standard error is that of cubes:
 /// pairs that have one in common err alike.
 Tempering temperingFor(const Witnesses& witnesses, std::span<const glm::vec3> irradiance);
