@@ -157,7 +157,7 @@ void addGatherParameters(CLI::App& command, DelightArguments& arguments)
     command
         .add_flag_callback(
             "--no-gain", [&gather] { gather.gain = false; },
-            "Look for no drift of the camera's exposure")
+            "Look for no drift of exposure or white balance, nor local tone mapping")
         ->group(kGatherGroup);
     command
         .add_option(
@@ -230,10 +230,10 @@ void printSummary(const DelightArguments& arguments, const relamp::Decomposition
         text += fmt::format("  and {} more in {}/lights.json\n",
                             lights.fixtures.size() - kMostListed, arguments.folder.string());
     if (!lights.camera.isNeutral())
-        text +=
-            fmt::format("  camera: contrast {:.2f}, exposure drifts over {:.2f} stops; both are "
-                        "taken out of the albedo\n",
-                        lights.camera.response.contrast(), lights.camera.gain.stops());
+        text += fmt::format("  camera: contrast {:.2f}, local tone mapping to the power {:.2f}, "
+                            "exposure drifts over {:.2f} stops; all is taken out of the albedo\n",
+                            lights.camera.response.contrast(), lights.camera.tone.exponent,
+                            lights.camera.gain.stops());
     text += fmt::format("{}/{}.glb is the room without its light; preview.png shows it as scanned, "
                         "albedo, shading\n",
                         arguments.folder.string(), scan.name);

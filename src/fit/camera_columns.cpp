@@ -30,29 +30,15 @@ constexpr float kKnotSpacing = 1.2f;  // m: automatic exposure drifts over metre
 constexpr int kMostKnots = 120;       // in a hall they lie farther apart
 constexpr double kGainSpread = 0.3;   // log: of the gain; automatic exposure by half a stop
 constexpr double kGainStep = 0.12;    // log: of the gain from knot to knot
+constexpr float kToneSpacing = 0.6f;  // m: what local tone mapping flattens is larger
+constexpr int kMostToneKnots = 20000; // in a hall they lie farther apart
+constexpr double kToneSpread = 0.4;   // of 1 / exponent - 1: exponents of 0.6 to 1
 constexpr double kGainWorth = 4.0;    // what is wrong with the light at a place, and at all near
                                       // it, is mostly gain
 
-/// Of knots that are tied to each other.
-std::vector<double> precisionOf(const Gain& gain)
+double logLuminance(glm::vec3 log) // near 1
 {
-    const auto n = static_cast<Eigen::Index>(gain.log.size());
-    Eigen::MatrixXd precision = Eigen::MatrixXd::Zero(n, n);
-    precision.diagonal().array() = 1.0 / (kGainSpread * kGainSpread);
-    const double step = 1.0 / (kGainStep * kGainStep);
-    Eigen::Index stride = 1;
-    for (const int count : gain.count) {
-        for (Eigen::Index i = 0; i < n; ++i) {
-            if (i / stride % count + 1 >= count) continue;
-            const Eigen::Index j = i + stride;
-            precision(i, i) += step;
-            precision(j, j) += step;
-            precision(i, j) -= step;
-            precision(j, i) -= step;
-        }
-        stride *= count;
-    }
-    return {precision.data(), precision.data() + precision.size()};
+    return static_cast<double>(luminance(log));
 }
 
 std::vector<double> precisionOfSlopes()
@@ -110,6 +96,27 @@ void takeMeansOut(CameraColumns& columns)
 
 } // namespace
 
+std::vector<double> precisionOf(const Gain& gain, double spread, double step)
+{
+    const auto n = static_cast<Eigen::Index>(gain.log.size());
+    Eigen::MatrixXd precision = Eigen::MatrixXd::Zero(n, n);
+    precision.diagonal().array() = 1.0 / (spread * spread);
+    const double tie = 1.0 / (step * step);
+    Eigen::Index stride = 1;
+    for (const int count : gain.count) {
+        for (Eigen::Index i = 0; i < n; ++i) {
+            if (i / stride % count + 1 >= count) continue;
+            const Eigen::Index j = i + stride;
+            precision(i, i) += tie;
+            precision(j, j) += tie;
+            precision(i, j) -= tie;
+            precision(j, i) -= tie;
+        }
+        stride *= count;
+    }
+    return {precision.data(), precision.data() + precision.size()};
+}
+
 CameraColumns columnsOf(const Response& known, const TexturePlaces& places)
 {
     constexpr size_t n = Response::kKnots;
@@ -129,45 +136,83 @@ CameraColumns columnsOf(const Response& known, const TexturePlaces& places)
     return columns;
 }
 
-Response responseOf(std::span<const double> coefficients)
+Response responseOf(std::span<const double> coefficients, double share)
 {
     Response response;
     for (size_t k = 0; k < Response::kKnots; ++k)
         response.slope[k] =
-            static_cast<float>(std::clamp(1.0 + coefficients[k], kFlattest, kSteepest));
+            static_cast<float>(std::clamp(1.0 + share * coefficients[k], kFlattest, kSteepest));
     return response;
+}
+
+Gain toneLatticeOver(std::span<const glm::vec3> position)
+{
+    return latticeOver(position, kToneSpacing, kMostToneKnots);
+}
+
+CameraColumns columnsOf(const LocalTone& known, const Gain& around, const TexturePlaces& places)
+{
+    CameraColumns columns = emptyColumns(places.position.size(), {1.0 / known.exponent - 1.0});
+    for (size_t i = 0; i < places.position.size(); ++i)
+        columns.bend[i] = std::log(around.at(places.position[i]).g);
+    takeMeansOut(columns);
+    columns.precision = {1.0 / (kToneSpread * kToneSpread)};
+    return columns;
+}
+
+LocalTone localToneOf(const Gain& around, double coefficient)
+{
+    if (coefficient <= 0.0) return {};
+    LocalTone tone{.exponent = static_cast<float>(1.0 / (1.0 + coefficient)), .gain = around};
+    for (glm::vec3& log : tone.gain.log) log *= static_cast<float>(-coefficient);
+    return tone;
+}
+
+CameraColumns together(const CameraColumns& first, const CameraColumns& second)
+{
+    const size_t n = first.count();
+    const size_t m = second.count();
+    const size_t places = std::max(first.bend.size() / std::max<size_t>(n, 1),
+                                   second.bend.size() / std::max<size_t>(m, 1));
+    CameraColumns both{.slopeKnown = first.slopeKnown};
+    const auto append = [](auto& to, const auto& from) {
+        to.insert(to.end(), from.begin(), from.end());
+    };
+    for (const CameraColumns* part : {&first, &second}) {
+        append(both.known, part->known);
+        append(both.expected, part->expected);
+    }
+    for (size_t i = 0; i < places; ++i) {
+        append(both.bend, first.bendAt(i));
+        append(both.bend, second.bendAt(i));
+        if (first.slope.empty()) continue;
+        append(both.slope, first.slopeAt(i));
+        both.slope.resize(both.bend.size(), 0.0f);
+    }
+    both.precision.assign((n + m) * (n + m), 0.0);
+    for (size_t i = 0; i < n; ++i)
+        for (size_t j = 0; j < n; ++j) both.precision[i * (n + m) + j] = first.precision[i * n + j];
+    for (size_t i = 0; i < m; ++i)
+        for (size_t j = 0; j < m; ++j)
+            both.precision[(n + i) * (n + m) + n + j] = second.precision[i * m + j];
+    return both;
 }
 
 Gain evenGainOver(std::span<const glm::vec3> position)
 {
     constexpr int kFewest = 3; // along some side: a drift has a middle and two ends
-    if (position.empty()) return {};
-    glm::vec3 low = position[0];
-    glm::vec3 high = position[0];
-    for (const glm::vec3 p : position) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
-    Gain gain{.spacing = kKnotSpacing};
-    glm::ivec3 count(0);
-    const auto fits = [&] {
-        const glm::vec3 steps = glm::ceil((high - low) / gain.spacing);
-        if (std::max({steps.x, steps.y, steps.z}) >= static_cast<float>(kMostKnots)) return false;
-        count = glm::ivec3(steps) + 1;
-        return count.x * count.y * count.z <= kMostKnots;
-    };
-    while (!fits()) gain.spacing *= 1.1f;
-    if (std::max({count.x, count.y, count.z}) < kFewest) return {};
-    gain.origin = 0.5f * (low + high - gain.spacing * glm::vec3(count - 1));
-    gain.count = {count.x, count.y, count.z};
-    gain.log.assign(static_cast<size_t>(count.x * count.y * count.z), 0.0f);
+    Gain gain = latticeOver(position, kKnotSpacing, kMostKnots);
+    if (gain.isOne() || *std::max_element(gain.count.begin(), gain.count.end()) < kFewest)
+        return {};
     return gain;
 }
 
 CameraColumns columnsOf(const Gain& known, const TexturePlaces& places)
 {
-    CameraColumns columns =
-        emptyColumns(places.texture.size(), {known.log.begin(), known.log.end()});
+    CameraColumns columns = emptyColumns(places.texture.size(), {});
+    for (const glm::vec3 log : known.log) columns.known.push_back(logLuminance(log));
+    columns.expected.assign(columns.count(), 0.0);
+    columns.bend.assign(places.texture.size() * columns.count(), 0.0f);
     for (size_t i = 0; i < places.position.size(); ++i) {
         const GainWeights weights = weightsAt(known, places.position[i]);
         for (size_t k = 0; k < weights.knot.size(); ++k)
@@ -175,14 +220,15 @@ CameraColumns columnsOf(const Gain& known, const TexturePlaces& places)
     }
     takeMeansOut(columns);
     columns.worth = kGainWorth;
-    columns.precision = precisionOf(known);
+    columns.precision = precisionOf(known, kGainSpread, kGainStep);
     return columns;
 }
 
 Gain gainOf(Gain lattice, std::span<const double> coefficients)
 {
     for (size_t k = 0; k < lattice.log.size(); ++k)
-        lattice.log[k] = static_cast<float>(coefficients[k]);
+        lattice.log[k] +=
+            glm::vec3(static_cast<float>(coefficients[k] - logLuminance(lattice.log[k])));
     return lattice;
 }
 

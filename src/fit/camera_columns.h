@@ -4,6 +4,7 @@
 #include "relamp/camera_model.h"
 
 #include <span>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -19,7 +20,20 @@ struct TexturePlaces
 
 /// The slopes of the response, less 1, as unknowns beside the light.
 CameraColumns columnsOf(const Response& known, const TexturePlaces& places);
-Response responseOf(std::span<const double> coefficients);
+/// `share`, 0..1, of the way from a straight one.
+Response responseOf(std::span<const double> coefficients, double share = 1.0);
+
+/// What local tone mapping leaves of the brightness around each place, as one unknown beside the
+/// light: 1 / exponent - 1. `around`: logarithms of that brightness in the texture, without
+/// response.
+CameraColumns columnsOf(const LocalTone& known, const Gain& around, const TexturePlaces& places);
+LocalTone localToneOf(const Gain& around, double coefficient);
+
+/// Both as unknowns of one fit, the first ahead.
+CameraColumns together(const CameraColumns& first, const CameraColumns& second);
+
+/// A lattice for the brightness around places, fine enough for local tone mapping.
+Gain toneLatticeOver(std::span<const glm::vec3> position);
 
 /// A gain of 1 over these places; without knots where they lie too close together for one.
 Gain evenGainOver(std::span<const glm::vec3> position);
@@ -27,5 +41,9 @@ Gain evenGainOver(std::span<const glm::vec3> position);
 /// The logarithms of the gain's knots as unknowns beside the light.
 CameraColumns columnsOf(const Gain& known, const TexturePlaces& places);
 Gain gainOf(Gain lattice, std::span<const double> coefficients);
+
+/// Of a lattice's knots, count * count: each within `spread` of 0, and within `step` of those
+/// beside it.
+std::vector<double> precisionOf(const Gain& gain, double spread, double step);
 
 } // namespace relamp

@@ -2,11 +2,13 @@
 
 #include "base/radiometry.shared.h"
 #include "fit/light_fit.h"
+#include "scan/gain.h"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
 
@@ -106,8 +108,34 @@ TEST(CameraColumns, GainIsWhatNoLampExplains)
     CameraColumns columns = columnsOf(lattice, wall.asSeen());
     columns.worth = 100.0;
     const Gain gain = gainOf(lattice, wall.solve(columns, 4.0).camera);
-    const float found = std::log(gain.at({3.6f, 1.5f, 0}) / gain.at({0.4f, 1.5f, 0}));
+    const float found = std::log(gain.at({3.6f, 1.5f, 0}).g / gain.at({0.4f, 1.5f, 0}).g);
     EXPECT_NEAR(found, 0.8f * kRise, 0.1f * kRise);
+}
+
+// Brightness over half a metre to the power 0.6, as a camera does that shows a lamp and what lies
+// in the shade of it.
+TEST(CameraColumns, LocalToneMappingIsTheContrastOfWhatIsLarge)
+{
+    for (const float exponent : {0.6f, 1.0f}) {
+        LitWall wall(0.02);
+        const std::vector<float> even(wall.places(), 1.0f);
+        std::vector<float> log;
+        for (size_t i = 0; i < wall.places(); ++i)
+            log.push_back(std::log(luminance(wall.model.shown[i])));
+        const Gain light = meansOver(toneLatticeOver(wall.positions), wall.positions, log, even);
+        for (size_t i = 0; i < wall.places(); ++i) {
+            wall.model.shown[i] *=
+                glm::pow(light.at(wall.positions[i]), glm::vec3(exponent - 1.0f));
+            log[i] = std::log(luminance(wall.model.shown[i]));
+        }
+        const Gain around = meansOver(toneLatticeOver(wall.positions), wall.positions, log, even);
+        CameraColumns columns = together(columnsOf(Response{}, wall.asSeen()),
+                                         columnsOf(LocalTone{}, around, wall.asSeen()));
+        columns.worth = 100.0; // the places are independent
+        const LightEstimate found = wall.solve(columns);
+        EXPECT_NEAR(localToneOf(around, found.camera.back()).exponent, exponent, 0.06f);
+        EXPECT_NEAR(responseOf(found.camera).contrast(), 1.0f, 0.08f);
+    }
 }
 
 TEST(CameraColumns, EvenLightHasNoGain)

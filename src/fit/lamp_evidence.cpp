@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "fit/pairs.h"
+#include "scan/gain.h"
 #include "scan/linearization.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ constexpr size_t kEvidencePlaces = 6000; // all over a scan, so that a small lam
 constexpr size_t kPlacesOfDraft = 2000;  // likewise, for a first look
 constexpr size_t kLooks = 12;            // from a piece, at the others
 constexpr float kAreaOfRay = 0.05f;      // m^2 of a piece that a ray from an origin is for
+constexpr float kDarkestBase = 0.01f;    // radiance: local tone mapping lifts nothing darker
 constexpr double kBlack = 1e-4;          // radiance: darker is as good as that
 constexpr float kAround = 1.6f;          // surfel sizes
 
@@ -118,6 +120,20 @@ double LampEvidence::linearize(const CameraModel& camera)
     field_.plain = radiance_.plain;
     settling_ = SettlingGather(hits_, field_, around_);
     return meanLogOfPlaces() - before;
+}
+
+Gain LampEvidence::brightnessAround(const Response& response) const
+{
+    std::vector<float> log(textureOfAll_.size());
+    std::vector<float> area(textureOfAll_.size());
+    forEach(log.size(), [&](size_t s) {
+        glm::vec3 radiance = textureOfAll_[s];
+        for (int c = 0; c < 3; ++c) radiance[c] = response(radiance[c]);
+        log[s] = std::log(std::max(luminance(radiance), kDarkestBase));
+        area[s] = radiance_.plainArea[s] + radiance_.clippedArea[s];
+    });
+    const std::span<const glm::vec3> positions = texels_.surfels.position;
+    return meansOver(toneLatticeOver(positions), positions, log, area);
 }
 
 void LampEvidence::drawAllPairs()

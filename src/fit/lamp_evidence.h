@@ -45,6 +45,9 @@ public:
     /// Undoes what the camera made of light, from the texture on. Models and pairs of before keep
     /// what they have. Returns how much brighter places are than before, mean of logarithms.
     double linearize(const CameraModel& camera);
+    /// Logarithms of the brightness that the texture has around each place, once this response is
+    /// undone.
+    [[nodiscard]] Gain brightnessAround(const Response& response) const;
     [[nodiscard]] const SurfelRadiance& radiance() const { return radiance_; } // so far
     /// What places show in the file.
     [[nodiscard]] TexturePlaces texturePlaces() const { return {texture_, positions_}; }
@@ -65,9 +68,9 @@ public:
     /// `onSides`. Returns their light.
     LitSides settle(std::span<Piece> lamps, const OutsideLight& outside);
 
-    static constexpr size_t kMostRays = 6;
+    static constexpr size_t kMostRays = 6;   // to a piece, from an origin at a place
     static constexpr size_t kPairsFirst = 1; // a place, for what only tells which pieces emit
-    static constexpr size_t kPairs = 6;
+    static constexpr size_t kPairs = 6;      // likewise, for how bright they are
 
 private:
     [[nodiscard]] double meanLogOfPlaces() const;

@@ -3,11 +3,8 @@
 #include "base/call_all.h"
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
-#include "fit/lamp_evidence.h"
-#include "fit/lamp_groups.h"
-#include "fit/light_fit.h"
+#include "fit/lamp_search.h"
 #include "fit/outside.h"
-#include "fit/pieces.h"
 #include "fit/sun.h"
 #include "fit/sun_search.h"
 #include "fit/unseen.h"
@@ -42,9 +39,6 @@ constexpr double kLeastNoise = 0.02;  // log; what a byte and a few rays tell
 constexpr double kMostNoise = 0.2;    // log
 constexpr size_t kTries = 4;          // of the most promising pieces, each time one is added
 constexpr int kChoices = 4;           // rounds of taking away and adding, at most
-constexpr double kCurvedNats = 0.7;   // log odds of a camera with a contrast curve: two in three
-constexpr int kCameraRounds = 2;      // of what is gathered and what the camera made of it
-constexpr double kGainWidth = 4.0;    // times the noise: what the first loss for a gain forgives
 constexpr double kUnknown = 0.7;      // standard error of log radiance: about a factor of two
 constexpr double kColorSpread = 1.0;  // log: of a lamp's channels about its luminance
 constexpr double kColorWidth = 2.0;   // times the noise: where the loss for a channel begins
@@ -69,68 +63,7 @@ bool isByCamera(const Scan& scan)
                        [](const Page& page) { return page.image.clipsAtWhite; });
 }
 
-class LampSearch
-{
-public:
-    LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
-               const SurfelRadiance& radiance, const GatherOptions& options, Progress& progress);
-
-    FoundLamps run();
-
-private:
-    void takeCandidates(const GatherOptions& options, const SurfelRadiance& radiance);
-    void addPieces(LampGroup group);
-    void observe();
-    [[nodiscard]] LightFit fitOf(size_t pairs) const;
-    [[nodiscard]] double costOf(uint32_t piece) const;
-    [[nodiscard]] Removal removalOf(std::vector<uint32_t> pieces, double cost) const;
-    [[nodiscard]] std::vector<Removal> removals() const;
-    void choose(size_t pairs);
-    void prune(const LightFit& fit);
-    struct Addition
-    {
-        uint32_t piece = 0;
-        double gain = 0.0; // nats
-        double log = 0.0;  // radiance to start from
-        LightEstimate estimate{};
-    };
-    [[nodiscard]] std::optional<Addition> bestAddition(const LightFit& fit) const;
-    void drop(const LightFit& fit);
-    bool grow(const LightFit& fit);
-    void lookCloser();
-    bool join();
-    void findColors();
-    void findResponse();
-    void bendResponse(size_t pairs);
-    void findGain();
-    void seeByCamera(std::vector<double> log);
-    void measureNoise();
-    void letSunIn(const LitSides& sides);
-    void takeSun(FoundLamps& found);
-    [[nodiscard]] std::vector<Piece> lamps() const;
-    FoundLamps result();
-
-    const Texels& texels_;
-    const RayScene& scene_;
-    const HitLists& hits_;
-    bool isSunSought_;
-    bool isResponseSought_;
-    bool isGainSought_;
-    Progress::Stage stage_;
-    LampEvidence evidence_;
-    std::vector<Piece> pieces_;
-    std::vector<uint8_t> emits_; // of pieces
-    LightModel model_;
-    Kinship kin_;
-    LightEstimate estimate_;
-    double noise_ = kFirstNoise; // log: between places of one paint
-    OutsideLight outside_;
-    std::vector<std::string> warnings_;
-    std::shared_ptr<const RayScene> beforeSun_; // what stands before it
-    CameraModel camera_;
-    bool isCurved_ = false;       // its response
-    std::optional<SunTrial> sun_; // the last piece
-};
+} // namespace
 
 LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
                        const SurfelRadiance& radiance, const GatherOptions& options,
@@ -139,7 +72,7 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
       isResponseSought_(options.response && isByCamera(*texels.scan)),
       isGainSought_(options.gain && isByCamera(*texels.scan)),
       stage_(progress, "lamps", kSearchSteps),
-      evidence_(texels, scene, hits, radiance, options.quality)
+      evidence_(texels, scene, hits, radiance, options.quality), noise_(kFirstNoise)
 {
     callAll([&] { takeCandidates(options, radiance); }, [&] { evidence_.drawAllPairs(); });
 }
@@ -519,59 +452,9 @@ FoundLamps LampSearch::result()
     return found;
 }
 
-/// A response beside all pieces that may emit, where the evidence is for one that is not straight.
-void LampSearch::findResponse()
+double LampSearch::noiseOf(const LightEstimate& estimate)
 {
-    LightFit fit = fitOf(LampEvidence::kPairsFirst);
-    fit.expectLeaks(estimate_.log);
-    const LightEstimate straight = fit.solve(emits_, estimate_.log, 1.0);
-    const LightEstimate curved =
-        fit.solve(emits_, estimate_.log, columnsOf(Response{}, evidence_.texturePlaces()));
-    isCurved_ = curved.nats + curved.occam < straight.nats + kCurvedNats;
-    if (isCurved_) bendResponse(LampEvidence::kPairsFirst);
-}
-
-/// The light that is gathered changes with the response, and with it the response.
-void LampSearch::bendResponse(size_t pairs)
-{
-    for (int round = 0; round < kCameraRounds; ++round) {
-        LightFit fit = fitOf(pairs);
-        fit.expectLeaks(estimate_.log);
-        LightEstimate curved = fit.solve(emits_, estimate_.log,
-                                         columnsOf(camera_.response, evidence_.texturePlaces()));
-        camera_.response = responseOf(curved.camera);
-        seeByCamera(std::move(curved.log));
-    }
-}
-
-/// Likewise, among lamps that are known.
-void LampSearch::findGain()
-{
-    camera_.gain = evenGainOver(evidence_.texturePlaces().position);
-    if (camera_.gain.isOne()) return;
-    for (int round = 0; round < kCameraRounds; ++round) {
-        LightFit fit = fitOf(LampEvidence::kPairsFirst);
-        fit.expectLeaks(estimate_.log);
-        LightEstimate even = fit.solve(
-            emits_, estimate_.log, columnsOf(camera_.gain, evidence_.texturePlaces()), kGainWidth);
-        camera_.gain = gainOf(std::move(camera_.gain), even.camera);
-        seeByCamera(std::move(even.log));
-    }
-}
-
-/// Everything in the radiance that the camera tells, from light that was found with it.
-void LampSearch::seeByCamera(std::vector<double> log)
-{
-    const double brighter = evidence_.linearize(camera_);
-    observe();
-    for (double& l : log) l += brighter;
-    estimate_ = fitOf(LampEvidence::kPairsFirst).solve(emits_, std::move(log), 1.0);
-    measureNoise();
-}
-
-void LampSearch::measureNoise()
-{
-    noise_ = std::clamp(kNoiseOfPairs * estimate_.residual, kLeastNoise, kMostNoise);
+    return std::clamp(kNoiseOfPairs * estimate.residual, kLeastNoise, kMostNoise);
 }
 
 FoundLamps LampSearch::run()
@@ -580,14 +463,14 @@ FoundLamps LampSearch::run()
     observe();
     const LightFit all = fitOf(LampEvidence::kPairsFirst);
     estimate_ = all.solve(emits_, all.beginning(), kFirstWidth);
-    measureNoise();
-    if (isResponseSought_) findResponse();
+    noise_ = noiseOf(estimate_);
+    findContrast();
     choose(LampEvidence::kPairsFirst);
     stage_.advance();
     lookCloser();
     choose(LampEvidence::kPairsFirst);
-    if (isCurved_) {
-        bendResponse(LampEvidence::kPairs);
+    if (isBent()) {
+        bend(LampEvidence::kPairs);
         choose(LampEvidence::kPairsFirst);
     }
     for (int round = 0; round < kChoices && join(); ++round) choose(LampEvidence::kPairsFirst);
@@ -595,8 +478,6 @@ FoundLamps LampSearch::run()
     findColors();
     return result();
 }
-
-} // namespace
 
 FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists& hits,
                      const SurfelRadiance& radiance, const GatherOptions& options,

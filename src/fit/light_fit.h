@@ -54,8 +54,11 @@ public:
     /// Pieces so bright that each brings its share of what is gathered, and outside what is in
     /// shade.
     [[nodiscard]] std::vector<double> beginning() const;
-    /// From now on dark places count less, by what may leak to them beside this light.
+    /// From now on dark places count less, by what may leak to them beside this light: little or
+    /// much, as the pairs have it.
     void expectLeaks(std::span<const double> log);
+    /// The same of what is shown once these coefficients of the camera are undone.
+    void expectLeaks(const LightEstimate& estimate, const CameraColumns& camera);
     /// `emits`: one flag a piece. `start`: as LightEstimate::log. `widest`: how many times wider
     /// than its noise the first loss is: the more, the farther off the start may be.
     [[nodiscard]] LightEstimate solve(std::span<const uint8_t> emits, std::vector<double> start,
@@ -96,12 +99,8 @@ private:
         return isBound ? kUnbounded : noiseBelow_[pair];
     }
     [[nodiscard]] double perPair() const;
-    /// Of a pair's variance, what is of paint and not of light.
-    [[nodiscard]] double paintShare(size_t pair) const
-    {
-        return 2.0 * noise_ * noise_ /
-               (noiseAbove_[pair] * noiseAbove_[pair] + noiseBelow_[pair] * noiseBelow_[pair]);
-    }
+    double costOfLeak(double leak, std::span<const double> light,
+                      std::span<const double> logAlbedo);
 
     const LightModel& model_;
     std::span<const MaterialPair> pairs_;
@@ -112,7 +111,9 @@ private:
     std::vector<double> gathered_;   // likewise
     std::vector<double> noiseAbove_; // of pairs, where p's albedo is above q's
     std::vector<double> noiseBelow_;
+    std::vector<double> paintShare_; // of pairs: of their variance, what is paint and not light
     std::vector<double> whiteShare_; // of pieces: of the light at places, were they white
+    double normalization_;           // sum over pairs of the log of their mean noise
     double outside_ = 0.0;           // log radiance that is expected there
 };
 

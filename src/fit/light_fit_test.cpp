@@ -1,3 +1,4 @@
+#include "fit/light_fit_test.h"
 #include "base/radiometry.shared.h"
 #include "fit/light_fit.h"
 
@@ -16,136 +17,6 @@ namespace
 {
 
 using testing::ElementsAre;
-
-constexpr double kNoise = 0.08;    // log: between places of one paint
-constexpr double kWide = 6.0;      // times the noise: from far off
-constexpr double kLampCosts = 1.5; // nats
-
-/// Numbers that are the same on every machine; distributions of the standard need not be.
-class Numbers
-{
-public:
-    float between(float low, float high)
-    {
-        return low + (high - low) * static_cast<float>(random_() >> 8) / 16777216.0f;
-    }
-    /// Of mean 0 and variance 1, about.
-    float normal()
-    {
-        float sum = -6.0f;
-        for (int i = 0; i < 12; ++i) sum += between(0.0f, 1.0f);
-        return sum;
-    }
-
-private:
-    std::mt19937 random_{7};
-};
-
-/// Behind the places of a model, those of pieces that nothing is known of.
-void addPieces(LightModel& model)
-{
-    model.shown.insert(model.shown.end(), model.pieces, glm::vec3(1.0f));
-    model.gathered.insert(model.gathered.end(), model.pieces, glm::vec3(0.0f));
-    model.missed.insert(model.missed.end(), model.pieces, 0.0f);
-    model.direct.insert(model.direct.end(), model.pieces * model.pieces, 0.0f);
-    model.area.assign(model.pieces, 0.0f);
-}
-
-/// A floor of two materials under lamps, with what every lamp does there known. A lamp that is
-/// black is a wall: it lights nothing.
-struct Floor
-{
-    static constexpr size_t kPlaces = 800;
-
-    LightModel model;
-    std::vector<MaterialPair> pairs;
-    std::vector<AlikePieces> alike;
-    std::vector<glm::vec3> truth; // of pieces
-    glm::vec3 outside{0.5f, 0.4f, 0.3f};
-
-    /// `noise` of radiance, as a share; `outliers` share of the pairs across materials.
-    Floor(std::vector<glm::vec3> lamps, float noise, float outliers);
-
-    [[nodiscard]] LightFit fit(int channel = -1) const
-    {
-        return {model, pairs, alike, kNoise, channel};
-    }
-    /// All but walls emit.
-    [[nodiscard]] std::vector<uint8_t> emits() const
-    {
-        std::vector<uint8_t> flags;
-        for (const glm::vec3 lamp : truth) flags.push_back(lamp.g > 0.0f ? 1 : 0);
-        return flags;
-    }
-    [[nodiscard]] LightEstimate solve(int channel = -1) const
-    {
-        const LightFit light = fit(channel);
-        return light.solve(emits(), light.beginning(), kWide);
-    }
-    /// From 20 times white, where lamps are, be they seen or not.
-    [[nodiscard]] LightEstimate solveFromLamps() const
-    {
-        return fit().solve(emits(), std::vector(truth.size() + 1, std::log(20.0)), kWide);
-    }
-    [[nodiscard]] double truthOf(size_t lamp) const
-    {
-        return std::log(static_cast<double>(luminance(truth[lamp])));
-    }
-    /// Takes a lamp out of the room.
-    void darken(size_t lamp);
-    /// A burnt-out piece of wall that gets this irradiance of a lamp at radiance 1.
-    void burnOut(size_t wall, size_t lamp, float direct);
-};
-
-Floor::Floor(std::vector<glm::vec3> lamps, float noise, float outliers) : truth(std::move(lamps))
-{
-    Numbers random;
-    model.pieces = truth.size();
-    std::vector<glm::vec2> under; // in braces numbers are drawn from left to right, by any compiler
-    for (size_t f = 0; f < truth.size(); ++f)
-        under.push_back({random.between(1, 4), random.between(1, 4)});
-    for (size_t i = 0; i < kPlaces; ++i) {
-        const glm::vec2 place{random.between(0, 5), random.between(0, 5)};
-        glm::vec3 irradiance(random.between(0.2f, 0.5f));
-        model.gathered.push_back(irradiance);
-        model.missed.push_back(place.x < 2.0f ? random.between(0.0f, 0.4f) : 0.0f);
-        irradiance += outside * model.missed.back();
-        for (size_t f = 0; f < truth.size(); ++f) {
-            const float squared = 4.0f + glm::dot(place - under[f], place - under[f]);
-            const bool isShadow = truth[f].g <= 0.0f || random.between(0, 1) < 0.3f;
-            model.direct.push_back(isShadow ? 0.0f : 0.1f * 4.0f / (squared * squared));
-            irradiance += truth[f] * model.direct.back();
-        }
-        const float albedo = (i % 2 == 0 ? 0.5f : 0.25f) * std::exp(noise * random.normal());
-        model.shown.push_back(albedo * irradiance / kPi);
-    }
-    for (size_t i = 0; i < 8 * kPlaces; ++i) {
-        const auto p = static_cast<uint32_t>(random.between(0, kPlaces - 1));
-        const auto q = static_cast<uint32_t>(random.between(0, kPlaces - 1));
-        const bool isOneMaterial = p % 2 == q % 2;
-        if (p != q && (isOneMaterial || random.between(0, 1) < outliers)) pairs.push_back({p, q});
-    }
-    addPieces(model);
-}
-
-void Floor::darken(size_t lamp)
-{
-    for (size_t i = 0; i < model.places(); ++i) {
-        float& direct = model.direct[i * model.pieces + lamp];
-        glm::vec3 irradiance = model.gathered[i] + outside * model.missed[i];
-        for (size_t f = 0; f < model.pieces; ++f) irradiance += truth[f] * model.directAt(i)[f];
-        model.shown[i] *= (irradiance - truth[lamp] * direct) / irradiance;
-        direct = 0.0f;
-    }
-}
-
-void Floor::burnOut(size_t wall, size_t lamp, float direct)
-{
-    const size_t place = model.placeOf(wall);
-    model.area[wall] = 0.1f;
-    model.gathered[place] = glm::vec3(0.2f);
-    model.direct[place * model.pieces + lamp] = direct;
-}
 
 /// In logarithms, which for a few per cent are shares.
 void expectNear(double log, double wanted, double share)
@@ -322,7 +193,7 @@ TEST(LightFit, LevelOfARoomIsHeldWhereLampsOutshineWhatIsGathered)
         for (const uint32_t step : {1u, 5u, 9u}) pairs.push_back({i, (i + step) % 800});
     }
     addPieces(model);
-    const LightFit fit(model, pairs, {}, kNoise);
+    const LightFit fit(model, pairs, {}, kPairNoise);
     const LightEstimate light = fit.solve(std::vector<uint8_t>{1}, fit.beginning(), kWide);
     expectNear(light.log[0], std::log(kLamp), 0.1);
     EXPECT_GT(light.error[0], 0.2); // rooms differ
@@ -492,7 +363,7 @@ struct DarkCorners
     [[nodiscard]] double offWith(bool leaks) const
     {
         const std::vector<uint8_t> emits{1};
-        LightFit fit(model, pairs, {}, kNoise);
+        LightFit fit(model, pairs, {}, kPairNoise);
         LightEstimate light = fit.solve(emits, fit.beginning(), kWide);
         if (leaks) {
             fit.expectLeaks(light.log);
@@ -528,174 +399,6 @@ TEST(LightFit, DarkPlacesThatMakeLampsWeakerAreHeard)
 TEST(LightFit, ExpectingLeaksChangesNothingWhereAllIsRight)
 {
     EXPECT_NEAR(DarkCorners(0.0f).offWith(true), 0.0, 0.02);
-}
-
-namespace
-{
-
-/// A grey floor: lamp 0 lights its first half, lamp 1 does just the same, lamp 2 nothing.
-struct HalfLitFloor
-{
-    LightModel model{.pieces = 3};
-    std::vector<MaterialPair> pairs;
-    std::vector<AlikePieces> alike;
-
-    HalfLitFloor()
-    {
-        for (int i = 0; i < 64; ++i) {
-            const float lit = i < 32 ? 0.1f + 0.01f * static_cast<float>(i) : 0.0f;
-            model.direct.insert(model.direct.end(), {lit, lit, 0.0f});
-            model.gathered.emplace_back(0.2f);
-            model.missed.push_back(0.0f);
-            model.shown.emplace_back(0.35f / kPi * (0.2f + 10.0f * lit));
-        }
-        for (uint32_t p = 0; p < 32; ++p) pairs.push_back({p, p + 32});
-        addPieces(model);
-    }
-
-    [[nodiscard]] std::vector<uint8_t> needless(const std::vector<Removal>& removals) const
-    {
-        const std::vector<uint8_t> emits{1, 1, 1};
-        const LightFit fit(model, pairs, alike, kNoise);
-        return fit.needless(fit.solve(emits, fit.beginning(), kWide), emits, removals);
-    }
-};
-
-} // namespace
-
-// Two lamps that do the same stand in for each other: one goes, and then the other is needed.
-TEST(LightFit, OneOfTwoEqualLampsIsNeedlessAndBothAreNot)
-{
-    const HalfLitFloor floor;
-    const std::vector<uint8_t> gone = floor.needless({{{0}, kLampCosts}, {{1}, kLampCosts}});
-    EXPECT_EQ(gone[0] + gone[1], 1);
-    EXPECT_THAT(floor.needless({{{0, 1}, 2.0 * kLampCosts}}), ElementsAre(0));
-}
-
-TEST(LightFit, OneOfTwoEqualLampsOfOneModelIsNeedless)
-{
-    HalfLitFloor floor;
-    floor.alike = {{0, 1}};
-    const std::vector<uint8_t> gone = floor.needless({{{0}, kLampCosts}, {{1}, kLampCosts}});
-    EXPECT_EQ(gone[0] + gone[1], 1);
-}
-
-TEST(LightFit, LampThatLightsNothingIsNeedlessAndGoesFirst)
-{
-    const HalfLitFloor floor;
-    EXPECT_THAT(floor.needless({{{2}, kLampCosts}, {{0, 1}, kLampCosts}}), ElementsAre(1, 0));
-}
-
-// The quadratic form says what fits without each say.
-TEST(LightFit, WhatIsNeededIsWhatCostsMoreToDoWithout)
-{
-    Floor floor({{40, 30, 20}, {10, 12, 15}, {0.2f, 0.2f, 0.2f}}, 0.02f, 0.0f);
-    const LightFit fit = floor.fit();
-    const LightEstimate all = floor.solve();
-    const std::vector<uint8_t> gone =
-        fit.needless(all, floor.emits(),
-                     std::vector<Removal>{{{0}, kLampCosts}, {{1}, kLampCosts}, {{2}, kLampCosts}});
-    for (size_t f = 0; f < 3; ++f) {
-        std::vector<uint8_t> emits = floor.emits();
-        emits[f] = 0;
-        const double lost = fit.solve(emits, all.log, 1.0).nats - all.nats;
-        EXPECT_EQ(gone[f] != 0, lost < kLampCosts) << f << ": " << lost << " nats";
-    }
-    EXPECT_THAT(gone, ElementsAre(0, 0, 1));
-}
-
-namespace
-{
-
-constexpr double kMissing = 20.0; // radiance of the lamp that the fit does without
-
-/// A grey floor whose left half lies under a lamp of a fit, and its middle under one more.
-struct LitFloor
-{
-    enum Lamp { left, middle, right, nowhere };
-
-    LightModel model{.pieces = 4};
-    std::vector<MaterialPair> pairs;
-
-    LitFloor()
-    {
-        for (uint32_t i = 0; i < 90; ++i) {
-            const float falloff = 0.02f + 0.001f * static_cast<float>(i % 15);
-            const float ofLeft = i < 45 ? falloff : 0.0f;
-            const float ofMiddle = i >= 30 && i < 60 ? falloff : 0.0f;
-            model.direct.insert(model.direct.end(),
-                                {ofLeft, ofMiddle, i >= 60 ? falloff : 0.0f, 0.0f});
-            model.gathered.emplace_back(0.2f);
-            model.missed.push_back(0.0f);
-            model.shown.emplace_back(
-                0.5f * (0.2f + 5.0f * ofLeft + static_cast<float>(kMissing) * ofMiddle) / kPi);
-            pairs.push_back({i, (i * 37 + 11) % 90});
-        }
-        addPieces(model);
-    }
-
-    /// `ofMiddle`: radiance that the fit has there.
-    [[nodiscard]] std::vector<double> gains(double ofMiddle, double& log) const
-    {
-        const double dark = -9.0;
-        const LightEstimate estimate{.log = {std::log(5.0), std::log(ofMiddle), dark, dark, dark}};
-        const LightFit fit(model, pairs, {}, kNoise);
-        std::vector<double> gains;
-        for (const size_t lamp : {left, middle, right, nowhere}) {
-            double at = 0.0;
-            gains.push_back(fit.gain(estimate, lamp, at));
-            if (lamp == middle) log = at;
-        }
-        return gains;
-    }
-};
-
-} // namespace
-
-// The light of one lamp is missing from the model, and only where that lamp shines.
-TEST(LightFit, LampThatIsMissingGainsMuchAndItsLightIsKnownRoughly)
-{
-    double log = 0.0;
-    const std::vector<double> gains = LitFloor().gains(1e-4, log);
-    EXPECT_GT(gains[LitFloor::middle], 10.0 * kLampCosts);
-    EXPECT_NEAR(log, std::log(kMissing), std::log(3.0));
-    EXPECT_EQ(gains[LitFloor::right], 0.0);
-    EXPECT_LT(gains[LitFloor::left], 0.1 * gains[LitFloor::middle]);
-}
-
-TEST(LightFit, NothingIsGainedWhereAllLightIsKnownNorByWhatLightsNothing)
-{
-    double log = 0.0;
-    for (const double gain : LitFloor().gains(kMissing, log)) EXPECT_LT(gain, 0.01);
-}
-
-// All else stays as it is, so that a fit gains more.
-TEST(LightFit, GainIsNoMoreThanAFitGains)
-{
-    const Floor floor({{40, 30, 20}, {10, 12, 15}}, 0.02f, 0.0f);
-    const LightFit fit = floor.fit();
-    const LightEstimate without = fit.solve(std::vector<uint8_t>{1, 0}, fit.beginning(), kWide);
-    double log = 0.0;
-    const double gain = fit.gain(without, 1, log);
-    const LightEstimate with = fit.solve(floor.emits(), {without.log[0], log, without.log[2]}, 1.0);
-    EXPECT_GT(gain, kLampCosts);
-    EXPECT_LT(gain, without.nats - with.nats + 1.0); // priors
-    EXPECT_NEAR(with.log[1], floor.truthOf(1), 2.0 * with.error[1]);
-}
-
-// A wall cannot be brighter than the light on it makes it; a lamp can.
-TEST(LightFit, BurntOutPieceInTheDarkGainsByEmitting)
-{
-    Floor floor({{40, 30, 20}, {1, 1, 1}}, 0.02f, 0.0f);
-    const std::vector<uint8_t> emits{1, 0};
-    double log = 0.0;
-    const auto gain = [&](float direct) {
-        floor.burnOut(1, 0, direct);
-        const LightFit fit = floor.fit();
-        return fit.gain(fit.solve(emits, fit.beginning(), kWide), 1, log);
-    };
-    const double lit = gain(1.0f);
-    EXPECT_GT(gain(0.01f), lit + 0.5);
 }
 
 } // namespace relamp

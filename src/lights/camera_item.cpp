@@ -2,6 +2,7 @@
 
 #include "base/json.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -15,7 +16,8 @@ using nlohmann::ordered_json;
 
 constexpr double kLeastSlope = 0.1;
 constexpr double kMostSlope = 10.0;
-constexpr double kMostStops = 7.0; // of a gain, either way
+constexpr double kLeastExponent = 0.05; // of local tone mapping
+constexpr double kMostStops = 12.0;     // of a gain, either way
 constexpr std::int64_t kMostKnotsAlong = 1000;
 constexpr size_t kMostKnotsOfFile = 100000;
 
@@ -49,7 +51,7 @@ Response responseFrom(const JsonItem& item)
 
 Gain gainFrom(const JsonItem& item, std::vector<std::string>& warnings)
 {
-    item.warnOfUnknown({"origin", "spacing", "count", "stops"}, warnings);
+    item.warnOfUnknown({"exponent", "origin", "spacing", "count", "stops"}, warnings);
     Gain gain{.origin = item.vectorAt("origin"),
               .spacing = static_cast<float>(item.numberAt("spacing", 1e-3, 1e6))};
     const std::vector<double> count =
@@ -62,12 +64,32 @@ Gain gainFrom(const JsonItem& item, std::vector<std::string>& warnings)
         knots *= static_cast<size_t>(gain.count[axis]);
     }
     const std::vector<double> stops = numbersIn(item, "stops", -kMostStops, kMostStops);
-    if (stops.size() != knots || knots > kMostKnotsOfFile)
-        item.refuse(fmt::format("\"stops\" has {} numbers and \"count\" says {} knots",
+    const bool isColored = stops.size() == 3 * knots;
+    if ((stops.size() != knots && !isColored) || knots > kMostKnotsOfFile)
+        item.refuse(fmt::format("\"stops\" has {} numbers and \"count\" says {} knots, of one "
+                                "number or three each",
                                 stops.size(), knots),
                     "stops");
-    for (const double stop : stops) gain.log.push_back(static_cast<float>(stop * std::log(2.0)));
+    for (size_t k = 0; k < knots; ++k) {
+        glm::dvec3 stop(stops[isColored ? 3 * k : k]);
+        if (isColored) stop = {stops[3 * k], stops[3 * k + 1], stops[3 * k + 2]};
+        gain.log.emplace_back(stop * std::log(2.0));
+    }
     return gain;
+}
+
+ordered_json gainAsJson(const Gain& gain)
+{
+    ordered_json stops = ordered_json::array();
+    const bool isGrey = std::all_of(gain.log.begin(), gain.log.end(),
+                                    [](glm::vec3 log) { return log == glm::vec3(log.g); });
+    for (const glm::vec3 log : gain.log)
+        for (int c = 0; c < (isGrey ? 1 : 3); ++c)
+            stops.push_back(shortest(log[c] / std::log(2.0f)));
+    return {{"origin", {shortest(gain.origin.x), shortest(gain.origin.y), shortest(gain.origin.z)}},
+            {"spacing", shortest(gain.spacing)},
+            {"count", gain.count},
+            {"stops", std::move(stops)}};
 }
 
 } // namespace
@@ -78,25 +100,24 @@ ordered_json cameraAsJson(const CameraModel& camera)
     if (!camera.response.isStraight())
         for (const float slope : camera.response.slope)
             object["response"].push_back(shortest(slope));
+    if (!camera.tone.gain.isOne()) {
+        object["localTone"] = {{"exponent", shortest(camera.tone.exponent)}};
+        object["localTone"].update(gainAsJson(camera.tone.gain));
+    }
     if (camera.gain.isOne()) return object;
-    const Gain& gain = camera.gain;
-    ordered_json stops = ordered_json::array();
-    for (const float log : gain.log) stops.push_back(shortest(log / std::log(2.0f)));
-    object["gain"] = {
-        {"origin", {shortest(gain.origin.x), shortest(gain.origin.y), shortest(gain.origin.z)}},
-        {"spacing", shortest(gain.spacing)},
-        {"count", gain.count},
-        {"stops", std::move(stops)}};
+    object["gain"] = gainAsJson(camera.gain);
     return object;
 }
-
 CameraModel cameraOf(const JsonItem& top, std::vector<std::string>& warnings)
 {
     CameraModel camera;
     const std::optional<JsonItem> item = top.objectIn("camera");
     if (!item) return camera;
-    item->warnOfUnknown({"response", "gain"}, warnings);
+    item->warnOfUnknown({"response", "localTone", "gain"}, warnings);
     if (item->has("response")) camera.response = responseFrom(*item);
+    if (const std::optional<JsonItem> tone = item->objectIn("localTone"))
+        camera.tone = {static_cast<float>(tone->numberAt("exponent", kLeastExponent, 1.0)),
+                       gainFrom(*tone, warnings)};
     if (const std::optional<JsonItem> gain = item->objectIn("gain"))
         camera.gain = gainFrom(*gain, warnings);
     return camera;

@@ -150,7 +150,10 @@ TEST(LightsFile, WhatWasWrittenIsReadAgain)
     lights.ambient = {0.1f, 0.2f, 0.3f};
     lights.openings = {{0.1f, 0.1f, 0.2f}, {5.0f, 6.0f, 7.0f}};
     lights.camera.response.slope = {0.7f, 0.8f, 0.9f, 1.0f, 1.25f};
-    lights.camera.gain = {{-1, 0, 2.5f}, 1.25f, {3, 2, 1}, {0.1f, 0, -0.2f, 0.3f, 0, 0}};
+    lights.camera.gain = {{-1, 0, 2.5f}, 1.25f, {3, 2, 1}, {}};
+    for (const float log : {0.1f, 0.0f, -0.2f, 0.3f, 0.0f, 0.0f})
+        lights.camera.gain.log.emplace_back(log, log, 2.0f * log);
+    lights.camera.tone = {0.625f, {{0, 1, 0}, 0.5f, {1, 1, 2}, {glm::vec3(0.5f), glm::vec3(-1)}}};
     lights.tempering = {.kept = {0.5f, 0.4f, 0.3f}, .power = 0.8f};
     const Lights again = read(lightsAsJson(lights));
     ASSERT_THAT(again.fixtures, SizeIs(1));
@@ -170,7 +173,12 @@ TEST(LightsFile, WhatWasWrittenIsReadAgain)
     EXPECT_EQ(again.camera.response, lights.camera.response);
     EXPECT_EQ(again.camera.gain.origin, lights.camera.gain.origin);
     EXPECT_EQ(again.camera.gain.count, lights.camera.gain.count);
-    EXPECT_THAT(again.camera.gain.log, Pointwise(FloatNear(1e-6f), lights.camera.gain.log));
+    ASSERT_EQ(again.camera.gain.log.size(), lights.camera.gain.log.size());
+    for (size_t k = 0; k < again.camera.gain.log.size(); ++k)
+        EXPECT_LT(glm::distance(again.camera.gain.log[k], lights.camera.gain.log[k]), 1e-6f);
+    EXPECT_EQ(again.camera.tone.exponent, 0.625f);
+    ASSERT_EQ(again.camera.tone.gain.log.size(), 2u);
+    EXPECT_LT(glm::distance(again.camera.tone.gain.log[1], glm::vec3(-1.0f)), 1e-6f);
     EXPECT_EQ(again.tempering, lights.tempering);
     EXPECT_THAT(lastWarnings, IsEmpty());
 }

@@ -170,6 +170,7 @@ ordered_json lightsAsReport(const Decomposition& result)
                        {"error", toJson(sun->error)},
                        {"determined", sun->determined}};
     json["camera"] = {{"contrast", shortest(lights.camera.response.contrast())},
+                      {"localExponent", shortest(lights.camera.tone.exponent)},
                       {"gainStops", shortest(lights.camera.gain.stops())},
                       {"model", cameraAsJson(lights.camera)}};
     return json;

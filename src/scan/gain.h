@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace relamp
 {
@@ -16,5 +17,14 @@ struct GainWeights
 };
 
 GainWeights weightsAt(const Gain& gain, glm::vec3 position);
+
+/// A gain of 1 on a lattice over these places, whose knots lie `spacing` m apart; farther where
+/// that would be more than `mostKnots` >= 1.
+Gain latticeOver(std::span<const glm::vec3> position, float spacing, int mostKnots);
+
+/// The lattice with means of `log` at its knots, by weight and nearness; 0 at knots that none is
+/// near.
+Gain meansOver(Gain lattice, std::span<const glm::vec3> position, std::span<const float> log,
+               std::span<const float> weight);
 
 } // namespace relamp

@@ -19,8 +19,9 @@ Gain slope()
     for (int z = 0; z < 2; ++z)
         for (int y = 0; y < 4; ++y)
             for (int x = 0; x < 3; ++x)
-                gain.log.push_back(-1.0f + 0.5f * static_cast<float>(x) + static_cast<float>(y) -
-                                   2.0f - 0.5f * static_cast<float>(z));
+                gain.log.emplace_back(-1.0f + 0.5f * static_cast<float>(x) +
+                                      0.5f * static_cast<float>(2 * y) - 2.0f -
+                                      0.5f * static_cast<float>(z));
     return gain;
 }
 
@@ -29,12 +30,12 @@ Gain slope()
 TEST(Gain, IsLinearBetweenItsKnotsAndConstantBeyond)
 {
     const Gain gain = slope();
-    const auto log = [&](glm::vec3 p) { return std::log(gain.at(p)); };
+    const auto log = [&](glm::vec3 p) { return std::log(gain.at(p).g); };
     EXPECT_NEAR(log({-0.7f, 0.9f, 2.2f}), -0.7f + 1.8f - 2.2f, 1e-5f);
     EXPECT_NEAR(log({0.0f, 1.5f, 2.5f}), 0.0f + 3.0f - 2.5f, 1e-5f);
     EXPECT_NEAR(log({-9.0f, 9.0f, 0.0f}), log({-1.0f, 1.5f, 2.0f}), 1e-6f);
     EXPECT_NEAR(gain.stops(), (1.0f + 3.0f + 0.5f) / std::log(2.0f), 1e-5f);
-    EXPECT_EQ(Gain{}.at({1, 2, 3}), 1.0f);
+    EXPECT_EQ(Gain{}.at({1, 2, 3}), glm::vec3(1.0f));
 }
 
 TEST(Gain, WeightsAreSharesOfKnotsThatAreThere)
@@ -48,11 +49,30 @@ TEST(Gain, WeightsAreSharesOfKnotsThatAreThere)
     }
 }
 
+TEST(Gain, MeansOverALatticeAreThoseAroundEachKnot)
+{
+    std::vector<glm::vec3> positions;
+    std::vector<float> log;
+    for (int i = 0; i <= 40; ++i) {
+        positions.emplace_back(0.1f * static_cast<float>(i), 0.0f, 0.0f);
+        log.push_back(i < 20 ? -1.0f : 3.0f);
+    }
+    const std::vector<float> even(log.size(), 1.0f);
+    const Gain means = meansOver(latticeOver(positions, 1.0f, 100), positions, log, even);
+    EXPECT_NEAR(means.log.front().g, -1.0f, 1e-5f);
+    EXPECT_NEAR(means.log.back().b, 3.0f, 1e-5f);
+    EXPECT_NEAR(std::log(means.at({2.0f, 0, 0}).r), 1.0f, 0.25f); // half of both
+    std::vector<float> left(log.size(), 0.0f);
+    std::fill_n(left.begin(), 20, 1.0f);
+    const Gain dark = meansOver(latticeOver(positions, 1.0f, 100), positions, log, left);
+    EXPECT_NEAR(dark.at({2.0f, 0, 0}).g, std::exp(-1.0f), 1e-5f);
+}
+
 TEST(Linearization, LeavesWhatIsBurntOutAndBurnsNothingOut)
 {
-    EXPECT_EQ(withoutGain({0.98f, 0.5f, 0.2f}, 0.7f), glm::vec3(0.98f, 0.5f, 0.2f));
-    EXPECT_EQ(withoutGain({0.4f, 0.2f, 0.1f}, 0.5f), glm::vec3(0.2f, 0.1f, 0.05f));
-    EXPECT_LT(withoutGain({0.9f, 0.2f, 0.1f}, 2.0f).r, 0.97f);
+    EXPECT_EQ(withoutGain({0.98f, 0.5f, 0.2f}, glm::vec3(0.7f)), glm::vec3(0.98f, 0.5f, 0.2f));
+    EXPECT_EQ(withoutGain({0.4f, 0.2f, 0.1f}, {0.5f, 1.0f, 2.0f}), glm::vec3(0.2f, 0.2f, 0.2f));
+    EXPECT_LT(withoutGain({0.9f, 0.2f, 0.1f}, glm::vec3(2.0f)).r, 0.97f);
 }
 
 } // namespace relamp

@@ -10,14 +10,15 @@ namespace relamp
 Linearization linearizationOf(const CameraModel& camera, const Surfels& surfels)
 {
     Linearization linearization{.response = camera.response};
-    if (camera.gain.isOne()) return linearization;
+    if (camera.gain.isOne() && camera.tone.gain.isOne()) return linearization;
     linearization.perGain.reserve(surfels.count());
     for (const glm::vec3 place : surfels.position)
-        linearization.perGain.push_back(1.0f / camera.gain.at(place));
+        linearization.perGain.push_back(1.0f /
+                                        (camera.tone.gain.at(place) * camera.gain.at(place)));
     return linearization;
 }
 
-glm::vec3 withoutGain(glm::vec3 radiance, float perGain)
+glm::vec3 withoutGain(glm::vec3 radiance, glm::vec3 perGain)
 {
     constexpr float kBrightest = 0.999f * kBurntOut;
     if (brightestChannel(radiance) >= kBurntOut) return radiance;

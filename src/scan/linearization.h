@@ -12,7 +12,7 @@ namespace relamp
 struct Linearization
 {
     Response response; // first this
-    std::vector<float>
+    std::vector<glm::vec3>
         perGain; // then this factor, one a surfel: gain changes over metres. Empty: 1
 
     [[nodiscard]] bool isNeutral() const { return response.isStraight() && perGain.empty(); }
@@ -22,6 +22,6 @@ Linearization linearizationOf(const CameraModel& camera, const Surfels& surfels)
 
 /// Radiance, 1 = white, of a linear value of a texture where the factor is `perGain`. What is burnt
 /// out stays as it is, and nothing else becomes that.
-glm::vec3 withoutGain(glm::vec3 radiance, float perGain);
+glm::vec3 withoutGain(glm::vec3 radiance, glm::vec3 perGain);
 
 } // namespace relamp

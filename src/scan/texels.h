@@ -161,7 +161,7 @@ private:
     const PageTexels& page_;
     Radiance radiance_;
     uint32_t width_;
-    const std::vector<float>* perGain_; // or null
+    const std::vector<glm::vec3>* perGain_; // or null
     bool tinted_; // a mesh of this page has a colour of its own beside the page
 };
 

@@ -1,0 +1,137 @@
+#include "fit/lamp_search.h"
+
+#include "base/parallel.h"
+#include "base/radiometry.shared.h"
+#include "fit/white_balance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr double kCurvedNats = 1.1; // log odds of a camera with a contrast curve: three in four
+constexpr double kTonedNats = -2.2; // likewise of local tone mapping: one in ten
+constexpr int kCameraRounds = 2;    // of what is gathered and what the camera made of it
+constexpr double kGainWidth = 4.0;  // times the noise: what the first loss for a gain forgives
+
+} // namespace
+
+/// Those of what a camera may have done to contrast, near what is known of it.
+CameraColumns LampSearch::contrastColumns(bool isCurved, bool isToned) const
+{
+    const TexturePlaces places = evidence_.texturePlaces();
+    CameraColumns columns;
+    if (isCurved) columns = columnsOf(camera_.response, places);
+    if (!isToned) return columns;
+    const Gain around = evidence_.brightnessAround(camera_.response);
+    return together(columns, columnsOf(camera_.tone, around, places));
+}
+
+/// Nats against a camera that did this, with the leaks that are likeliest then.
+double LampSearch::natsOfContrast(bool isCurved, bool isToned) const
+{
+    const CameraColumns columns = contrastColumns(isCurved, isToned);
+    LightEstimate light = estimate_;
+    light.camera = columns.known;
+    LightFit fit = fitOf(LampEvidence::kPairsFirst);
+    for (int round = 0; round < kCameraRounds; ++round) {
+        fit.expectLeaks(light, columns);
+        light = fit.solve(emits_, std::move(light.log), columns);
+    }
+    if (isToned && light.camera.back() <= 0.0) return INFINITY; // no camera deepens it
+    return light.nats + light.occam - (isCurved ? kCurvedNats : 0.0) - (isToned ? kTonedNats : 0.0);
+}
+
+/// How likely a response and local tone mapping are beside all pieces that may emit.
+void LampSearch::findContrast()
+{
+    std::array<double, 4> nats{}; // bit 0: curved, bit 1: toned
+    forEach(nats.size(), [&](size_t k) {
+        const bool isCurved = (k & 1u) != 0;
+        const bool isToned = (k & 2u) != 0;
+        const bool isSought = (isResponseSought_ || !isCurved) && (isGainSought_ || !isToned);
+        nats[k] = isSought ? natsOfContrast(isCurved, isToned) : INFINITY;
+    });
+    const double least = *std::min_element(nats.begin(), nats.end());
+    double sum = 0.0;
+    for (double& n : nats) {
+        n = std::exp(least - n);
+        sum += n;
+    }
+    const auto sought = [](double belief) { return belief > 0.5 ? belief : 0.0; };
+    curved_ = sought((nats[1] + nats[3]) / sum);
+    toned_ = sought((nats[2] + nats[3]) / sum);
+    bend(LampEvidence::kPairsFirst);
+}
+
+/// The light that is gathered changes with the contrast, and with it the contrast. What is only
+/// likely is undone by as much: the mean over the cameras that it may have been.
+void LampSearch::bend(size_t pairs)
+{
+    for (int round = 0; round < kCameraRounds && isBent(); ++round) {
+        LightFit fit = fitOf(pairs);
+        const CameraColumns columns = contrastColumns(curved_ > 0.0, toned_ > 0.0);
+        LightEstimate light = estimate_;
+        light.camera = columns.known;
+        fit.expectLeaks(light, columns);
+        light = fit.solve(emits_, std::move(light.log), columns);
+        if (curved_ > 0.0) camera_.response = responseOf(light.camera, curved_);
+        if (toned_ > 0.0)
+            camera_.tone = localToneOf(evidence_.brightnessAround(camera_.response),
+                                       toned_ * light.camera.back());
+        seeByCamera(std::move(light.log));
+    }
+}
+
+/// Of places, by what they show and the colours of lamps so far.
+std::vector<glm::vec3> LampSearch::albedo() const
+{
+    std::vector<glm::vec3> albedo(model_.places());
+    forEach(albedo.size(), [&](size_t i) {
+        glm::vec3 irradiance = model_.gathered[i];
+        for (size_t f = 0; f < pieces_.size(); ++f)
+            irradiance += model_.directAt(i)[f] * pieces_[f].radiance;
+        for (size_t o = 0; o < model_.outsides; ++o)
+            irradiance += model_.missedAt(i)[o] * outside_[o];
+        albedo[i] = kPi * model_.shown[i] / glm::max(irradiance, glm::vec3(kFaintest));
+    });
+    return albedo;
+}
+
+/// Likewise, among lamps that are known.
+void LampSearch::findGain()
+{
+    camera_.gain = evenGainOver(evidence_.texturePlaces().position);
+    if (camera_.gain.isOne()) return;
+    for (int round = 0; round < kCameraRounds; ++round) {
+        LightFit fit = fitOf(LampEvidence::kPairsFirst);
+        fit.expectLeaks(estimate_.log);
+        LightEstimate even = fit.solve(
+            emits_, estimate_.log, columnsOf(camera_.gain, evidence_.texturePlaces()), kGainWidth);
+        camera_.gain = gainOf(std::move(camera_.gain), even.camera);
+        seeByCamera(std::move(even.log));
+    }
+    const TexturePlaces places = evidence_.texturePlaces();
+    camera_.gain = withWhiteBalance(std::move(camera_.gain), places.position, albedo(),
+                                    evidence_.pairs(LampEvidence::kPairs));
+    seeByCamera(estimate_.log);
+}
+
+/// Everything in the radiance that the camera tells, from light that was found with it.
+void LampSearch::seeByCamera(std::vector<double> log)
+{
+    const double brighter = evidence_.linearize(camera_);
+    observe();
+    for (double& l : log) l += brighter;
+    estimate_ = fitOf(LampEvidence::kPairsFirst).solve(emits_, std::move(log), 1.0);
+    noise_ = noiseOf(estimate_);
+}
+
+} // namespace relamp

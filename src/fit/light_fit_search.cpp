@@ -1,0 +1,469 @@
+#include "fit/light_fit_search.h"
+
+#include "base/parallel.h"
+#include "base/radiometry.shared.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr double kWhiteNats = 0.1;      // weight of a burnt-out piece being about white
+constexpr double kWhiteSpread = 1.0;    // log: how far about
+constexpr double kOutsideSpread = 2.0;  // log
+constexpr double kOpeningNats = 0.5;    // weight of an opening being as dark as small holes
+constexpr double kOpeningSpread = 1.0;  // log: how far about
+constexpr double kAlikeSpread = 0.6;    // log: between lamps of one model
+constexpr double kMeanAlbedo = 0.35;    // of a room, mean of logarithms
+constexpr double kAlbedoSpread = 0.4;   // log: of that mean between rooms
+constexpr double kDarkerPaper = 0.8;    // log: how much less that may be, and the light on it
+constexpr double kWhiterPaper = 0.3;    // log: how much more
+constexpr double kLeastMatters = 0.003; // of the light at places: a wall that sends less may be of
+                                        // any paint
+constexpr double kLeastSlope = 0.2;     // of a camera's inverse response, log by log
+constexpr double kConverged = 0.0025;   // nats
+constexpr int kMostSteps = 30;          // for time alone
+constexpr double kLongestStep = 2.0;    // log
+
+double logDeterminant(const Eigen::MatrixXd& matrix)
+{
+    return 2.0 * matrix.llt().matrixL().toDenseMatrix().diagonal().array().log().sum();
+}
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+} // namespace
+
+double medianOfAll(std::vector<double> values)
+{
+    if (values.empty()) return 0.0;
+    const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+std::vector<double> exponentials(std::span<const double> log)
+{
+    std::vector<double> values;
+    for (const double l : log) values.push_back(std::exp(l));
+    return values;
+}
+
+LightFitSearch::LightFitSearch(const LightFit& fit, std::span<const uint8_t> emits,
+                               const EmissionPrior& prior, std::vector<double> start,
+                               const CameraColumns& camera)
+    : fit_(fit), model_(fit.model_), emits_(emits), prior_(prior), camera_(camera),
+      unknownOf_(emits.size(), -1)
+{
+    for (size_t f = 0; f < emits.size(); ++f) {
+        if (emits[f] == 0 &&
+            (!prior.log.empty() || model_.area[f] <= 0.0f || fit.whiteShare_[f] < kLeastMatters))
+            continue;
+        unknownOf_[f] = static_cast<int>(pieceOf_.size());
+        pieceOf_.push_back(f);
+    }
+    here_.log = std::move(start);
+    here_.log.insert(here_.log.end(), camera.known.begin(), camera.known.end());
+}
+
+/// Normal about what is known; else Cauchy about white: a burnt-out piece is a wall or a lamp of
+/// whatever brightness, and a pull that grew with the distance would hold lamps back. It weighs
+/// more the more of a piece shows a colour, for much more than white is white in all channels.
+LightFitSearch::Prior LightFitSearch::priorOf(size_t unknown, const Point& point) const
+{
+    const bool isOutside = unknown >= pieceOf_.size();
+    const double log = point.log[at(unknown)];
+    if (unknown > pieceOf_.size()) return openingPrior(at(unknown), point);
+    if (!isOutside && emits_[pieceOf_[unknown]] == 0) {
+        const double off = log - point.reflected[pieceOf_[unknown]];
+        const double paper = off > 0.0 ? kWhiterPaper : kDarkerPaper;
+        const double weight = 1.0 / (paper * paper);
+        return {0.5 * weight * off * off, weight, weight * off};
+    }
+    if (!isOutside && prior_.log.empty()) {
+        const double off = log / kWhiteSpread;
+        const double nats =
+            kWhiteNats + (model_.coloured.empty()
+                              ? 0.0
+                              : static_cast<double>(model_.coloured[pieceOf_[unknown]]));
+        const double weight = 2.0 * nats / (kWhiteSpread * kWhiteSpread * (1.0 + off * off));
+        return {nats * std::log1p(off * off), weight, weight * log};
+    }
+    const double spread = isOutside ? kOutsideSpread : prior_.spread;
+    const double off = log - (isOutside ? fit_.outside_ : prior_.log[pieceOf_[unknown]]);
+    const double weight = 1.0 / (spread * spread);
+    return {0.5 * weight * off * off, weight, weight * off};
+}
+
+/// Cauchy about what scanners miss: small holes show what lies in shade, a window may show the sky.
+LightFitSearch::Prior LightFitSearch::openingPrior(size_t log, const Point& point) const
+{
+    if (!prior_.log.empty()) {
+        const double off = point.log[log] - prior_.log[log];
+        const double weight = 1.0 / (prior_.spread * prior_.spread);
+        return {0.5 * weight * off * off, weight, weight * off};
+    }
+    const double step = point.log[log] - fit_.outside_;
+    const double off = step / kOpeningSpread;
+    const double weight =
+        2.0 * kOpeningNats / (kOpeningSpread * kOpeningSpread * (1.0 + off * off));
+    return {kOpeningNats * std::log1p(off * off), weight, weight * step};
+}
+
+/// What reflects, and is no unknown, sends what the light before makes of it, a bounce at a time.
+void LightFitSearch::reflect(Point& at) const
+{
+    at.reflected.resize(model_.pieces);
+    for (int bounce = 0; bounce < 3; ++bounce) {
+        const std::vector<double> radiance = exponentials(at.log);
+        for (size_t f = 0; f < model_.pieces; ++f) {
+            at.reflected[f] = fit_.reflectedIn(f, radiance);
+            if (unknownOf_[f] < 0) at.log[f] = at.reflected[f];
+        }
+    }
+}
+
+void LightFitSearch::light(Point& at) const
+{
+    reflect(at);
+    const std::vector<double> radiance = exponentials(at.log);
+    at.logIrradiance.resize(model_.shown.size());
+    at.shown.resize(model_.shown.size());
+    forEachChunk(at.logIrradiance.size(), 256, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            at.logIrradiance[i] = std::log(fit_.irradiance(i, radiance));
+            at.shown[i] = shown(at, i);
+        }
+    });
+    at.nats = costOf(at);
+}
+
+double LightFitSearch::residual(const Point& at, MaterialPair pair) const
+{
+    return at.shown[pair.p] - at.shown[pair.q] - at.logIrradiance[pair.p] +
+           at.logIrradiance[pair.q];
+}
+
+/// Mean slope of the inverse response between two places.
+double LightFitSearch::slopeOf(const Point& at, MaterialPair pair) const
+{
+    double slope =
+        0.5 * static_cast<double>(camera_.slopeKnown[pair.p] + camera_.slopeKnown[pair.q]);
+    for (size_t k = 0; k < camera_.count(); ++k)
+        slope += 0.5 * cameraAt(at, k) *
+                 static_cast<double>(camera_.slopeAt(pair.p)[k] + camera_.slopeAt(pair.q)[k]);
+    return std::max(slope, kLeastSlope);
+}
+
+/// The texture is what was measured: a response that flattens it makes every pair agree, and pays
+/// for that by the logarithm of its slope.
+double LightFitSearch::costOfCamera(const Point& at) const
+{
+    double nats = 0.0;
+    for (size_t k = 0; k < fit_.pairs_.size() && !camera_.slope.empty(); ++k)
+        nats -= fit_.paintShare_[k] * perPair() * std::log(slopeOf(at, fit_.pairs_[k]));
+    const size_t n = camera_.count();
+    const std::vector<double> c = beyondExpected(at);
+    for (size_t i = 0; i < n; ++i)
+        for (size_t j = 0; j < n; ++j) nats += 0.5 * c[i] * camera_.precision[i * n + j] * c[j];
+    return nats;
+}
+
+void LightFitSearch::addCamera(const Point& at, Normal& normal) const
+{
+    const size_t n = camera_.count();
+    const auto first = static_cast<Eigen::Index>(lights());
+    const std::vector<double> c = beyondExpected(at);
+    std::vector<double> sums(n * (n + 1), 0.0); // of the rows' products, and then of the rows
+    std::vector<double> row(n);
+    for (size_t i = 0; i < fit_.pairs_.size() && !camera_.slope.empty(); ++i) {
+        const MaterialPair pair = fit_.pairs_[i];
+        const double slope = slopeOf(at, pair);
+        const double weight = fit_.paintShare_[i] * perPair();
+        for (size_t k = 0; k < n; ++k)
+            row[k] = 0.5 / slope *
+                     static_cast<double>(camera_.slopeAt(pair.p)[k] + camera_.slopeAt(pair.q)[k]);
+        for (size_t k = 0; k < n; ++k) {
+            for (size_t j = 0; j < n; ++j) sums[k * n + j] += weight * row[k] * row[j];
+            sums[n * n + k] -= weight * row[k];
+        }
+    }
+    for (size_t k = 0; k < n; ++k) {
+        const Eigen::Index u = first + static_cast<Eigen::Index>(k);
+        normal.slope[u] += sums[n * n + k];
+        for (size_t j = 0; j < n; ++j)
+            normal.matrix(u, first + static_cast<Eigen::Index>(j)) += sums[k * n + j];
+    }
+    for (size_t i = 0; i < n; ++i)
+        for (size_t j = 0; j < n; ++j) {
+            const double weight = camera_.precision[i * n + j];
+            normal.matrix(first + static_cast<Eigen::Index>(i),
+                          first + static_cast<Eigen::Index>(j)) += weight;
+            normal.slope[first + static_cast<Eigen::Index>(i)] += weight * c[j];
+        }
+}
+
+/// How far the mean log albedo of all places is from a room's.
+double LightFitSearch::level(const Point& at) const
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < model_.places(); ++i) sum += at.shown[i] - at.logIrradiance[i];
+    return sum / static_cast<double>(model_.places()) +
+           std::log(static_cast<double>(kPi) / kMeanAlbedo);
+}
+
+double LightFitSearch::costOf(const Point& at) const
+{
+    constexpr size_t kChunk = 2048; // pairs that one thread sums
+    const size_t pairs = fit_.pairs_.size();
+    std::vector<double> sums((pairs + kChunk - 1) / kChunk, 0.0);
+    forEachChunk(pairs, kChunk, [&](size_t begin, size_t end) {
+        for (size_t k = begin; k < end; ++k) {
+            const double r = residual(at, fit_.pairs_[k]);
+            const double off = r / (wider_ * fit_.noiseOf(k, r));
+            sums[begin / kChunk] += std::log1p(off * off);
+        }
+    });
+    const double nats = std::accumulate(sums.begin(), sums.end(), fit_.normalization_);
+    return perPair() * nats + costOfPriors(at);
+}
+
+double LightFitSearch::costOfPriors(const Point& at) const
+{
+    double nats = 0.0;
+    for (size_t f = 0; f < model_.pieces; ++f)
+        if (isBounded(f)) nats += fit_.boundCost(f, at.logIrradiance[model_.placeOf(f)]);
+    for (size_t u = 0; u < lights(); ++u) nats += priorOf(u, at).cost;
+    if (camera_.count() > 0) nats += costOfCamera(at);
+    for (const auto& [a, b] : fit_.alike_) {
+        if (emits_[a] == 0 || emits_[b] == 0) continue;
+        const double off = (at.log[a] - at.log[b]) / kAlikeSpread;
+        nats += 0.5 * off * off;
+    }
+    const double off = level(at) / kAlbedoSpread;
+    return nats + 0.5 * off * off;
+}
+
+/// Of the irradiance at each place, by unknowns: d log E / d log; and a row of zeros.
+PlaceTable LightFitSearch::sharesOf(const Point& at) const
+{
+    const size_t rows = model_.shown.size();
+    PlaceTable shares(rows + 1, count());
+    const std::vector<double> radiance = exponentials(at.log);
+    forEachChunk(rows, 256, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            float* share = shares.row(i);
+            const std::span<const float> direct = model_.directAt(i);
+            const double per = std::exp(-at.logIrradiance[i]);
+            for (size_t u = 0; u < pieceOf_.size(); ++u)
+                share[u] = static_cast<float>(per * radiance[pieceOf_[u]]) * direct[pieceOf_[u]];
+            for (size_t o = 0; o < model_.outsides; ++o)
+                share[pieceOf_.size() + o] =
+                    static_cast<float>(per * radiance[model_.pieces + o]) * model_.missedAt(i)[o];
+            if (i < model_.places())
+                for (size_t k = 0; k < camera_.count(); ++k)
+                    share[lights() + k] = -camera_.bendAt(i)[k];
+        }
+    });
+    return shares;
+}
+
+/// Of all but what ties pieces to each other.
+LightFitSearch::Normal LightFitSearch::normalOfData(const Point& at) const
+{
+    const size_t rows = model_.shown.size();
+    const PlaceTable shares = sharesOf(at);
+    std::vector<PairResidual> weighed(fit_.pairs_.size());
+    forEachChunk(weighed.size(), 2048, [&](size_t begin, size_t end) {
+        for (size_t k = begin; k < end; ++k) {
+            const double r = residual(at, fit_.pairs_[k]);
+            const double noise = wider_ * fit_.noiseOf(k, r);
+            const double slope = std::sqrt(2.0 * perPair() / (noise * noise + r * r));
+            weighed[k] = {fit_.pairs_[k], static_cast<float>(slope), static_cast<float>(slope * r)};
+        }
+    });
+    for (size_t f = 0; f < model_.pieces; ++f) {
+        if (!isBounded(f)) continue;
+        const size_t place = model_.placeOf(f);
+        const double lack = fit_.lack(f, at.logIrradiance[place]);
+        if (lack <= 0.0) continue;
+        const double off = lack / kBoundNoise;
+        const double wall = (1.0 - kFlaw) * std::exp(-0.5 * off * off);
+        const double slope = std::sqrt(wall / (wall + kFlaw)) / kBoundNoise;
+        weighed.push_back({{static_cast<uint32_t>(place), static_cast<uint32_t>(rows)},
+                           static_cast<float>(slope),
+                           static_cast<float>(slope * lack)});
+    }
+    const auto n = static_cast<Eigen::Index>(count());
+    const std::vector<double> squares = squaresOf(shares, weighed);
+    const Eigen::Map<const RowMajor> all(squares.data(), n + 1, n + 1);
+    Normal normal{all.topLeftCorner(n, n), all.bottomLeftCorner(1, n).transpose()};
+    addPriors(at, normal);
+    addLevel(at, shares, normal);
+    if (camera_.count() > 0) addCamera(at, normal);
+    return normal;
+}
+
+LightFitSearch::Normal LightFitSearch::normalAt(const Point& at) const
+{
+    Normal normal = normalOfData(at);
+    addAlike(at, normal);
+    return normal;
+}
+
+void LightFitSearch::addPriors(const Point& at, Normal& normal) const
+{
+    for (size_t u = 0; u < lights(); ++u) {
+        const auto i = static_cast<Eigen::Index>(u);
+        const Prior prior = priorOf(u, at);
+        normal.matrix(i, i) += prior.weight;
+        normal.slope[i] += prior.slope;
+    }
+}
+
+void LightFitSearch::addAlike(const Point& at, Normal& normal) const
+{
+    for (const auto& [a, b] : fit_.alike_) {
+        if (emits_[a] == 0 || emits_[b] == 0) continue;
+        const double weight = 1.0 / (kAlikeSpread * kAlikeSpread);
+        const Eigen::Index i = unknownOf_[a];
+        const Eigen::Index j = unknownOf_[b];
+        const double off = at.log[a] - at.log[b];
+        normal.matrix(i, i) += weight;
+        normal.matrix(j, j) += weight;
+        normal.matrix(i, j) -= weight;
+        normal.matrix(j, i) -= weight;
+        normal.slope[i] += weight * off;
+        normal.slope[j] -= weight * off;
+    }
+}
+
+void LightFitSearch::addLevel(const Point& at, const PlaceTable& shares, Normal& normal) const
+{
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(normal.slope.size());
+    for (size_t i = 0; i < model_.places(); ++i)
+        for (size_t u = 0; u < count(); ++u)
+            row[static_cast<Eigen::Index>(u)] -= static_cast<double>(shares.row(i)[u]);
+    row /= static_cast<double>(model_.places()) * kAlbedoSpread;
+    normal.matrix += row * row.transpose();
+    normal.slope += level(at) / kAlbedoSpread * row;
+}
+
+/// False where nothing near is better.
+bool LightFitSearch::step()
+{
+    constexpr int kAttempts = 6; // of a shorter step, each time by more damping
+    const Normal normal = normalAt(here_);
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        Eigen::MatrixXd damped = normal.matrix;
+        damped.diagonal() *= 1.0 + damping_;
+        const Eigen::VectorXd way = -damped.llt().solve(normal.slope);
+        Point there = here_;
+        for (size_t u = 0; u < count(); ++u)
+            there.log[at(u)] +=
+                std::clamp(way[static_cast<Eigen::Index>(u)], -kLongestStep, kLongestStep);
+        light(there);
+        const double gain = here_.nats - there.nats;
+        if (gain > 0.0) {
+            here_ = std::move(there);
+            damping_ = std::max(damping_ * 0.2, 1e-6);
+            return gain > kConverged;
+        }
+        damping_ *= 10.0;
+    }
+    return false;
+}
+
+void LightFitSearch::run(double widest)
+{
+    for (wider_ = widest;; wider_ = std::max(0.5 * wider_, 1.0)) {
+        damping_ = 1e-3;
+        light(here_);
+        for (int i = 0; i < kMostSteps && step(); ++i) {
+        }
+        if (wider_ <= 1.0) return;
+    }
+}
+
+LightEstimate LightFitSearch::result() const
+{
+    LightEstimate estimate{.log = here_.log, .nats = here_.nats};
+    const auto lightsEnd =
+        here_.log.begin() + static_cast<ptrdiff_t>(model_.pieces + model_.outsides);
+    estimate.camera.assign(lightsEnd, here_.log.end());
+    estimate.log.resize(model_.pieces + model_.outsides);
+    estimate.error.assign(here_.log.size(), 0.0);
+    const Normal normal = normalAt(here_);
+    const auto n = static_cast<Eigen::Index>(count());
+    const Eigen::MatrixXd covariance = normal.matrix.llt().solve(Eigen::MatrixXd::Identity(n, n));
+    if (camera_.count() > 0) {
+        const auto l = static_cast<Eigen::Index>(lights());
+        const Eigen::Map<const Eigen::MatrixXd> prior(camera_.precision.data(), n - l, n - l);
+        estimate.occam =
+            0.5 * (logDeterminant(normal.matrix) -
+                   logDeterminant(normal.matrix.topLeftCorner(l, l)) - logDeterminant(prior));
+    }
+    for (Eigen::Index u = 0; u < n; ++u)
+        estimate.error[at(static_cast<size_t>(u))] = std::sqrt(covariance(u, u));
+    std::vector<double> sizes;
+    for (const MaterialPair pair : fit_.pairs_) sizes.push_back(std::abs(residual(here_, pair)));
+    estimate.residual = medianOfAll(std::move(sizes));
+    return estimate;
+}
+
+/// Unknowns are shares of radiance here: what goes dark keeps what it reflects, and is no longer
+/// like any other. Of a set that goes,
+/// the cost is d^T (C_ss)^-1 d / 2 for the change d; then the others move by C_rs (C_ss)^-1 d.
+std::vector<uint8_t> LightFitSearch::needless(std::span<const Removal> removals) const
+{
+    const auto n = static_cast<Eigen::Index>(count());
+    Eigen::MatrixXd covariance =
+        normalOfData(here_).matrix.llt().solve(Eigen::MatrixXd::Identity(n, n));
+    Eigen::VectorXd change(n); // that each must still make to go
+    for (size_t u = 0; u < pieceOf_.size(); ++u) {
+        const double left = here_.reflected[pieceOf_[u]] - here_.log[pieceOf_[u]];
+        change[static_cast<Eigen::Index>(u)] = std::min(std::exp(left), 1.0) - 1.0;
+    }
+    change.tail(static_cast<Eigen::Index>(model_.outsides)).setZero();
+    std::vector<uint8_t> isGone(pieceOf_.size(), 0);
+    std::vector<uint8_t> gone(removals.size(), 0);
+    for (;;) {
+        double least = 0.0;
+        size_t best = removals.size();
+        Eigen::MatrixXd bestMove; // C_.s (C_ss)^-1
+        std::vector<Eigen::Index> bestSet;
+        for (size_t k = 0; k < removals.size(); ++k) {
+            std::vector<Eigen::Index> set;
+            for (const uint32_t piece : removals[k].pieces)
+                if (const int u = unknownOf_[piece]; u >= 0 && isGone[static_cast<size_t>(u)] == 0)
+                    set.push_back(u);
+            if (set.empty()) {
+                gone[k] = 1;
+                continue;
+            }
+            const Eigen::MatrixXd own = covariance(set, set);
+            const Eigen::VectorXd d = change(set);
+            const Eigen::LDLT<Eigen::MatrixXd> solver(own);
+            const double nats = 0.5 * d.dot(solver.solve(d)) - removals[k].cost;
+            if (nats >= least) continue;
+            least = nats;
+            best = k;
+            bestSet = set;
+            bestMove = solver.solve(covariance(set, Eigen::all)).transpose();
+        }
+        if (best == removals.size()) return gone;
+        const Eigen::VectorXd moved = bestMove * change(bestSet);
+        change -= moved;
+        covariance -= bestMove * covariance(bestSet, Eigen::all);
+        for (const Eigen::Index u : bestSet) isGone[static_cast<size_t>(u)] = 1;
+        gone[best] = 1;
+    }
+}
+
+} // namespace relamp

@@ -1,0 +1,123 @@
+#pragma once
+
+#include "fit/light_fit.h"
+#include "fit/squares.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace relamp
+{
+
+// Of walls that are burnt out and do not emit.
+inline constexpr double kBoundNoise = 0.6; // log: of the light on a wall that is burnt out
+inline constexpr double kFlaw = 0.3; // chance that such a wall has not the light for it: it is
+                                     // polished, or the texture mixes it with a lamp
+
+/// One search for the unknowns of a LightFit, with the light that the last of them give.
+class LightFitSearch
+{
+public:
+    LightFitSearch(const LightFit& fit, std::span<const uint8_t> emits, const EmissionPrior& prior,
+                   std::vector<double> start, const CameraColumns& camera);
+
+    void run(double widest);
+    [[nodiscard]] LightEstimate result() const;
+    [[nodiscard]] std::vector<uint8_t> needless(std::span<const Removal> removals) const;
+
+private:
+    struct Point // of the unknowns, at which the light is known
+    {
+        std::vector<double> log;       // of pieces, then of parts outside
+        std::vector<double> reflected; // log radiance that pieces have if they only reflect
+        std::vector<double> logIrradiance;
+        std::vector<double> shown; // log radiance of places
+        double nats = 0.0;
+    };
+    struct Normal
+    {
+        Eigen::MatrixXd matrix;
+        Eigen::VectorXd slope;
+    };
+
+    void light(Point& at) const;
+    void reflect(Point& at) const;
+    [[nodiscard]] double residual(const Point& at, MaterialPair pair) const;
+    [[nodiscard]] double costOf(const Point& at) const;
+    [[nodiscard]] double costOfPriors(const Point& at) const;
+    [[nodiscard]] PlaceTable sharesOf(const Point& at) const;
+    [[nodiscard]] Normal normalOfData(const Point& at) const;
+    [[nodiscard]] Normal normalAt(const Point& at) const;
+    void addPriors(const Point& at, Normal& normal) const;
+    void addAlike(const Point& at, Normal& normal) const;
+    void addLevel(const Point& at, const PlaceTable& shares, Normal& normal) const;
+    [[nodiscard]] double level(const Point& at) const;
+    bool step();
+
+    /// Burnt-out walls tell how bright the lamps are, and pairs alone of what colour: a wall of
+    /// warm light burns out in red first.
+    [[nodiscard]] bool isBounded(size_t piece) const
+    {
+        return emits_[piece] == 0 && prior_.log.empty();
+    }
+    [[nodiscard]] size_t lights() const { return pieceOf_.size() + model_.outsides; } // unknown
+    [[nodiscard]] size_t count() const { return lights() + camera_.count(); } // of all unknowns
+    [[nodiscard]] double cameraAt(const Point& at, size_t k) const // beyond what is known
+    {
+        return at.log[model_.pieces + model_.outsides + k] - camera_.known[k];
+    }
+    [[nodiscard]] std::vector<double> beyondExpected(const Point& at) const
+    {
+        std::vector<double> c;
+        for (size_t k = 0; k < camera_.count(); ++k)
+            c.push_back(cameraAt(at, k) + camera_.known[k] - camera_.expected[k]);
+        return c;
+    }
+    [[nodiscard]] double shown(const Point& at, size_t place) const
+    {
+        double log = fit_.logShown_[place];
+        if (camera_.count() > 0 && place < model_.places())
+            for (size_t k = 0; k < camera_.count(); ++k)
+                log += cameraAt(at, k) * static_cast<double>(camera_.bendAt(place)[k]);
+        return log;
+    }
+    [[nodiscard]] double perPair() const { return camera_.worth * fit_.perPair(); }
+    [[nodiscard]] double slopeOf(const Point& at, MaterialPair pair) const;
+    void addCamera(const Point& at, Normal& normal) const;
+    [[nodiscard]] double costOfCamera(const Point& at) const;
+    [[nodiscard]] size_t at(size_t unknown) const // its place in logs
+    {
+        return unknown < pieceOf_.size() ? pieceOf_[unknown]
+                                         : model_.pieces + unknown - pieceOf_.size();
+    }
+    struct Prior
+    {
+        double cost;
+        double weight; // of a squared step
+        double slope;
+    };
+    [[nodiscard]] Prior priorOf(size_t unknown, const Point& point) const;
+    [[nodiscard]] Prior openingPrior(size_t log, const Point& point) const;
+
+    const LightFit& fit_;
+    const LightModel& model_;
+    std::span<const uint8_t> emits_;
+    const EmissionPrior& prior_;
+    const CameraColumns& camera_;
+    std::vector<size_t> pieceOf_; // of unknowns; the parts outside come behind
+    std::vector<int> unknownOf_;  // of pieces; < 0: it reflects as its paint is expected to
+    double wider_ = 1.0;
+    double damping_ = 1e-3;
+    Point here_;
+};
+
+/// 0 of none.
+double medianOfAll(std::vector<double> values);
+std::vector<double> exponentials(std::span<const double> log);
+
+} // namespace relamp

@@ -1,0 +1,118 @@
+#include "fit/white_balance.h"
+
+#include "base/radiometry.shared.h"
+#include "fit/camera_columns.h"
+#include "scan/gain.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Cholesky>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr double kTintSpread = 0.07; // log: of red or blue over green, by automatic white balance
+constexpr double kTintStep = 0.04;   // log: likewise, from knot to knot
+constexpr double kLeastTintNoise = 0.01; // log: what a byte tells of a colour
+constexpr int kRounds = 5;               // of reweighted least squares
+
+/// A pair's knots: those of one place, and those of the other with the sign turned.
+struct Row
+{
+    std::array<Eigen::Index, 16> knot;
+    std::array<double, 16> part;
+};
+
+std::vector<Row> rowsOf(const Gain& gain, std::span<const glm::vec3> position,
+                        std::span<const MaterialPair> pairs)
+{
+    std::vector<Row> rows(pairs.size());
+    for (size_t i = 0; i < pairs.size(); ++i) {
+        const GainWeights p = weightsAt(gain, position[pairs[i].p]);
+        const GainWeights q = weightsAt(gain, position[pairs[i].q]);
+        for (size_t k = 0; k < 8; ++k) {
+            rows[i].knot[k] = p.knot[k];
+            rows[i].part[k] = static_cast<double>(p.part[k]);
+            rows[i].knot[8 + k] = q.knot[k];
+            rows[i].part[8 + k] = -static_cast<double>(q.part[k]);
+        }
+    }
+    return rows;
+}
+
+double medianSize(std::vector<double> values)
+{
+    if (values.empty()) return 0.0;
+    for (double& value : values) value = std::abs(value);
+    const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Knots that explain the differences of pairs best, by Cauchy's loss and the prior. Each pair is
+/// `worth` an independent one.
+Eigen::VectorXd knotsOf(const std::vector<Row>& rows, const std::vector<double>& difference,
+                        const Eigen::MatrixXd& prior, double worth)
+{
+    Eigen::VectorXd knots = Eigen::VectorXd::Zero(prior.rows());
+    std::vector<double> left = difference;
+    for (int round = 0; round < kRounds; ++round) {
+        const double noise = std::max(medianSize(left), kLeastTintNoise);
+        Eigen::MatrixXd matrix = prior;
+        Eigen::VectorXd slope = Eigen::VectorXd::Zero(prior.rows());
+        for (size_t i = 0; i < rows.size(); ++i) {
+            const Row& row = rows[i];
+            const double weight = 2.0 * worth / (noise * noise + left[i] * left[i]);
+            for (size_t a = 0; a < row.knot.size(); ++a) {
+                slope[row.knot[a]] += weight * row.part[a] * difference[i];
+                for (size_t b = 0; b < row.knot.size(); ++b)
+                    matrix(row.knot[a], row.knot[b]) += weight * row.part[a] * row.part[b];
+            }
+        }
+        knots = matrix.llt().solve(slope);
+        for (size_t i = 0; i < rows.size(); ++i) {
+            left[i] = difference[i];
+            for (size_t a = 0; a < rows[i].knot.size(); ++a)
+                left[i] -= rows[i].part[a] * knots[rows[i].knot[a]];
+        }
+    }
+    return knots;
+}
+
+} // namespace
+
+Gain withWhiteBalance(Gain gain, std::span<const glm::vec3> position,
+                      std::span<const glm::vec3> albedo, std::span<const MaterialPair> pairs)
+{
+    const std::vector<Row> rows = rowsOf(gain, position, pairs);
+    const std::vector<double> precision = precisionOf(gain, kTintSpread, kTintStep);
+    const auto knotCount = static_cast<Eigen::Index>(gain.log.size());
+    const Eigen::MatrixXd prior =
+        Eigen::Map<const Eigen::MatrixXd>(precision.data(), knotCount, knotCount);
+    // What is wrong with the light is hardly coloured, so every place tells of its own.
+    const double worth = static_cast<double>(position.size()) /
+                         static_cast<double>(std::max<size_t>(pairs.size(), 1));
+    for (const int channel : {0, 2}) {
+        const auto overGreen = [&](uint32_t place) {
+            return static_cast<double>(logOfLight(albedo[place][channel]) -
+                                       logOfLight(albedo[place].g));
+        };
+        std::vector<double> difference;
+        for (const MaterialPair pair : pairs)
+            difference.push_back(overGreen(pair.p) - overGreen(pair.q));
+        const Eigen::VectorXd knots = knotsOf(rows, difference, prior, worth);
+        glm::vec3 tint(0.0f);
+        tint[channel] = 1.0f;
+        tint -= glm::vec3(luminance(tint));
+        for (size_t k = 0; k < gain.log.size(); ++k)
+            gain.log[k] += tint * static_cast<float>(knots[static_cast<Eigen::Index>(k)]);
+    }
+    return gain;
+}
+
+} // namespace relamp
