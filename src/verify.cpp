@@ -30,8 +30,8 @@ Verification verify(const std::filesystem::path& folder, const VerifyOptions& op
     const FoundRoom found = findRoom(texels, scene, asThen, progress);
     result.warnings.insert(result.warnings.end(), found.warnings.begin(), found.warnings.end());
     const TracedRoom room = tracedRoomOf(texels, found, meanAlbedo(texels, found.radiance, albedo));
-    const auto places =
-        renderAgain(texels, PathTracer(texels, scene, room), albedo, options, progress);
+    const auto places = renderAgain(texels, PathTracer(texels, scene, room), albedo,
+                                    found.linearization, options, progress);
     compare(places, result);
     return result;
 }

@@ -159,13 +159,14 @@ std::vector<glm::vec3> meanAlbedo(const Texels& texels, const SurfelRadiance& ra
 }
 
 std::vector<RenderedPlace> renderAgain(const Texels& texels, const PathTracer& tracer,
-                                       std::span<const Image> albedo, const VerifyOptions& options,
-                                       Progress& progress)
+                                       std::span<const Image> albedo,
+                                       const Linearization& linearization,
+                                       const VerifyOptions& options, Progress& progress)
 {
     std::vector<TexelLoader> loaders;
     std::vector<Radiance> albedoOf;
     for (size_t p = 0; p < texels.pages.size(); ++p) {
-        loaders.emplace_back(texels, p);
+        loaders.emplace_back(texels, p, &linearization);
         albedoOf.emplace_back(albedo[p]);
     }
     const size_t all = texels.count();

@@ -4,6 +4,7 @@
 #include "relamp/image.h"
 #include "relamp/progress.h"
 #include "relamp/verify.h"
+#include "scan/linearization.h"
 #include "scan/texels.h"
 #include "shading/path_tracer.h"
 
@@ -18,8 +19,8 @@ namespace relamp
 /// A texel as the scan has it, and rendered twice, by paths that know nothing of each other.
 struct RenderedPlace
 {
-    float area = 0.0f; // m^2; 0 where the texel is burnt out, and nothing else is set
-    glm::vec3 scan{0.0f};
+    float area = 0.0f;      // m^2; 0 where the texel is burnt out, and nothing else is set
+    glm::vec3 scan{0.0f};   // without what the camera did
     glm::vec3 albedo{0.0f}; // as the result has it; above 1 where its shading fell short
     glm::vec3 first{0.0f};
     glm::vec3 second{0.0f};
@@ -38,10 +39,11 @@ std::vector<glm::vec3> meanAlbedo(const Texels& texels, const SurfelRadiance& ra
                                   std::span<const Image> albedo);
 
 /// Renders texels that lie evenly over the scan, each by its own albedo (at most 1) under what
-/// paths bring it.
+/// paths bring it, to be compared with what the scan shows once its camera is undone.
 std::vector<RenderedPlace> renderAgain(const Texels& texels, const PathTracer& tracer,
-                                       std::span<const Image> albedo, const VerifyOptions& options,
-                                       Progress& progress);
+                                       std::span<const Image> albedo,
+                                       const Linearization& linearization,
+                                       const VerifyOptions& options, Progress& progress);
 
 /// Sets the figures of `result`: error, ratio and bins.
 void compare(std::span<const RenderedPlace> places, Verification& result);

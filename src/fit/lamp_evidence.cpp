@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace relamp
@@ -132,6 +133,9 @@ Gain LampEvidence::brightnessAround(const Response& response) const
         log[s] = std::log(std::max(luminance(radiance), kDarkestBase));
         area[s] = radiance_.plainArea[s] + radiance_.clippedArea[s];
     });
+    const double all = std::accumulate(area.begin(), area.end(), 0.0);
+    const double sum = std::inner_product(log.begin(), log.end(), area.begin(), 0.0);
+    for (float& l : log) l -= static_cast<float>(sum / std::max(all, 1e-30));
     const std::span<const glm::vec3> positions = texels_.surfels.position;
     return meansOver(toneLatticeOver(positions), positions, log, area);
 }

@@ -46,7 +46,7 @@ public:
     /// what they have. Returns how much brighter places are than before, mean of logarithms.
     double linearize(const CameraModel& camera);
     /// Logarithms of the brightness that the texture has around each place, once this response is
-    /// undone.
+    /// undone; their mean over the scan is 0.
     [[nodiscard]] Gain brightnessAround(const Response& response) const;
     [[nodiscard]] const SurfelRadiance& radiance() const { return radiance_; } // so far
     /// What places show in the file.

@@ -28,6 +28,23 @@ nlohmann::json verified(const std::vector<std::string>& arguments)
 
 } // namespace
 
+// What a camera did is taken out of the albedo, and of what it is compared with.
+TEST(VerifyProgram, TakesOutOfTheScanWhatTheCameraDid)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(runRelamp({"delight", kSampleScan, "-o", folder / "out", "-q"}).exitCode, 0);
+    nlohmann::json lights = nlohmann::json::parse(std::ifstream(folder / "out" / "lights.json"));
+    lights["camera"]["response"] = {0.5, 0.5, 0.5, 0.5, 0.5};
+    std::ofstream(folder / "curved.json") << lights;
+    ASSERT_EQ(runRelamp({"delight", kSampleScan, "-o", folder / "curved", "-q", "--lights",
+                         folder / "curved.json"})
+                  .exitCode,
+              0);
+    const nlohmann::json straight = verified({folder / "out"});
+    const nlohmann::json curved = verified({folder / "curved"});
+    EXPECT_GT(curved["rmsOfScan"].get<double>(), 1.1 * straight["rmsOfScan"].get<double>());
+}
+
 // Albedo times light, every bounce simulated, is the scan again: the gather solver gathered its
 // light from the scan, so this says that the light it found is also the light that its own lamps
 // and walls make.
