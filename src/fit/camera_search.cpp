@@ -105,7 +105,7 @@ std::vector<glm::vec3> LampSearch::albedo() const
     return albedo;
 }
 
-/// Likewise, among lamps that are known.
+/// The drift of exposure and white balance, among lamps that are known.
 void LampSearch::findGain()
 {
     camera_.gain = evenGainOver(evidence_.texturePlaces().position);

@@ -391,7 +391,7 @@ void LampSearch::letSunIn(const LitSides& sides)
     std::optional<SunFit> fit =
         findSun(texels_, *outside, hits_, evidence_.radiance(),
                 {sides, pieces_, emits_, cost, estimate_.log, model_, evidence_.places(),
-                 evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, noise_});
+                 evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, noise_, kLampNats});
     if (!fit) return;
     for (const size_t perPlace : {LampEvidence::kPairsFirst, LampEvidence::kPairs})
         evidence_.addPairs(perPlace, fit->trial.pairs(evidence_.pairs(perPlace).size()));

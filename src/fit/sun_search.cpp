@@ -75,7 +75,8 @@ std::optional<SunFit> findSun(const Texels& texels, const RayScene& outside, con
 {
     const SunDirections directions =
         sunDirections(texels, outside, radiance, apparentAlbedo(radiance, light));
-    const double tries = std::log(static_cast<double>(std::max<size_t>(directions.tried, 1)));
+    const double tries =
+        light.costOfSun + std::log(static_cast<double>(std::max<size_t>(directions.tried, 1)));
     std::optional<SunFit> best;
     for (const glm::vec3 towards : directions.towards) {
         const AreaLight disc(sunDisc({.direction = towards}, *texels.scan));

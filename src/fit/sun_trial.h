@@ -32,7 +32,8 @@ struct LightSoFar
     std::span<const uint32_t> places;    // surfels
     std::span<const MaterialPair> pairs; // of these
     std::span<const AlikePieces> alike;
-    double noise; // log: between places of one paint
+    double noise;     // log: between places of one paint
+    double costOfSun; // nats that it takes to believe in one, wherever it stands
 };
 
 /// A burnt-out piece that is a patch of sun: paint, whose colour is that of what lies beside it.

@@ -20,6 +20,18 @@ CameraColumns columnsOf(const CameraModel& camera, const TexturePlaces& places)
     return {};
 }
 
+/// The same with a sun's rim behind the places, which has no camera of its own.
+CameraColumns columnsOf(const FittedLight& light)
+{
+    CameraColumns columns = columnsOf(light.camera, light.texture);
+    const size_t places = light.model.places();
+    columns.bend.resize(places * columns.count(), 0.0f);
+    if (columns.slope.empty()) return columns;
+    columns.slope.resize(places * columns.count(), 0.0f);
+    columns.slopeKnown.resize(places, 1.0f);
+    return columns;
+}
+
 /// Of all places, as these pairs tell it.
 std::vector<double> logAlbedoBy(const FittedLight& light, const CameraColumns& camera,
                                 std::span<const MaterialPair> pairs)
@@ -38,7 +50,7 @@ std::vector<float> changeUnseen(const FittedLight& light, uint32_t seed)
     for (const glm::vec3 place : light.texture.position)
         fold.push_back(static_cast<size_t>(foldOf(place, seed)));
     fold.resize(light.model.places(), kFolds); // a sun's rim has further ones, which all fits see
-    const CameraColumns camera = columnsOf(light.camera, light.texture);
+    const CameraColumns camera = columnsOf(light);
     std::array<std::vector<double>, kFolds + 1> logAlbedo;
     forEach(logAlbedo.size(), [&](size_t k) {
         std::vector<MaterialPair> seen;

@@ -31,11 +31,11 @@ struct FoldedFloor
 
     FoldedFloor();
 
-    [[nodiscard]] std::vector<float> change(std::span<const double> log) const
+    [[nodiscard]] std::vector<float> change(std::span<const double> log,
+                                            const CameraModel& camera = {}) const
     {
         const std::vector<uint8_t> emits{1, 1};
-        const CameraModel straight;
-        return changeUnseen({model, pairs, {}, 0.05, emits, log, straight, {texture, positions}},
+        return changeUnseen({model, pairs, {}, 0.05, emits, log, camera, {texture, positions}},
                             kSeed);
     }
 };
@@ -91,6 +91,20 @@ TEST(Unseen, WhereTheFitBeganDoesNotMatter)
     const std::vector<float> one = floor.change(floor.truth);
     const std::vector<float> other = floor.change(std::vector{3.1, 2.9, -1.2});
     for (size_t i = 0; i < one.size(); ++i) ASSERT_NEAR(one[i], other[i], 0.03f);
+}
+
+// The last places are no part of the texture, as those of a sun's rim.
+TEST(Unseen, PlacesThatAreNotOfTheTextureHaveNoCamera)
+{
+    FoldedFloor floor;
+    constexpr size_t kOfTexture = 2000;
+    floor.texture.resize(kOfTexture);
+    floor.positions.resize(kOfTexture);
+    CameraModel curved;
+    curved.response.slope.fill(0.9f);
+    const std::vector<float> change = floor.change(floor.truth, curved);
+    ASSERT_EQ(change.size(), kOfTexture);
+    for (const float log : change) EXPECT_LT(std::abs(log), 1.0f);
 }
 
 } // namespace relamp
