@@ -20,6 +20,14 @@
 #include <unistd.h>
 #ifdef RELAMP_SANITIZED
 #include <sanitizer/common_interface_defs.h>
+
+namespace __lsan // in the sanitizer's library, of a program that it is linked into
+{
+[[gnu::weak]] void LockThreadRegistry();
+[[gnu::weak]] void LockAllocator();
+[[gnu::weak]] void UnlockAllocator();
+[[gnu::weak]] void UnlockThreadRegistry();
+} // namespace __lsan
 #endif
 
 namespace relamp
@@ -45,6 +53,24 @@ std::shared_mutex& copying()
 {
     static std::shared_mutex mutex;
     return mutex;
+}
+
+/// As fork(), and memory can be had in the copy. The C library sees to that; the allocator of the
+/// sanitizer knows nothing of copies, and in one that is made while another thread has it locked it
+/// would be locked for ever.
+pid_t copyThisProcess()
+{
+#ifdef RELAMP_SANITIZED
+    if (__lsan::LockAllocator == nullptr) return fork();
+    __lsan::LockThreadRegistry();
+    __lsan::LockAllocator();
+    const pid_t pid = fork();
+    __lsan::UnlockAllocator();
+    __lsan::UnlockThreadRegistry();
+    return pid;
+#else
+    return fork();
+#endif
 }
 
 /// Bytes of this process that are its own to write; not all of it has to be there.
@@ -150,7 +176,7 @@ class Child
 public:
     Child(const std::function<void(const ByteSink&)>& work, const ChildLimits& limits,
           const std::string& subject)
-        : alone_(copying()), result_(subject), words_(subject), pid_(fork())
+        : alone_(copying()), result_(subject), words_(subject), pid_(copyThisProcess())
     {
         if (pid_ == 0) live(work, limits, result_, words_);
         const int reason = errno;
@@ -222,8 +248,7 @@ void runInChild(const std::function<void(const ByteSink& send)>& work, const Byt
                 const ChildLimits& limits, const ChildSubject& subject, const Progress& progress)
 {
 #ifdef RELAMP_SANITIZED
-    // Its allocator knows nothing of copies: one made while another thread allocates would find it
-    // locked for ever. At least those that wait here do not.
+    // Where copyThisProcess() cannot lock the allocator, at least those that wait here do not.
     static std::mutex oneAtATime;
     const std::lock_guard alone(oneAtATime);
 #endif
