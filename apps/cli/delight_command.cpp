@@ -16,6 +16,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace
 {
@@ -201,6 +202,21 @@ std::vector<glm::vec3> placesFrom(const std::vector<float>& numbers)
     return places;
 }
 
+/// What the camera did, as far as anything was found.
+std::string cameraLine(const relamp::CameraModel& camera)
+{
+    std::vector<std::string> parts;
+    if (!camera.response.isStraight())
+        parts.push_back(fmt::format("contrast {:.2f}", camera.response.contrast()));
+    if (!camera.tone.gain.isOne())
+        parts.push_back(
+            fmt::format("local tone mapping to the power {:.2f}", camera.tone.exponent));
+    if (!camera.gain.isOne())
+        parts.push_back(fmt::format("exposure drifts over {:.2f} stops", camera.gain.stops()));
+    if (parts.empty()) return {};
+    return fmt::format("  camera: {}; taken out of the albedo\n", fmt::join(parts, ", "));
+}
+
 /// What can be told without the truth.
 std::string closingLine(const relamp::CrossValidation& validation)
 {
@@ -229,11 +245,7 @@ void printSummary(const DelightArguments& arguments, const relamp::Decomposition
     if (lights.fixtures.size() > kMostListed)
         text += fmt::format("  and {} more in {}/lights.json\n",
                             lights.fixtures.size() - kMostListed, arguments.folder.string());
-    if (!lights.camera.isNeutral())
-        text += fmt::format("  camera: contrast {:.2f}, local tone mapping to the power {:.2f}, "
-                            "exposure drifts over {:.2f} stops; all is taken out of the albedo\n",
-                            lights.camera.response.contrast(), lights.camera.tone.exponent,
-                            lights.camera.gain.stops());
+    text += cameraLine(lights.camera);
     text += fmt::format("{}/{}.glb is the room without its light; preview.png shows it as scanned, "
                         "albedo, shading\n",
                         arguments.folder.string(), scan.name);

@@ -24,7 +24,7 @@ constexpr std::array<double, Response::kKnots> kShape{1.0, 1.02, 1.1, 1.27, 1.5}
 constexpr double kUsualSlope = 0.85;                                              // in the shadows
 constexpr double kContrastSpread = 0.3;                                           // of that slope
 constexpr double kShapeSpread = 0.12; // of each slope by itself
-constexpr double kFlattest = 0.4;     // slope of an inverse response
+constexpr double kFlattest = 0.4;     // slope of an inverse response, and exponent of a tone
 constexpr double kSteepest = 3.0;     // likewise
 constexpr float kKnotSpacing = 1.2f;  // m: automatic exposure drifts over metres
 constexpr int kMostKnots = 120;       // in a hall they lie farther apart
@@ -154,7 +154,7 @@ CameraColumns columnsOf(const LocalTone& known, const Gain& around, const Textur
 {
     CameraColumns columns = emptyColumns(places.position.size(), {1.0 / known.exponent - 1.0});
     for (size_t i = 0; i < places.position.size(); ++i)
-        columns.bend[i] = std::log(around.at(places.position[i]).g);
+        columns.bend[i] = logAt(around, places.position[i]).g;
     takeMeansOut(columns);
     columns.precision = {1.0 / (kToneSpread * kToneSpread)};
     return columns;
@@ -163,8 +163,9 @@ CameraColumns columnsOf(const LocalTone& known, const Gain& around, const Textur
 LocalTone localToneOf(const Gain& around, double coefficient)
 {
     if (coefficient <= 0.0) return {};
-    LocalTone tone{.exponent = static_cast<float>(1.0 / (1.0 + coefficient)), .gain = around};
-    for (glm::vec3& log : tone.gain.log) log *= static_cast<float>(-coefficient);
+    const double least = std::max(1.0 / (1.0 + coefficient), kFlattest);
+    LocalTone tone{.exponent = static_cast<float>(least), .gain = around};
+    for (glm::vec3& log : tone.gain.log) log *= static_cast<float>(1.0 - 1.0 / least);
     return tone;
 }
 
@@ -209,10 +210,9 @@ Gain evenGainOver(std::span<const glm::vec3> position)
 
 CameraColumns columnsOf(const Gain& known, const TexturePlaces& places)
 {
-    CameraColumns columns = emptyColumns(places.texture.size(), {});
-    for (const glm::vec3 log : known.log) columns.known.push_back(logLuminance(log));
-    columns.expected.assign(columns.count(), 0.0);
-    columns.bend.assign(places.texture.size() * columns.count(), 0.0f);
+    std::vector<double> knots;
+    for (const glm::vec3 log : known.log) knots.push_back(logLuminance(log));
+    CameraColumns columns = emptyColumns(places.texture.size(), std::move(knots));
     for (size_t i = 0; i < places.position.size(); ++i) {
         const GainWeights weights = weightsAt(known, places.position[i]);
         for (size_t k = 0; k < weights.knot.size(); ++k)

@@ -138,6 +138,17 @@ TEST(CameraColumns, LocalToneMappingIsTheContrastOfWhatIsLarge)
     }
 }
 
+// A result's lights.json must be read again, and its gains are within 12 stops.
+TEST(CameraColumns, NoLocalToneMappingIsBeyondWhatAFileHolds)
+{
+    Gain around{.count = {2, 1, 1}, .log = {glm::vec3(-4.6f), glm::vec3(4.6f)}};
+    const LocalTone tone = localToneOf(around, 50.0);
+    EXPECT_NEAR(tone.exponent, 0.4f, 1e-6f);
+    for (const glm::vec3 log : tone.gain.log) EXPECT_LT(std::abs(log.g), 12.0f * std::log(2.0f));
+    EXPECT_NEAR(localToneOf(around, 1.0).gain.log[0].g, 4.6f, 1e-5f);
+    EXPECT_EQ(localToneOf(around, -0.1), LocalTone{});
+}
+
 TEST(CameraColumns, EvenLightHasNoGain)
 {
     const LitWall wall(0.02);

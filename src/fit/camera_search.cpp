@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -24,20 +25,18 @@ constexpr double kGainWidth = 4.0;  // times the noise: what the first loss for 
 } // namespace
 
 /// Those of what a camera may have done to contrast, near what is known of it.
-CameraColumns LampSearch::contrastColumns(bool isCurved, bool isToned) const
+CameraColumns LampSearch::contrastColumns(bool isCurved, const std::optional<Gain>& around) const
 {
     const TexturePlaces places = evidence_.texturePlaces();
     CameraColumns columns;
     if (isCurved) columns = columnsOf(camera_.response, places);
-    if (!isToned) return columns;
-    const Gain around = evidence_.brightnessAround(camera_.response);
-    return together(columns, columnsOf(camera_.tone, around, places));
+    return around ? together(columns, columnsOf(camera_.tone, *around, places)) : columns;
 }
 
 /// Nats against a camera that did this, with the leaks that are likeliest then.
-double LampSearch::natsOfContrast(bool isCurved, bool isToned) const
+double LampSearch::natsOfContrast(bool isCurved, const std::optional<Gain>& around) const
 {
-    const CameraColumns columns = contrastColumns(isCurved, isToned);
+    const CameraColumns columns = contrastColumns(isCurved, around);
     LightEstimate light = estimate_;
     light.camera = columns.known;
     LightFit fit = fitOf(LampEvidence::kPairsFirst);
@@ -45,19 +44,21 @@ double LampSearch::natsOfContrast(bool isCurved, bool isToned) const
         fit.expectLeaks(light, columns);
         light = fit.solve(emits_, std::move(light.log), columns);
     }
-    if (isToned && light.camera.back() <= 0.0) return INFINITY; // no camera deepens it
-    return light.nats + light.occam - (isCurved ? kCurvedNats : 0.0) - (isToned ? kTonedNats : 0.0);
+    if (around && light.camera.back() <= 0.0) return INFINITY; // no camera deepens it
+    return light.nats + light.occam - (isCurved ? kCurvedNats : 0.0) - (around ? kTonedNats : 0.0);
 }
 
 /// How likely a response and local tone mapping are beside all pieces that may emit.
 void LampSearch::findContrast()
 {
     std::array<double, 4> nats{}; // bit 0: curved, bit 1: toned
+    std::optional<Gain> around;
+    if (isGainSought_) around = evidence_.brightnessAround(camera_.response);
     forEach(nats.size(), [&](size_t k) {
         const bool isCurved = (k & 1u) != 0;
         const bool isToned = (k & 2u) != 0;
         const bool isSought = (isResponseSought_ || !isCurved) && (isGainSought_ || !isToned);
-        nats[k] = isSought ? natsOfContrast(isCurved, isToned) : INFINITY;
+        nats[k] = isSought ? natsOfContrast(isCurved, isToned ? around : std::nullopt) : INFINITY;
     });
     const double least = *std::min_element(nats.begin(), nats.end());
     double sum = 0.0;
@@ -77,7 +78,9 @@ void LampSearch::bend(size_t pairs)
 {
     for (int round = 0; round < kCameraRounds && isBent(); ++round) {
         LightFit fit = fitOf(pairs);
-        const CameraColumns columns = contrastColumns(curved_ > 0.0, toned_ > 0.0);
+        std::optional<Gain> around;
+        if (toned_ > 0.0) around = evidence_.brightnessAround(camera_.response);
+        const CameraColumns columns = contrastColumns(curved_ > 0.0, around);
         LightEstimate light = estimate_;
         light.camera = columns.known;
         fit.expectLeaks(light, columns);

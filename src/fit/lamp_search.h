@@ -50,8 +50,9 @@ private:
     bool join();
     void findColors();
     [[nodiscard]] bool isBent() const { return curved_ > 0.0 || toned_ > 0.0; }
-    [[nodiscard]] CameraColumns contrastColumns(bool isCurved, bool isToned) const;
-    [[nodiscard]] double natsOfContrast(bool isCurved, bool isToned) const;
+    [[nodiscard]] CameraColumns contrastColumns(bool isCurved,
+                                                const std::optional<Gain>& around) const;
+    [[nodiscard]] double natsOfContrast(bool isCurved, const std::optional<Gain>& around) const;
     void findContrast();
     void bend(size_t pairs);
     void findGain();

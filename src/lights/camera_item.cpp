@@ -49,9 +49,8 @@ Response responseFrom(const JsonItem& item)
     return response;
 }
 
-Gain gainFrom(const JsonItem& item, std::vector<std::string>& warnings)
+Gain gainFrom(const JsonItem& item)
 {
-    item.warnOfUnknown({"exponent", "origin", "spacing", "count", "stops"}, warnings);
     Gain gain{.origin = item.vectorAt("origin"),
               .spacing = static_cast<float>(item.numberAt("spacing", 1e-3, 1e6))};
     const std::vector<double> count =
@@ -115,11 +114,15 @@ CameraModel cameraOf(const JsonItem& top, std::vector<std::string>& warnings)
     if (!item) return camera;
     item->warnOfUnknown({"response", "localTone", "gain"}, warnings);
     if (item->has("response")) camera.response = responseFrom(*item);
-    if (const std::optional<JsonItem> tone = item->objectIn("localTone"))
+    if (const std::optional<JsonItem> tone = item->objectIn("localTone")) {
+        tone->warnOfUnknown({"exponent", "origin", "spacing", "count", "stops"}, warnings);
         camera.tone = {static_cast<float>(tone->numberAt("exponent", kLeastExponent, 1.0)),
-                       gainFrom(*tone, warnings)};
-    if (const std::optional<JsonItem> gain = item->objectIn("gain"))
-        camera.gain = gainFrom(*gain, warnings);
+                       gainFrom(*tone)};
+    }
+    if (const std::optional<JsonItem> gain = item->objectIn("gain")) {
+        gain->warnOfUnknown({"origin", "spacing", "count", "stops"}, warnings);
+        camera.gain = gainFrom(*gain);
+    }
     return camera;
 }
 

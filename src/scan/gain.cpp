@@ -81,13 +81,19 @@ float Gain::stops() const
     return luminance(*most - *least) / std::log(2.0f);
 }
 
+glm::vec3 logAt(const Gain& gain, glm::vec3 position)
+{
+    glm::vec3 sum(0.0f);
+    if (gain.isOne()) return sum;
+    const GainWeights weights = weightsAt(gain, position);
+    for (size_t k = 0; k < weights.knot.size(); ++k)
+        sum += weights.part[k] * gain.log[weights.knot[k]];
+    return sum;
+}
+
 glm::vec3 Gain::at(glm::vec3 position) const
 {
-    if (isOne()) return glm::vec3(1.0f);
-    const GainWeights weights = weightsAt(*this, position);
-    glm::vec3 sum(0.0f);
-    for (size_t k = 0; k < weights.knot.size(); ++k) sum += weights.part[k] * log[weights.knot[k]];
-    return glm::exp(sum);
+    return glm::exp(logAt(*this, position));
 }
 
 } // namespace relamp

@@ -17,6 +17,8 @@ struct GainWeights
 };
 
 GainWeights weightsAt(const Gain& gain, glm::vec3 position);
+/// Logarithm of Gain::at(); 0 where the gain is 1.
+glm::vec3 logAt(const Gain& gain, glm::vec3 position);
 
 /// A gain of 1 on a lattice over these places, whose knots lie `spacing` m apart; farther where
 /// that would be more than `mostKnots` >= 1.

@@ -1,8 +1,10 @@
 #include "scan/linearization.h"
 
 #include "image/burnt_out.shared.h"
+#include "scan/gain.h"
 
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 
 namespace relamp
 {
@@ -13,8 +15,8 @@ Linearization linearizationOf(const CameraModel& camera, const Surfels& surfels)
     if (camera.gain.isOne() && camera.tone.gain.isOne()) return linearization;
     linearization.perGain.reserve(surfels.count());
     for (const glm::vec3 place : surfels.position)
-        linearization.perGain.push_back(1.0f /
-                                        (camera.tone.gain.at(place) * camera.gain.at(place)));
+        linearization.perGain.push_back(
+            glm::exp(-logAt(camera.tone.gain, place) - logAt(camera.gain, place)));
     return linearization;
 }
 
