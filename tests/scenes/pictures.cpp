@@ -1,8 +1,11 @@
 #include "scenes/pictures.h"
 
+#include "base/child_process.h"
+
 #include <span>
 #include <stdexcept>
 
+#include <OpenEXR/ImfThreading.h>
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
@@ -68,11 +71,9 @@ Bytes pngWithPalette(uint32_t width, uint32_t height)
     return png;
 }
 
-} // namespace
-
 template<class Sample>
-std::vector<uint8_t> pictureFile(const std::string& format, const Pixels<Sample>& pixels,
-                                 const std::string& subsampling, const std::string& fileType)
+std::vector<uint8_t> written(const std::string& format, const Pixels<Sample>& pixels,
+                             const std::string& subsampling, const std::string& fileType)
 {
     const OIIO::TypeDesc type = OIIO::BaseTypeFromC<Sample>::value;
     OIIO::ImageSpec spec(pixels.width, pixels.height, pixels.channels,
@@ -86,6 +87,31 @@ std::vector<uint8_t> pictureFile(const std::string& format, const Pixels<Sample>
     if (!output || !output->set_ioproxy(&target) || !output->open("memory." + format, spec) ||
         !output->write_image(type, pixels.samples.data()) || !output->close())
         throw std::runtime_error(output ? output->geterror() : OIIO::geterror());
+    return file;
+}
+
+} // namespace
+
+/// OpenImageIO's threads begin here as well as in the copies that read, and a copy of this process
+/// may find what they lock locked for ever: so they begin in a copy of their own.
+template<class Sample>
+std::vector<uint8_t> pictureFile(const std::string& format, const Pixels<Sample>& pixels,
+                                 const std::string& subsampling, const std::string& fileType)
+{
+    std::vector<uint8_t> file;
+    runInChild(
+        [&](const ByteSink& send) {
+            const int threads = Imf::globalThreadCount() + 1; // the others are not in the copy
+            Imf::setGlobalThreadCount(threads);
+            OIIO::attribute("exr_threads", threads);
+            const std::vector<uint8_t> bytes = written(format, pixels, subsampling, fileType);
+            send(std::as_bytes(std::span(bytes)));
+        },
+        [&](std::span<const std::byte> piece) {
+            const auto* begin = reinterpret_cast<const uint8_t*>(piece.data());
+            file.insert(file.end(), begin, begin + piece.size());
+        },
+        {}, {format, "The test's picture was not written"}, unwatched());
     return file;
 }
 
