@@ -248,7 +248,7 @@ struct LampRoom
         separateEnclosed(texels, scene, progress);
         solved = solvedRoom(texels, scene, findRoom(texels, scene, {}, progress));
         powers = powersOf(solved);
-        said = solutionOf(texels, solved, {}, rate(texels, solved)).texels;
+        said = solutionOf(texels, solved, {}, closureOf(solved)).texels;
     }
 
     /// Makes the first lamp brighter, or as it was; without any, what lies around.

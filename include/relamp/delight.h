@@ -58,7 +58,7 @@ enum class Doubt : uint8_t {
     unlit,           // so little light that the division is a guess
     unseen,          // most of what lights it is not in the scan
     backFace,        // most of what it faces is seen from behind, where the texture says nothing
-    penumbra,        // the shadow edges in the texture are not where the lamps put them
+    penumbra,        // a shadow's edge is near, or the light found had to be corrected by much
     whiterThanPaper, // it got more light than was found, or shines by polish
     shared,          // the texel stands for several places in different light
     unproven         // places of one paint, which no fit looked at, do not agree under the shading

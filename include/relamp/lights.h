@@ -25,7 +25,7 @@ struct Fixture
     glm::vec3 normal{0.0f};   // unit, mean of its surface; zero where it shines all around
     float area = 0.0f;        // m^2 of its surface
     glm::vec3 radiance{0.0f}; // RGB, 1 = the texture's white
-    glm::vec3 error{0.0f};    // standard error of radiance as a share of it; 0 where none is known
+    glm::vec3 error{0.0f};    // standard error of log power; 0 where none is known
     bool determined = true;   // false: the scan does not tell its radiance, which is a guess
     int id = -1;              // its number wherever it is named, 0..kLargestFixtureId; -1: none yet
     std::string name;         // "ceiling lamp 1", unlike others' of the room; or none

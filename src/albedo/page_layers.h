@@ -1,6 +1,6 @@
 #pragma once
 
-#include "albedo/doubts.h"
+#include "fit/reliability.h"
 #include "lights/shining.h"
 #include "relamp/delight.h"
 #include "scan/texels.h"

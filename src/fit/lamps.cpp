@@ -423,6 +423,14 @@ void LampSearch::takeSun(FoundLamps& found)
                                .isSunlit = true});
 }
 
+/// Of log power: what the light of a lamp leaves open, and its area, whose rim is off by as much as
+/// a scan is.
+float errorOfPower(const Piece& lamp)
+{
+    const float side = std::sqrt(lamp.candidate.area);
+    return std::hypot(lamp.error, 2.0f * std::log1p(2.0f * kScanError / side));
+}
+
 FoundLamps LampSearch::result()
 {
     FoundLamps found{.outside = outside_,
@@ -443,8 +451,8 @@ FoundLamps LampSearch::result()
         if (!isDetermined)
             found.warnings.push_back(unknownAt(lamp.candidate.centre, lamp.ends.size()));
         found.lamps.push_back({std::move(lamp.candidate.patches), lamp.radiance,
-                               glm::vec3(lamp.error), std::move(lamp.onSides), false, isDetermined,
-                               std::move(lamp.ends)});
+                               glm::vec3(errorOfPower(lamp)), std::move(lamp.onSides), false,
+                               isDetermined, std::move(lamp.ends)});
     }
     takeSun(found);
     found.camera = std::move(camera_);

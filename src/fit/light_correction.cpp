@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "base/sampling.shared.h"
+#include "fit/reliability.h"
 #include "shading/gathered_light.h"
 
 #include <algorithm>
@@ -25,10 +26,6 @@ constexpr float kPaintStep = 0.3f;    // of log albedo between two of one paint:
 constexpr float kColorStep = 0.1f;    // of log (r / g) and log (b / g) between neighbours, likewise
 constexpr float kMostLacking = 0.05f; // of log light that is too dark: so much is noise
 
-// Standard deviation of the light found, as a share of it, where nothing else speaks against it.
-constexpr float kAlwaysUnsure = 0.05f;
-constexpr float kUnknownLight = 0.03f; // of the light in the middle of all places: lost, or let in
-constexpr float kUnsureOfBacks = 2.0f; // times the share of a view that meets backs
 // What an error of 1 is held against one pair of neighbours: errors of light are wide, so that all
 // places of some hundred make one mistake.
 constexpr float kBelief = 3e-5f;
@@ -56,48 +53,16 @@ struct Paint
     float belief; // in the light; < 0: nothing is known here
 };
 
-/// The share of what a surfel sees that is backs, 0..1.
-float backsBefore(const HitLists& hits, size_t surfel)
+std::vector<Paint> paintOf(const SurfelRadiance& radiance, const SurfelLighting& light,
+                           std::span<const LightVariance> variance)
 {
-    const std::span<const HitTarget> targets = hits.targetsOf(surfel);
-    const auto backs = std::count_if(targets.begin(), targets.end(), [](HitTarget target) {
-        return !target.isNothing() && target.side().isBack();
-    });
-    return targets.empty() ? 0.0f : static_cast<float>(backs) / static_cast<float>(targets.size());
-}
-
-/// By the variance of the logarithm of the light found.
-float beliefIn(float light, float spread, float backs, float usual)
-{
-    const float unsure[] = {kAlwaysUnsure, spread / std::max(light, kFaintest),
-                            kUnknownLight * usual / std::max(light, kFaintest),
-                            kUnsureOfBacks * backs};
-    float variance = 0.0f;
-    for (const float deviation : unsure) variance += deviation * deviation;
-    return kBelief / variance;
-}
-
-float medianOf(std::span<const glm::vec3> irradiance)
-{
-    std::vector<float> values;
-    for (const glm::vec3 light : irradiance) values.push_back(luminance(light));
-    const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-std::vector<Paint> paintOf(const SurfelRadiance& radiance, const HitLists& hits,
-                           const FoundLight& light)
-{
-    const float usual = medianOf(light.irradiance);
     std::vector<Paint> paint(light.irradiance.size());
     forEach(paint.size(), [&](size_t s) {
         const glm::vec3 seen = radiance.plain[s];
         const glm::vec3 found = light.irradiance[s];
         const float green = logOfLight(seen.g) - logOfLight(found.g);
         const bool isKnown = radiance.plainArea[s] > 0.0f && isHardlyBurntOut(radiance, s);
-        const float belief =
-            beliefIn(luminance(found), light.spread[s], backsBefore(hits, s), usual);
+        const float belief = kBelief / variance[s].ofMesh();
         const float brightness = logOfLight(luminance(seen)) - logOfLight(luminance(found));
         paint[s] = {brightness, brightness, logOfLight(seen.r) - logOfLight(found.r) - green,
                     logOfLight(seen.b) - logOfLight(found.b) - green, isKnown ? belief : -1.0f};
@@ -353,11 +318,11 @@ Eigen::VectorXf Settling::run()
 
 } // namespace
 
-FoundLight foundLight(const Texels& texels, const SurfelRadiance& radiance,
-                      const TexelShading& shade, std::vector<float> spread)
+SurfelLighting foundLight(const Texels& texels, const SurfelRadiance& radiance,
+                          const TexelShading& shade, std::vector<float> spread)
 {
-    FoundLight light{std::vector<glm::vec3>(texels.surfels.count(), glm::vec3(0.0f)),
-                     std::move(spread)};
+    SurfelLighting light{std::vector<glm::vec3>(texels.surfels.count(), glm::vec3(0.0f)),
+                         std::move(spread)};
     std::vector<float> counts(texels.surfels.count(), 0.0f);
     for (size_t p = 0; p < texels.pages.size(); ++p) {
         const PageTexels& page = texels.pages[p];
@@ -391,10 +356,10 @@ FoundLight foundLight(const Texels& texels, const SurfelRadiance& radiance,
 }
 
 std::vector<float> correctionOf(const Surfels& surfels, const SurfelRadiance& radiance,
-                                const HitLists& hits, const FoundLight& light)
+                                const HitLists& hits, const SurfelLighting& light)
 {
     if (light.irradiance.empty()) return {};
-    std::vector<Paint> paint = paintOf(radiance, hits, light);
+    std::vector<Paint> paint = paintOf(radiance, light, varianceOf(hits, light));
     const Sheet sheet = sheetOf(surfels, paint);
     clearOfPatterns(surfels, hits, sheet, paint);
     const Eigen::VectorXf lit = Settling(sheet, partnersOf(paint, surfels.seed), paint).run();

@@ -3,6 +3,7 @@
 #include "lights/surfel_radiance.h"
 #include "scan/surfels.h"
 #include "scan/texels.h"
+#include "shading/gathered_light.h"
 #include "shading/hit_lists.h"
 #include "shading/texel_shading.h"
 
@@ -14,14 +15,10 @@
 namespace relamp
 {
 
-/// Light on surfels as the mesh has it. One entry a surfel.
-struct FoundLight
-{
-    std::vector<glm::vec3> irradiance; // mean of its texels that are not burnt out
-    std::vector<float> spread;         // as SurfelLighting
-};
-FoundLight foundLight(const Texels& texels, const SurfelRadiance& radiance,
-                      const TexelShading& shade, std::vector<float> spread);
+/// Light on surfels as the mesh has it, with this spread: the mean of a surfel's texels that are
+/// not burnt out.
+SurfelLighting foundLight(const Texels& texels, const SurfelRadiance& radiance,
+                          const TexelShading& shade, std::vector<float> spread);
 
 /// How much of the light that was found on each surfel is there, 0..1.05: the rest leaks in where
 /// the mesh is open, or is kept out by what the mesh lacks.
@@ -32,7 +29,7 @@ FoundLight foundLight(const Texels& texels, const SurfelRadiance& radiance,
 /// that is burnt out keeps its light. A thin pattern is paint unless `hits` say that something is
 /// near.
 std::vector<float> correctionOf(const Surfels& surfels, const SurfelRadiance& radiance,
-                                const HitLists& hits, const FoundLight& light);
+                                const HitLists& hits, const SurfelLighting& light);
 
 /// The shading times that, interpolated between surfels; direct and indirect alike.
 TexelShading corrected(const Texels& texels, TexelShading shade, std::span<const float> lit);

@@ -24,9 +24,9 @@ float foundAt(float x)
 }
 
 /// With `spread` of it where it is dim, as at a shadow's edge.
-FoundLight foundOn(const Surfels& surfels, float spread = 0.7f)
+SurfelLighting foundOn(const Surfels& surfels, float spread = 0.7f)
 {
-    FoundLight found;
+    SurfelLighting found;
     for (const glm::vec3 place : surfels.position) {
         const float light = kPi * foundAt(place.x);
         found.irradiance.emplace_back(light);
@@ -145,7 +145,7 @@ TEST(LightCorrection, LightThatIsSureIsKept)
     const scenes::Surfaces floor(scenes::square(
         kSide, 128, [](glm::vec3 p, glm::vec3) { return glm::vec3(0.7f * fadeAt(p.x)); }));
     const Surfels& surfels = floor.texels.surfels;
-    FoundLight found;
+    SurfelLighting found;
     found.irradiance.assign(surfels.count(), glm::vec3(3.0f));
     found.spread.assign(surfels.count(), 0.0f);
     const auto sure = correctionOf(surfels, floor.radiance, seeingNothing(surfels), found);

@@ -14,8 +14,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kMatters = 0.2f; // share of all light at a place
-
 /// Surfels around a run of texels, as structure of arrays.
 struct Taps
 {
@@ -183,9 +181,7 @@ float varianceAround(const Surfels& surfels, size_t s, std::span<const float> va
 
 SurfelLighting lightOnSurfels(const Surfels& surfels, const GatheredLight& light)
 {
-    SurfelLighting result{light.indirect, std::vector<uint8_t>(surfels.count(), 0),
-                          std::vector<float>(surfels.count(), 0.0f)};
-    std::vector<float> partly(surfels.count(), 0.0f);
+    SurfelLighting result{light.indirect, std::vector<float>(surfels.count(), 0.0f)};
     for (size_t l = 0; l < light.lamps.size(); ++l) {
         const LampOnSurfels on = lampOnSurfels(surfels, light, l);
         const glm::vec3 radiance = light.lamps[l].radiance;
@@ -194,15 +190,11 @@ SurfelLighting lightOnSurfels(const Surfels& surfels, const GatheredLight& light
                 result.irradiance[s] += on.open[s] * on.share[s] * radiance;
                 if (!light.visibility->isPartial(l, static_cast<uint32_t>(s))) continue;
                 const float most = on.open[s] * luminance(radiance);
-                partly[s] += most;
                 result.spread[s] += most * most * varianceAround(surfels, s, on.share);
             }
         });
     }
-    forEach(surfels.count(), [&](size_t s) {
-        result.spread[s] = std::sqrt(result.spread[s]);
-        if (partly[s] > kMatters * luminance(result.irradiance[s])) result.inPenumbra[s] = 1;
-    });
+    for (float& spread : result.spread) spread = std::sqrt(spread);
     return result;
 }
 

@@ -40,8 +40,6 @@ TexelShading shadingOf(const Texels& texels, std::shared_ptr<const GatheredLight
 struct SurfelLighting
 {
     std::vector<glm::vec3> irradiance;
-    std::vector<uint8_t>
-        inPenumbra;            // not 0: a lamp that matters there is partly hidden, or near by
     std::vector<float> spread; // standard deviation of the luminance of lamps' light over the
                                // surfels around, as far as they see other shares of them
 };

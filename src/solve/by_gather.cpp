@@ -112,16 +112,16 @@ Solution GatherSolver::solve(const DelightOptions& options, Progress& progress)
                 const FoundRoom* before = kept_ ? &kept_->room.found : nullptr;
                 found = findRoom(texels_, scene_, options, progress, before);
             });
-    std::optional<Rating> rating;
+    std::optional<Closure> closure;
     {
         const Progress::Stage stage(progress, "shadows");
         SolvedRoom room = solvedRoom(texels_, scene_, std::move(found), [&](const SolvedRoom& lit) {
-            if (engine->inForce().engine.engine == Engine::cpu) rating = rate(texels_, lit);
+            if (engine->inForce().engine.engine == Engine::cpu) closure = closureOf(lit);
         });
         keep(std::move(room), options, engine);
     }
-    if (!rating) return reevaluate(kept_->found, options.albedo, progress);
-    Solution solution = solutionOf(texels_, kept_->room, options, std::move(*rating));
+    if (!closure) return reevaluate(kept_->found, options.albedo, progress);
+    Solution solution = solutionOf(texels_, kept_->room, options, *closure);
     solution.engine = [engine] { return engine->inForce(); };
     return solution;
 }
@@ -174,11 +174,11 @@ Solution GatherSolver::reevaluate(const Lights& lights, const AlbedoOptions& alb
     });
     DeviceLayers onDevice = engine->reevaluate(room, powers);
     stage.advance();
-    Rating rating = rate(texels_, room);
+    const Closure closure = closureOf(room);
     stage.advance();
     DelightOptions options = kept_->asked;
     options.albedo = albedo;
-    Solution solution = solutionOf(texels_, room, options, std::move(rating));
+    Solution solution = solutionOf(texels_, room, options, closure);
     solution.onDevice = std::move(onDevice);
     solution.engine = [engine] { return engine->inForce(); };
     return solution;

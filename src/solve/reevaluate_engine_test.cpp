@@ -46,8 +46,7 @@ struct Room
     Solution reevaluate(const LampPowers& powers)
     {
         DeviceLayers onDevice = engine->reevaluate(room.solved, powers);
-        Solution solution =
-            solutionOf(room.texels, room.solved, {}, rate(room.texels, room.solved));
+        Solution solution = solutionOf(room.texels, room.solved, {}, closureOf(room.solved));
         solution.onDevice = std::move(onDevice);
         return solution;
     }

@@ -63,7 +63,7 @@ struct ReevaluateTwins
     {
         gather(found); // that it has to change
         reevaluate(room.texels, room.solved, powers);
-        said = solutionOf(room.texels, room.solved, {}, rate(room.texels, room.solved)).texels;
+        said = solutionOf(room.texels, room.solved, {}, closureOf(room.solved)).texels;
         gather(powers);
         gpu.setSurfels(said);
     }

@@ -1,6 +1,5 @@
 #include "solve/room_solution.h"
 
-#include "albedo/doubts.h"
 #include "albedo/gather_closure.h"
 #include "shading/lit_sides.h"
 #include "solve/found_room.h"
@@ -23,31 +22,26 @@ std::vector<glm::vec3> irradianceOf(const SolvedRoom& room)
 
 } // namespace
 
-Rating rate(const Texels& texels, const SolvedRoom& room)
+Closure closureOf(const SolvedRoom& room)
 {
-    const FoundRoom& found = room.found;
-    Rating rating{closeLoop(found.hits, found.radiance, found.sides),
-                  trustByView(found.hits, texels.surfels.count())};
-    doubtEdges(texels.surfels, found.radiance, room.lighting, rating.trust);
-    return rating;
+    return closeLoop(room.found.hits, room.found.radiance, room.found.sides);
 }
 
 Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightOptions& asked,
-                    Rating rating)
+                    const Closure& closure)
 {
     const FoundRoom& found = room.found;
     const std::vector<glm::vec3> irradiance = irradianceOf(room);
-    doubtCorrections(room.lit, rating.trust);
     Solution solution{.options = asked};
     solution.options.gather = found.options;
     solution.warnings = found.warnings;
-    solution.closure = rating.closure;
+    solution.closure = closure;
     solution.texels = {
         .shade = shadingOf(texels, room),
         .rims = rimsOf(texels.surfels, found.radiance, irradiance),
         .tempering = found.tempering,
         .shining = shiningOf(found),
-        .trust = std::move(rating.trust),
+        .trust = reliabilityOf(varianceOf(found.hits, room.lighting), room.lit),
         .fill = fillOf(texels.surfels, found.radiance,
                        albedoOf(texels, found.radiance, tempered(found.tempering, irradiance))),
         .linearization = found.linearization};

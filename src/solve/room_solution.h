@@ -8,16 +8,11 @@
 namespace relamp
 {
 
-/// How far a room's light is right.
-struct Rating
-{
-    Closure closure;
-    std::vector<SurfelTrust> trust;
-};
-Rating rate(const Texels& texels, const SolvedRoom& room);
+/// How well its light explains the scan.
+Closure closureOf(const SolvedRoom& room);
 
 /// What a solved room comes to. `asked`: the options that it was solved with.
 Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightOptions& asked,
-                    Rating rating);
+                    const Closure& closure);
 
 } // namespace relamp

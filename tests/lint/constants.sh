@@ -6,12 +6,12 @@
 #
 # Each count may fall and not rise; lower the limit when it has.
 set -euo pipefail
-readonly mostOfLight=139 # to be 60
+readonly mostOfLight=131 # to be 60
 readonly mostOfCamera=22
 readonly mostWithoutWord=0
-readonly mostOfGrid=6 # to be 0
+readonly mostOfGrid=5 # to be 0
 
-find src/fit src/lights/candidates.{h,cpp} src/albedo/doubts.cpp -type f \( -name '*.cpp' -o -name '*.h' \) \
+find src/fit src/lights/candidates.{h,cpp} -type f \( -name '*.cpp' -o -name '*.h' \) \
     ! -name '*_test.*' | LC_ALL=C sort | xargs awk -v light="$mostOfLight" -v camera="$mostOfCamera" -v wordless="$mostWithoutWord" -v grid="$mostOfGrid" '
     function flush(    value, said) {
         if (line == "") return

@@ -1,0 +1,105 @@
+#include "fit/reliability.h"
+
+#include "base/parallel.h"
+#include "base/radiometry.shared.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relamp
+{
+namespace
+{
+
+// Standard deviations of the light found, as a share of it.
+constexpr float kAlwaysUnsure = 0.05f; // where nothing else speaks against it
+constexpr float kUnknownLight = 0.03f; // of the light in the middle of all places: lost, or let in
+constexpr float kUnsureOfBacks = 2.0f; // times the share of a view that meets backs
+constexpr float kUnsureOfOutside = 0.4f; // times the share of a view that leaves the scan
+
+// Of these, in rooms with ground truth, after the correction.
+constexpr float kLeftUnsure = 0.28f;       // of the deviation before it
+constexpr float kLeftOfCorrection = 0.72f; // of what was corrected, in log light
+constexpr float kRight = 0.15f;            // of log light: an error that people hardly see
+
+float squareOf(float value)
+{
+    return value * value;
+}
+
+float medianOf(std::span<const glm::vec3> irradiance)
+{
+    std::vector<float> values;
+    for (const glm::vec3 light : irradiance) values.push_back(luminance(light));
+    const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// What part of the rays of a surfel leaves the scan, and what part meets backs.
+struct ShareOfView
+{
+    float outside = 0.0f;
+    float backs = 0.0f;
+};
+ShareOfView viewOf(const HitLists& hits, size_t surfel)
+{
+    const std::span<const HitTarget> targets = hits.targetsOf(surfel);
+    if (targets.empty()) return {};
+    ShareOfView view;
+    for (const HitTarget target : targets) {
+        if (target.isNothing())
+            view.outside += 1.0f;
+        else if (target.side().isBack())
+            view.backs += 1.0f;
+    }
+    const auto rays = static_cast<float>(targets.size());
+    return {view.outside / rays, view.backs / rays};
+}
+
+/// That an error is within kRight, of Student's distribution of two degrees of freedom: its tails
+/// are as long as those of the errors of light.
+float probabilityRight(float variance)
+{
+    const float t = kRight / std::sqrt(variance);
+    return t / std::sqrt(2.0f + t * t);
+}
+
+} // namespace
+
+std::vector<LightVariance> varianceOf(const HitLists& hits, const SurfelLighting& light)
+{
+    std::vector<LightVariance> variance(light.irradiance.size());
+    if (variance.empty()) return variance;
+    const float usual = medianOf(light.irradiance);
+    forEach(variance.size(), [&](size_t s) {
+        const float found = std::max(luminance(light.irradiance[s]), kFaintest);
+        const float spread = light.spread.empty() ? 0.0f : light.spread[s];
+        const ShareOfView view = viewOf(hits, s);
+        variance[s] = {squareOf(kUnsureOfOutside * view.outside),
+                       squareOf(kUnsureOfBacks * view.backs), squareOf(spread / found),
+                       squareOf(kAlwaysUnsure) + squareOf(kUnknownLight * usual / found)};
+    });
+    return variance;
+}
+
+std::vector<SurfelTrust> reliabilityOf(std::span<const LightVariance> variance,
+                                       std::span<const float> lit)
+{
+    std::vector<SurfelTrust> trust(variance.size());
+    forEach(trust.size(), [&](size_t s) {
+        const LightVariance& before = variance[s];
+        const float corrected =
+            lit.empty() ? 0.0f : squareOf(kLeftOfCorrection * logOfLight(lit[s]));
+        const float left = squareOf(kLeftUnsure);
+        const float total = left * before.total() + corrected;
+        const float right = std::log(probabilityRight(total));
+        trust[s].seen = std::exp(right * left * before.outside / total);
+        trust[s].front = std::exp(right * left * before.backs / total);
+        trust[s].edges =
+            std::exp(right * (left * (before.edges + before.rest) + corrected) / total);
+    });
+    return trust;
+}
+
+} // namespace relamp

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "shading/gathered_light.h"
+#include "shading/hit_lists.h"
+
+#include <span>
+#include <vector>
+
+namespace relamp
+{
+
+/// By how much the light found on a surfel may be wrong: variances of its logarithm, by cause.
+struct LightVariance
+{
+    float outside = 0.0f; // it comes from what the scan does not show
+    float backs = 0.0f;   // it comes from backs of surfaces, of which the texture says nothing
+    float edges = 0.0f;   // a shadow's edge is near
+    float rest = 0.0f;    // of any light, and more of little light
+
+    [[nodiscard]] float ofMesh() const { return backs + edges + rest; }
+    [[nodiscard]] float total() const { return outside + ofMesh(); }
+};
+
+/// Before anything was corrected. `hits`: of all fronts, which come first in them. One entry a
+/// surfel; `light.spread` may be empty where a solver does not know it.
+std::vector<LightVariance> varianceOf(const HitLists& hits, const SurfelLighting& light);
+
+/// How far the shading of a surfel can be believed: factors of a probability, 0..1, where 1 is no
+/// doubt.
+struct SurfelTrust
+{
+    float seen = 1.0f;   // falls by what comes from outside
+    float front = 1.0f;  // by what comes from backs
+    float edges = 1.0f;  // by shadows' edges, corrections and all else
+    float proven = 1.0f; // falls, everywhere, where albedo is no better than the scan
+};
+
+/// The product of `seen`, `front` and `edges` is the probability that the light is right to within
+/// 15 % after it was corrected by `lit` times, one a surfel; empty: nothing was. Each cause has its
+/// share of the logarithm.
+std::vector<SurfelTrust> reliabilityOf(std::span<const LightVariance> variance,
+                                       std::span<const float> lit);
+
+} // namespace relamp

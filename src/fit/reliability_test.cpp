@@ -1,0 +1,111 @@
+#include "fit/reliability.h"
+
+#include "base/radiometry.shared.h"
+#include "scenes/scenes.h"
+#include "scenes/surfaces.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace relamp
+{
+namespace
+{
+
+/// Even light, with this spread, on all surfels.
+SurfelLighting evenLight(const scenes::Surfaces& room, float spread = 0.0f)
+{
+    const size_t count = room.texels.surfels.count();
+    return {std::vector<glm::vec3>(count, glm::vec3(1.0f)), std::vector<float>(count, spread)};
+}
+
+std::vector<LightVariance> varianceIn(const scenes::Surfaces& room, float spread = 0.0f)
+{
+    return varianceOf(scenes::hitListsOf(room, 64), evenLight(room, spread));
+}
+
+float probability(const SurfelTrust& trust)
+{
+    return trust.seen * trust.front * trust.edges;
+}
+
+scenes::Surfaces greyRoom()
+{
+    return scenes::Surfaces(scenes::room({2, 2, 2}, 32, scenes::plain(glm::vec3(0.4f))));
+}
+
+} // namespace
+
+TEST(Reliability, LightOfARoomSeenFromInsideIsRight)
+{
+    for (const SurfelTrust& trust : reliabilityOf(varianceIn(greyRoom()), {})) {
+        EXPECT_GT(probability(trust), 0.95f);
+        EXPECT_LT(probability(trust), 1.0f);
+    }
+}
+
+TEST(Reliability, FloorUnderTheSkyIsLitByWhatIsNotInTheScan)
+{
+    const scenes::Surfaces floor(scenes::square(1.0f, 32, scenes::plain(glm::vec3(0.4f))));
+    for (const SurfelTrust& trust : reliabilityOf(varianceIn(floor), {})) {
+        EXPECT_LT(trust.seen, 0.75f);
+        EXPECT_EQ(trust.front, 1.0f);
+        EXPECT_GT(trust.edges, 0.95f);
+    }
+}
+
+// A sheet close above the floor that faces up, too, shows it its back.
+TEST(Reliability, FloorUnderASheetSeesItsBack)
+{
+    const scenes::Panel floor{{1, 0, 1}, {0, 0, 1}, {1, 0, 0}};
+    const scenes::Panel sheet{{0, 0.1f, 0}, {0, 0, 3}, {3, 0, 0}};
+    const scenes::Panel both[] = {floor, sheet};
+    const scenes::Surfaces room(scenes::panels(both, 64, scenes::plain(glm::vec3(0.4f))));
+    const auto trust = reliabilityOf(varianceIn(room), {});
+    EXPECT_LT(trust[room.at({1.5f, 0, 1.5f}, {0, 1, 0})].front, 0.3f);
+    EXPECT_EQ(trust[room.at({1.5f, 0.1f, 1.5f}, {0, 1, 0})].front, 1.0f);
+}
+
+TEST(Reliability, ShadowsEdgeTakesTheMostOfIt)
+{
+    for (const SurfelTrust& trust : reliabilityOf(varianceIn(greyRoom(), 1.0f), {})) {
+        EXPECT_LT(trust.edges, 0.5f);
+        EXPECT_EQ(trust.front, 1.0f);
+    }
+}
+
+// 0.03 of the usual light is as much as there is.
+TEST(Reliability, LittleLightIsLessSureThanMuch)
+{
+    const scenes::Surfaces room = greyRoom();
+    SurfelLighting light = evenLight(room);
+    light.irradiance[0] = glm::vec3(0.03f);
+    const auto trust = reliabilityOf(varianceOf(scenes::hitListsOf(room, 64), light), {});
+    EXPECT_LT(probability(trust[0]), 0.5f);
+    EXPECT_GT(probability(trust[1]), 0.9f);
+}
+
+// Both ways alike.
+TEST(Reliability, WhatWasCorrectedByMuchIsLessSureThanWhatWasByLittle)
+{
+    const std::vector<LightVariance> variance(4, LightVariance{.rest = 0.0025f});
+    const float lit[] = {1.0f, 0.95f, std::exp(-0.25f), std::exp(0.25f)};
+    const auto trust = reliabilityOf(variance, lit);
+    EXPECT_GT(probability(trust[1]), 0.85f);
+    EXPECT_LT(probability(trust[1]), probability(trust[0]));
+    EXPECT_NEAR(probability(trust[2]), 0.5f, 0.05f);
+    EXPECT_FLOAT_EQ(probability(trust[2]), probability(trust[3]));
+}
+
+// By its share of the logarithm: two alike causes each take the root.
+TEST(Reliability, CausesShareTheDoubt)
+{
+    const LightVariance variance[] = {{.outside = 0.2f, .backs = 0.2f}, {.outside = 0.4f}};
+    const auto trust = reliabilityOf(variance, {});
+    EXPECT_FLOAT_EQ(trust[0].seen, trust[0].front);
+    EXPECT_FLOAT_EQ(trust[0].seen * trust[0].front, trust[1].seen);
+    EXPECT_EQ(trust[1].edges, 1.0f);
+}
+
+} // namespace relamp
