@@ -1,13 +1,12 @@
 #ifndef RELAMP_DIVIDE_SHARED_H
 #define RELAMP_DIVIDE_SHARED_H
 
+#include "base/radiometry.shared.h"
 #include "base/shared.h"
 #include "image/burnt_out.shared.h"
 
 SHARED_BEGIN
 
-SHARED_CONST kWhitestPaper = 0.9f;     // albedo: no matte surface is whiter
-SHARED_CONST kUsualPaper = 0.35f;      // albedo: of a room's surfaces, about
 SHARED_CONST kLeastOfBrightest = 0.2f; // of the brightest channel of a shading; less is noise
 
 // What a matte surface of albedo rho under shading S = E / pi shows is rho S. Of that hardly

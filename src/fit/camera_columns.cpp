@@ -24,17 +24,18 @@ constexpr std::array<double, Response::kKnots> kShape{1.0, 1.02, 1.1, 1.27, 1.5}
 constexpr double kUsualSlope = 0.85;                                              // in the shadows
 constexpr double kContrastSpread = 0.3;                                           // of that slope
 constexpr double kShapeSpread = 0.12; // of each slope by itself
-constexpr double kFlattest = 0.4;     // slope of an inverse response, and exponent of a tone
 constexpr double kSteepest = 3.0;     // likewise
 constexpr float kKnotSpacing = 1.2f;  // m: automatic exposure drifts over metres
-constexpr int kMostKnots = 120;       // in a hall they lie farther apart
 constexpr double kGainSpread = 0.3;   // log: of the gain; automatic exposure by half a stop
 constexpr double kGainStep = 0.12;    // log: of the gain from knot to knot
 constexpr float kToneSpacing = 0.6f;  // m: what local tone mapping flattens is larger
-constexpr int kMostToneKnots = 20000; // in a hall they lie farther apart
 constexpr double kToneSpread = 0.4;   // of 1 / exponent - 1: exponents of 0.6 to 1
 constexpr double kGainWorth = 4.0;    // what is wrong with the light at a place, and at all near
                                       // it, is mostly gain
+
+// Numerics.
+constexpr int kMostKnots = 120;       // in a hall they lie farther apart
+constexpr int kMostToneKnots = 20000; // in a hall they lie farther apart
 
 double logLuminance(glm::vec3 log) // near 1
 {

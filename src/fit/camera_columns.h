@@ -11,6 +11,12 @@
 namespace relamp
 {
 
+/// Radiance: local tone mapping lifts nothing darker.
+inline constexpr float kDarkestBase = 0.01f;
+
+/// Slope of an inverse response, and exponent of a tone, at least.
+inline constexpr double kFlattest = 0.4;
+
 /// What places of a scan show in its file, and where they lie.
 struct TexturePlaces
 {

@@ -19,8 +19,9 @@ namespace
 
 constexpr double kCurvedNats = 1.1; // log odds of a camera with a contrast curve: three in four
 constexpr double kTonedNats = -2.2; // likewise of local tone mapping: one in ten
-constexpr int kCameraRounds = 2;    // of what is gathered and what the camera made of it
-constexpr double kGainWidth = 4.0;  // times the noise: what the first loss for a gain forgives
+
+// Numerics.
+constexpr int kCameraRounds = 2; // of what is gathered and what the camera made of it
 
 } // namespace
 
@@ -117,7 +118,7 @@ void LampSearch::findGain()
         LightFit fit = fitOf(LampEvidence::kPairsFirst);
         fit.expectLeaks(estimate_.log);
         LightEstimate even = fit.solve(
-            emits_, estimate_.log, columnsOf(camera_.gain, evidence_.texturePlaces()), kGainWidth);
+            emits_, estimate_.log, columnsOf(camera_.gain, evidence_.texturePlaces()), kFirstWidth);
         camera_.gain = gainOf(std::move(camera_.gain), even.camera);
         seeByCamera(std::move(even.log));
     }

@@ -22,6 +22,7 @@ namespace relamp
 namespace
 {
 
+// Numerics.
 constexpr float kLeastRadius = 0.02f; // m, of something without a size
 constexpr float kNoLarger = 1.02f;    // ratio of areas: they are rounded, and measured again
 

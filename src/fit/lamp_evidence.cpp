@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
+#include "fit/camera_columns.h"
 #include "fit/pairs.h"
 #include "scan/gain.h"
 #include "scan/linearization.h"
@@ -16,13 +17,11 @@ namespace relamp
 namespace
 {
 
+// Numerics.
 constexpr size_t kEvidencePlaces = 6000; // all over a scan, so that a small lamp lights a dozen
 constexpr size_t kPlacesOfDraft = 2000;  // likewise, for a first look
 constexpr size_t kLooks = 12;            // from a piece, at the others
 constexpr float kAreaOfRay = 0.05f;      // m^2 of a piece that a ray from an origin is for
-constexpr float kDarkestBase = 0.01f;    // radiance: local tone mapping lifts nothing darker
-constexpr double kBlack = 1e-4;          // radiance: darker is as good as that
-constexpr float kAround = 1.6f;          // surfel sizes
 
 std::vector<SoughtLamp> soughtOf(std::span<const Piece> pieces, size_t fewestRays)
 {
@@ -40,10 +39,8 @@ std::vector<SoughtLamp> soughtOf(std::span<const Piece> pieces, size_t fewestRay
 template<class Visit>
 void forEachAround(const Surfels& surfels, uint32_t place, const Visit& visit)
 {
-    for (const uint32_t n : surfels.neighborsOf(place)) {
-        const glm::vec3 way = surfels.position[n] - surfels.position[place];
-        if (glm::dot(way, way) <= kAround * kAround * surfels.size * surfels.size) visit(n);
-    }
+    for (const uint32_t n : surfels.neighborsOf(place))
+        if (surfels.areBeside(place, n)) visit(n);
 }
 
 /// Fronts of some of a piece's surfels, evenly.
@@ -104,7 +101,8 @@ double LampEvidence::meanLogOfPlaces() const
 {
     double sum = 0.0;
     for (const uint32_t place : places_)
-        sum += std::log(std::max(static_cast<double>(luminance(radiance_.plain[place])), kBlack));
+        sum += std::log(std::max(static_cast<double>(luminance(radiance_.plain[place])),
+                                 static_cast<double>(kFaintest)));
     return sum / static_cast<double>(std::max<size_t>(places_.size(), 1));
 }
 

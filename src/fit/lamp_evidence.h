@@ -68,6 +68,7 @@ public:
     /// `onSides`. Returns their light.
     LitSides settle(std::span<Piece> lamps, const OutsideLight& outside);
 
+    // Numerics.
     static constexpr size_t kMostRays = 6;   // to a piece, from an origin at a place
     static constexpr size_t kPairsFirst = 1; // a place, for what only tells which pieces emit
     static constexpr size_t kPairs = 6;      // likewise, for how bright they are

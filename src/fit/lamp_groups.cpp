@@ -13,11 +13,10 @@ namespace relamp
 namespace
 {
 
-constexpr float kSameSize = 2.5f;  // ratio of areas of one model
-constexpr float kSameLevel = 0.1f; // m
-constexpr float kTilt = 0.03f;     // radians; of a small piece's normal
-constexpr size_t kMostParts = 32;  // that all families are cut into, for time alone
-constexpr float kRound = 0.5f;     // length of a mean normal; no lamp burns a thing out all around
+constexpr float kTilt = 0.03f; // radians; of a small piece's normal
+
+// Numerics.
+constexpr size_t kMostParts = 32; // that all families are cut into, for time alone
 
 using Members = std::vector<uint32_t>; // indices of candidates, ascending
 
@@ -28,7 +27,7 @@ std::vector<Members> familiesOf(std::span<const Candidate> candidates,
 {
     std::vector<Members> families;
     for (uint32_t c = 0; c < candidates.size(); ++c) {
-        if (isGiven[c] != 0 || candidates[c].area < kLeastGrouped) continue;
+        if (isGiven[c] != 0 || candidates[c].area < kCrumb) continue;
         const auto family = std::find_if(families.begin(), families.end(), [&](const Members& f) {
             return areAlike(candidates[f.front()], candidates[c]);
         });
@@ -95,22 +94,25 @@ LampGroup groupOf(std::span<const Candidate> candidates, const Members& members,
 
 } // namespace
 
+bool areOfOneSize(const Candidate& a, const Candidate& b)
+{
+    return std::max(a.area, b.area) < kAboutEqual * std::min(a.area, b.area);
+}
+
 bool areAlike(const Candidate& a, const Candidate& b)
 {
-    const float sizes = a.area / b.area;
-    if (sizes > kSameSize || sizes < 1.0f / kSameSize) return false;
-    if (!isFlat(a) || !isFlat(b)) return false;
+    if (!areOfOneSize(a, b) || !isFlat(a) || !isFlat(b)) return false;
     const glm::vec3 normal = glm::normalize(a.normal);
     const glm::vec3 way = b.centre - a.centre;
-    return glm::dot(normal, glm::normalize(b.normal)) > kAlikeFacing &&
-           std::abs(glm::dot(way, normal)) < kSameLevel + kTilt * glm::length(way);
+    return glm::dot(normal, glm::normalize(b.normal)) > kSameFacing &&
+           std::abs(glm::dot(way, normal)) < kTouching + kTilt * glm::length(way);
 }
 
 LampGroups groupLamps(std::vector<Candidate> candidates, std::span<const uint8_t> isGiven,
                       size_t most)
 {
     std::vector<Members> sets;
-    if (candidates.size() > most && candidates[most].area > kLeastGrouped)
+    if (candidates.size() > most && candidates[most].area > kCrumb)
         sets = familiesOf(candidates, isGiven);
     divide(candidates, std::min(most / 2, kMostParts), sets);
     std::vector<uint8_t> isInSet(candidates.size(), 0);
@@ -124,7 +126,7 @@ LampGroups groupLamps(std::vector<Candidate> candidates, std::span<const uint8_t
                                [&](float sum, uint32_t c) { return sum + candidates[c].area; });
     };
     const auto rank = [&](const Members& set) {
-        const bool isRound = glm::length(candidates[set.front()].normal) < kRound;
+        const bool isRound = !isFlat(candidates[set.front()]);
         return std::tuple(isGiven[set.front()] != 0, isRound, areaOf(set));
     };
     std::stable_sort(sets.begin(), sets.end(),
@@ -132,7 +134,7 @@ LampGroups groupLamps(std::vector<Candidate> candidates, std::span<const uint8_t
     LampGroups result;
     while (sets.size() > most && isGiven[sets.back().front()] == 0) {
         for (const uint32_t c : sets.back())
-            if (candidates[c].area > kLeastGrouped) {
+            if (candidates[c].area > kCrumb) {
                 ++result.leftOut;
                 result.areaLeftOut += candidates[c].area;
             }

@@ -9,11 +9,6 @@
 namespace relamp
 {
 
-/// Candidates smaller than this, m^2, neither make groups nor count as left out.
-inline constexpr float kLeastGrouped = 0.01f;
-
-constexpr float kAlikeFacing = 0.9f; // cosine between mean normals of pieces that face alike
-
 /// Candidates that are fitted as one lamp.
 struct LampGroup
 {
@@ -25,9 +20,15 @@ struct LampGroup
 struct LampGroups
 {
     std::vector<LampGroup> groups; // in the order of their largest lamps
-    size_t leftOut = 0;            // candidates of at least kLeastGrouped beyond the most
+    size_t leftOut = 0;            // candidates of at least kCrumb beyond the most
     float areaLeftOut = 0.0f;      // of these, m^2
 };
+
+/// Ratio of areas, and of radiances, of lamps of one model.
+inline constexpr float kAboutEqual = 3.0f;
+
+/// Whether their areas are about the same.
+bool areOfOneSize(const Candidate& a, const Candidate& b);
 
 /// Whether two pieces look like the same model of lamp, as the panels of a ceiling do.
 bool areAlike(const Candidate& a, const Candidate& b);

@@ -26,22 +26,21 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kMostPieces = 96; // that may emit; a fit takes the square of their number
-constexpr size_t kSearchSteps = 4; // of the search, as progress tells
-constexpr double kLampNats = 2.0;  // that it takes to believe in a lamp
+constexpr double kLampNats = 2.0; // that it takes to believe in a lamp
 // Where one of its model emits: the log odds in rooms with ground truth, where 357 of 361 pieces
 // that looked like a lamp were one.
 constexpr double kModelNats = -4.0;
 constexpr double kFirstNoise = 0.08;  // log: between places of one paint, before it is measured
-constexpr double kFirstWidth = 6.0;   // times the noise: what the first loss forgives
 constexpr double kNoiseOfPairs = 0.7; // of the median difference of pairs: half are of two paints
 constexpr double kLeastNoise = 0.02;  // log; what a byte and a few rays tell
-constexpr double kMostNoise = 0.2;    // log
-constexpr size_t kTries = 4;          // of the most promising pieces, each time one is added
-constexpr int kChoices = 4;           // rounds of taking away and adding, at most
 constexpr double kUnknown = 0.7;      // standard error of log radiance: about a factor of two
 constexpr double kColorSpread = 1.0;  // log: of a lamp's channels about its luminance
-constexpr double kColorWidth = 2.0;   // times the noise: where the loss for a channel begins
+
+// Numerics.
+constexpr size_t kMostPieces = 96; // that may emit; a fit takes the square of their number
+constexpr size_t kSearchSteps = 4; // of the search, as progress tells
+constexpr size_t kTries = 4;       // of the most promising pieces, each time one is added
+constexpr int kChoices = 4;        // rounds of taking away and adding, at most
 
 std::string unknownAt(glm::vec3 place, size_t lamps)
 {
@@ -351,7 +350,7 @@ void LampSearch::findColors()
                              kin_.alike, noise_, static_cast<int>(c));
             channel.expectLeaks(estimate_.log);
             colors[c] =
-                channel.solve(emits_, estimate_.log, kColorWidth, {estimate_.log, kColorSpread});
+                channel.solve(emits_, estimate_.log, kFirstWidth, {estimate_.log, kColorSpread});
         });
         const auto radianceOf = [&](size_t f) {
             glm::vec3 rgb;
@@ -412,7 +411,7 @@ void LampSearch::takeSun(FoundLamps& found)
     if (!sun_) return;
     const Piece& sun = pieces_[sun_->sun()];
     found.sun = {.sun = {.direction = sun_->towards,
-                         .irradiance = sun.radiance * kSunSolidAngle,
+                         .irradiance = sun.radiance * sunSolidAngle(),
                          .error = glm::vec3(sun.error),
                          .determined = static_cast<double>(sun.error) < kUnknown},
                  .outside = std::move(beforeSun_),
@@ -462,7 +461,7 @@ FoundLamps LampSearch::result()
 
 double LampSearch::noiseOf(const LightEstimate& estimate)
 {
-    return std::clamp(kNoiseOfPairs * estimate.residual, kLeastNoise, kMostNoise);
+    return std::max(kNoiseOfPairs * estimate.residual, kLeastNoise);
 }
 
 FoundLamps LampSearch::run()

@@ -4,6 +4,7 @@
 #include "base/radiometry.shared.h"
 #include "base/sampling.shared.h"
 #include "fit/reliability.h"
+#include "lights/candidates.h"
 #include "shading/gathered_light.h"
 
 #include <algorithm>
@@ -21,27 +22,24 @@ namespace relamp
 namespace
 {
 
-constexpr float kBesideSurfel = 1.6f; // surfel sizes
-constexpr float kPaintStep = 0.3f;    // of log albedo between two of one paint: more is an edge
-constexpr float kColorStep = 0.1f;    // of log (r / g) and log (b / g) between neighbours, likewise
-constexpr float kMostLacking = 0.05f; // of log light that is too dark: so much is noise
+constexpr float kPaintStep = 0.3f; // of log albedo between two of one paint: more is an edge
+constexpr float kColorStep = 0.1f; // of log (r / g) and log (b / g) between neighbours, likewise
 
 // What an error of 1 is held against one pair of neighbours: errors of light are wide, so that all
 // places of some hundred make one mistake.
 constexpr float kBelief = 3e-5f;
 
 // Pairs of one paint all over the scan.
-constexpr int kDraws = 2;                // of pairs that a place is in; each draw gives it two
-constexpr float kPaintColor = 0.05f;     // of log (r / g) and log (b / g): a class of paint
 constexpr float kPaintBrightness = 0.5f; // of log albedo
 constexpr float kFarWeight = 0.02f;      // of a pair beside one of neighbours
 
 // A thin pattern in the open is paint: a joint between tiles, dots on a wallpaper.
 constexpr int kThin = 2;               // rings of neighbours; a line is narrower than twice that
-constexpr float kShallow = 0.15f;      // of log albedo: a pattern is deeper
 constexpr float kOneSidedRing = 0.35f; // surfel sizes, of the mean way to those beside one
-constexpr float kNear = 0.1f;          // metres; what throws so thin a shadow is about that near
 constexpr float kOpen = 0.015f; // share of a view that is so near: less, and nothing throws one
+
+// Numerics.
+constexpr int kDraws = 2; // of pairs that a place is in; each draw gives it two
 
 /// Albedo as the light found makes it, in logarithms.
 struct Paint
@@ -95,7 +93,6 @@ struct Sheet
 Sheet sheetOf(const Surfels& surfels, std::span<const Paint> paint)
 {
     Sheet sheet;
-    const float reach = kBesideSurfel * surfels.size;
     const auto add = [&](size_t n, float alike) {
         sheet.surfel.push_back(static_cast<int>(n));
         sheet.alike.push_back(alike);
@@ -106,7 +103,7 @@ Sheet sheetOf(const Surfels& surfels, std::span<const Paint> paint)
         for (const uint32_t n : surfels.neighborsOf(s)) {
             const glm::vec3 way = surfels.position[n] - surfels.position[s];
             if (n == s || paint[s].belief < 0.0f || paint[n].belief < 0.0f ||
-                glm::dot(way, way) > reach * reach)
+                !surfels.areBeside(s, n))
                 continue;
             add(n, alike(paint[s], paint[n]));
             ways += way;
@@ -147,7 +144,7 @@ float nearness(const Surfels& surfels, const HitLists& hits, size_t surfel)
     for (const HitTarget target : targets) {
         if (target.isNothing()) continue;
         const glm::vec3 way = surfels.position[target.side().surfel()] - surfels.position[surfel];
-        sum += kNear * kNear / (kNear * kNear + glm::dot(way, way));
+        sum += kTouching * kTouching / (kTouching * kTouching + glm::dot(way, way));
     }
     return targets.empty() ? 0.0f : sum / static_cast<float>(targets.size());
 }
@@ -162,7 +159,7 @@ void clearOfPatterns(const Surfels& surfels, const HitLists& hits, const Sheet& 
         for (size_t s = 0; s < paint.size(); ++s) values[s] = sign * paint[s].even;
         const std::vector<float> without = closed(sheet, values);
         forEach(paint.size(), [&](size_t s) {
-            if (without[s] - values[s] > kShallow && nearness(surfels, hits, s) < kOpen)
+            if (without[s] - values[s] > 0.5f * kPaintStep && nearness(surfels, hits, s) < kOpen)
                 paint[s].even = sign * without[s];
         });
     }
@@ -183,8 +180,8 @@ uint64_t classOf(const Paint& paint, uint seed, uint draw)
         const float shifted = value / width + seededShift(seed, draw, salt);
         return static_cast<uint64_t>(shifted + 1048576.0f); // the middle of 21 bits
     };
-    return cell(paint.red, kPaintColor, 1) << 42 | cell(paint.blue, kPaintColor, 2) << 21 |
-           cell(paint.even, kPaintBrightness, 3);
+    return cell(paint.red, 0.5f * kColorStep, 1) << 42 |
+           cell(paint.blue, 0.5f * kColorStep, 2) << 21 | cell(paint.even, kPaintBrightness, 3);
 }
 
 /// Chains the surfels of each class in a random order, in each draw anew.
@@ -365,7 +362,7 @@ std::vector<float> correctionOf(const Surfels& surfels, const SurfelRadiance& ra
     const Eigen::VectorXf lit = Settling(sheet, partnersOf(paint, surfels.seed), paint).run();
     std::vector<float> shares(surfels.count());
     for (size_t s = 0; s < shares.size(); ++s)
-        shares[s] = std::exp(std::min(lit[static_cast<Eigen::Index>(s)], kMostLacking));
+        shares[s] = std::exp(std::min(lit[static_cast<Eigen::Index>(s)], kAlwaysUnsure));
     return shares;
 }
 

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "fit/light_fit_search.h"
+#include "fit/reliability.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,15 +17,11 @@ namespace
 // That all pairs are worth: what is wrong with the light at a place is wrong at all places near it.
 // So standard errors are right: in rooms with ground truth two thirds of the lamps lie within one.
 constexpr double kEffectivePairs = 75.0;
-// Of a room's median light, what may leak to any place: of a whole mesh, where it is the noise of
-// few rays, and of a reconstruction, whose contacts stand open.
-constexpr double kLeakOfModel = 0.025;
-constexpr double kLeakOfScan = 0.05;
 constexpr double kOutside = 0.3;        // of the median radiance: what scanners miss lies in shade
-constexpr double kBrightestPaper = 0.9; // albedo
 constexpr double kBurntOutPaper = 0.75; // albedo of what burns out first
+
+// Numerics.
 constexpr double kLeastIrradiance = 1e-3; // radiance sr, that no place falls below
-constexpr double kDark = 1e-4;            // radiance
 
 } // namespace
 
@@ -36,7 +33,8 @@ LightFit::LightFit(const LightModel& model, std::span<const MaterialPair> pairs,
       normalization_(static_cast<double>(pairs.size()) * std::log(noise))
 {
     for (size_t i = 0; i < model.shown.size(); ++i) {
-        logShown_.push_back(std::log(std::max(pick(model.shown[i]), kDark)));
+        logShown_.push_back(
+            std::log(std::max(pick(model.shown[i]), static_cast<double>(kFaintest))));
         gathered_.push_back(pick(model.gathered[i]));
     }
     whiteShare_.assign(model.pieces, 0.0);
@@ -75,7 +73,7 @@ double LightFit::lack(size_t piece, double logIrradiance) const
 {
     if (model_.area[piece] <= 0.0f) return 0.0;
     const double least =
-        logShown_[model_.placeOf(piece)] + std::log(static_cast<double>(kPi) / kBrightestPaper);
+        logShown_[model_.placeOf(piece)] + std::log(static_cast<double>(kPi / kWhitestPaper));
     return std::max(least - logIrradiance, 0.0);
 }
 
@@ -98,13 +96,16 @@ void LightFit::expectLeaks(const LightEstimate& estimate, const CameraColumns& c
     std::vector<double> light(model_.places());
     forEach(light.size(), [&](size_t i) { light[i] = irradiance(i, radiance); });
     const double usual = medianOfAll(light);
-    const double ofModel = costOfLeak(kLeakOfModel * usual, light, logAlbedo);
+    // A reconstruction, whose contacts stand open, lets in twice what a whole mesh does.
+    const auto leakOfModel = static_cast<double>(kLostLight);
+    const double leakOfScan = 2.0 * leakOfModel;
+    const double ofModel = costOfLeak(leakOfModel * usual, light, logAlbedo);
     for (size_t k = 0; k < pairs_.size(); ++k)
         paintShare_[k] = 2.0 * noise_ * noise_ /
                          (noiseAbove_[k] * noiseAbove_[k] + noiseBelow_[k] * noiseBelow_[k]);
-    const double ofScan = costOfLeak(kLeakOfScan * usual, light, logAlbedo);
+    const double ofScan = costOfLeak(leakOfScan * usual, light, logAlbedo);
     const double belief = 1.0 / (1.0 + std::exp(perPair() * (ofScan - ofModel))); // in a scan
-    const double leak = kLeakOfModel + belief * (kLeakOfScan - kLeakOfModel);
+    const double leak = leakOfModel + belief * (leakOfScan - leakOfModel);
     costOfLeak(leak * usual, light, logAlbedo);
 }
 
@@ -128,7 +129,7 @@ double LightFit::costOfLeak(double leak, std::span<const double> light,
 
 double LightFit::reflectedIn(size_t piece, std::span<const double> radiance) const
 {
-    if (model_.area[piece] <= 0.0f) return std::log(kDark);
+    if (model_.area[piece] <= 0.0f) return std::log(static_cast<double>(kFaintest));
     const size_t place = model_.placeOf(piece);
     return std::max(
         std::log(kBurntOutPaper / static_cast<double>(kPi) * irradiance(place, radiance)),
@@ -142,6 +143,7 @@ double LightFit::reflected(size_t piece, std::span<const double> log) const
 
 double LightFit::gain(const LightEstimate& estimate, size_t piece, double& best) const
 {
+    // Numerics.
     constexpr int kTried = 6; // radiances, each thrice the last
     std::vector<double> radiance = exponentials(estimate.log);
     const double was = std::exchange(radiance[piece], 0.0);

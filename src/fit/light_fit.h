@@ -11,6 +11,9 @@
 namespace relamp
 {
 
+// Numerics.
+inline constexpr double kFirstWidth = 4.0; // times the noise: what a first loss forgives
+
 /// How bright everything is that the light of a room comes from, in luminance or in one channel: in
 /// logarithms of radiance, 1 = the texture's white.
 struct LightEstimate
@@ -86,6 +89,7 @@ public:
 
 private:
     friend class LightFitSearch;
+    // Numerics.
     static constexpr double kUnbounded = 1e6; // log: noise of what tells nothing
     [[nodiscard]] double pick(glm::vec3 rgb) const;
     [[nodiscard]] double irradiance(size_t place, std::span<const double> radiance) const;

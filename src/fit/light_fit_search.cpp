@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
+#include "fit/camera_columns.h"
 
 #include <algorithm>
 #include <numeric>
@@ -15,21 +16,19 @@ namespace
 {
 
 constexpr double kWhiteNats = 0.1;      // weight of a burnt-out piece being about white
-constexpr double kWhiteSpread = 1.0;    // log: how far about
 constexpr double kOutsideSpread = 2.0;  // log
 constexpr double kOpeningNats = 0.5;    // weight of an opening being as dark as small holes
-constexpr double kOpeningSpread = 1.0;  // log: how far about
 constexpr double kAlikeSpread = 0.6;    // log: between lamps of one model
-constexpr double kMeanAlbedo = 0.35;    // of a room, mean of logarithms
 constexpr double kAlbedoSpread = 0.4;   // log: of that mean between rooms
 constexpr double kDarkerPaper = 0.8;    // log: how much less that may be, and the light on it
 constexpr double kWhiterPaper = 0.3;    // log: how much more
 constexpr double kLeastMatters = 0.003; // of the light at places: a wall that sends less may be of
                                         // any paint
-constexpr double kLeastSlope = 0.2;     // of a camera's inverse response, log by log
-constexpr double kConverged = 0.0025;   // nats
-constexpr int kMostSteps = 30;          // for time alone
-constexpr double kLongestStep = 2.0;    // log
+
+// Numerics.
+constexpr double kConverged = 0.0025; // nats
+constexpr int kMostSteps = 30;        // for time alone
+constexpr double kLongestStep = 2.0;  // log
 
 double logDeterminant(const Eigen::MatrixXd& matrix)
 {
@@ -87,13 +86,12 @@ LightFitSearch::Prior LightFitSearch::priorOf(size_t unknown, const Point& point
         return {0.5 * weight * off * off, weight, weight * off};
     }
     if (!isOutside && prior_.log.empty()) {
-        const double off = log / kWhiteSpread;
         const double nats =
             kWhiteNats + (model_.coloured.empty()
                               ? 0.0
                               : static_cast<double>(model_.coloured[pieceOf_[unknown]]));
-        const double weight = 2.0 * nats / (kWhiteSpread * kWhiteSpread * (1.0 + off * off));
-        return {nats * std::log1p(off * off), weight, weight * log};
+        const double weight = 2.0 * nats / (1.0 + log * log);
+        return {nats * std::log1p(log * log), weight, weight * log};
     }
     const double spread = isOutside ? kOutsideSpread : prior_.spread;
     const double off = log - (isOutside ? fit_.outside_ : prior_.log[pieceOf_[unknown]]);
@@ -109,11 +107,9 @@ LightFitSearch::Prior LightFitSearch::openingPrior(size_t log, const Point& poin
         const double weight = 1.0 / (prior_.spread * prior_.spread);
         return {0.5 * weight * off * off, weight, weight * off};
     }
-    const double step = point.log[log] - fit_.outside_;
-    const double off = step / kOpeningSpread;
-    const double weight =
-        2.0 * kOpeningNats / (kOpeningSpread * kOpeningSpread * (1.0 + off * off));
-    return {kOpeningNats * std::log1p(off * off), weight, weight * step};
+    const double off = point.log[log] - fit_.outside_;
+    const double weight = 2.0 * kOpeningNats / (1.0 + off * off);
+    return {kOpeningNats * std::log1p(off * off), weight, weight * off};
 }
 
 /// What reflects, and is no unknown, sends what the light before makes of it, a bounce at a time.
@@ -158,7 +154,7 @@ double LightFitSearch::slopeOf(const Point& at, MaterialPair pair) const
     for (size_t k = 0; k < camera_.count(); ++k)
         slope += 0.5 * cameraAt(at, k) *
                  static_cast<double>(camera_.slopeAt(pair.p)[k] + camera_.slopeAt(pair.q)[k]);
-    return std::max(slope, kLeastSlope);
+    return std::max(slope, kFlattest);
 }
 
 /// The texture is what was measured: a response that flattens it makes every pair agree, and pays
@@ -215,11 +211,12 @@ double LightFitSearch::level(const Point& at) const
     double sum = 0.0;
     for (size_t i = 0; i < model_.places(); ++i) sum += at.shown[i] - at.logIrradiance[i];
     return sum / static_cast<double>(model_.places()) +
-           std::log(static_cast<double>(kPi) / kMeanAlbedo);
+           std::log(static_cast<double>(kPi / kUsualPaper));
 }
 
 double LightFitSearch::costOf(const Point& at) const
 {
+    // Numerics.
     constexpr size_t kChunk = 2048; // pairs that one thread sums
     const size_t pairs = fit_.pairs_.size();
     std::vector<double> sums((pairs + kChunk - 1) / kChunk, 0.0);
@@ -358,6 +355,7 @@ void LightFitSearch::addLevel(const Point& at, const PlaceTable& shares, Normal&
 /// False where nothing near is better.
 bool LightFitSearch::step()
 {
+    // Numerics.
     constexpr int kAttempts = 6; // of a shorter step, each time by more damping
     const Normal normal = normalAt(here_);
     for (int attempt = 0; attempt < kAttempts; ++attempt) {

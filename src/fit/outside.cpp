@@ -12,13 +12,12 @@ namespace relamp
 namespace
 {
 
-constexpr float kLeastPane = 0.1f; // m^2
-constexpr float kUpright = 0.7f;   // upward part of a pane's normal, less
+constexpr float kUpright = 0.7f; // upward part of a pane's normal, less
 
 bool isPane(const FoundLamp& lamp)
 {
     const Candidate surface = candidateOf(lamp.patches);
-    return surface.area > kLeastPane && isFlat(surface) && std::abs(surface.normal.y) < kUpright;
+    return surface.area > kPane && isFlat(surface) && std::abs(surface.normal.y) < kUpright;
 }
 
 /// Which triangles mostly show a pane.

@@ -1,6 +1,7 @@
 #include "fit/pairs.h"
 
 #include "base/radiometry.shared.h"
+#include "lights/candidates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@ namespace
 {
 
 constexpr float kSamePlaneFacing = 0.97f; // cosine
-constexpr float kSamePlaneStep = 0.05f;   // m off the plane
 constexpr float kSameColor =
     0.6f; // length of the step in log r, g, b after brightness is taken out
 constexpr float kDarkestPaired = 0.004f; // luminance; below, a byte's steps are too coarse
@@ -20,7 +20,7 @@ constexpr float kDarkestPaired = 0.004f; // luminance; below, a byte's steps are
 /// Colour without brightness, in logs.
 glm::vec3 chromaOf(glm::vec3 radiance)
 {
-    return glm::log(glm::max(radiance, glm::vec3(1e-4f)) / luminance(radiance));
+    return glm::log(glm::max(radiance, glm::vec3(kFaintest)) / luminance(radiance));
 }
 
 /// What tells whether two places are of one material.
@@ -45,7 +45,7 @@ std::vector<PairPlace> placesOf(std::span<const glm::vec3> shown, std::span<cons
 bool areOnOnePlane(glm::vec3 p, glm::vec3 normalOfP, glm::vec3 q, glm::vec3 normalOfQ)
 {
     return glm::dot(normalOfP, normalOfQ) >= kSamePlaneFacing &&
-           std::abs(glm::dot(q - p, normalOfP)) <= kSamePlaneStep;
+           std::abs(glm::dot(q - p, normalOfP)) <= 2.5f * kScanError;
 }
 
 bool couldBeOneMaterial(const PairPlace& p, const PairPlace& q)

@@ -16,17 +16,13 @@ namespace relamp
 namespace
 {
 
-constexpr float kBeside = 0.15f;      // m between openings beside each other, at most
-constexpr float kAboutEqual = 3.0f;   // ratio of their radiances
-constexpr float kLeastModel = 0.003f; // m^2; the shape of less says nothing
-constexpr float kWhole = 0.3f;        // length of a mean normal; what is shorter faces all around
-constexpr float kSameBody = 1.3f;     // ratio of areas
+constexpr float kWhole = 0.3f;   // length of a mean normal; what is shorter faces all around
 constexpr float kSliver = 0.02f; // ratio of areas; too small beside a lamp to be one of its own
 
 /// Whether they touch in one plane, as panes of one window do.
 bool areInOnePlane(const Candidate& a, const Candidate& b)
 {
-    return glm::dot(a.normal, b.normal) > kAlikeFacing &&
+    return glm::dot(a.normal, b.normal) > kSameFacing &&
            std::abs(glm::dot(b.centre - a.centre, a.normal)) < kScanError && areTouching(a, b);
 }
 
@@ -55,9 +51,7 @@ void add(const Piece& piece, Piece& whole)
 /// on one side.
 bool areAlikeBodies(const Candidate& a, const Candidate& b)
 {
-    const float sizes = a.area / b.area;
-    return std::max(glm::length(a.normal), glm::length(b.normal)) < kWhole && sizes < kSameBody &&
-           sizes > 1.0f / kSameBody;
+    return std::max(glm::length(a.normal), glm::length(b.normal)) < kWhole && areOfOneSize(a, b);
 }
 
 /// Lamps of one model are of one colour: both are burnt out in all channels, or neither is.
@@ -65,7 +59,7 @@ bool areOneModel(const Piece& a, const Piece& b)
 {
     const Candidate& p = a.candidate;
     const Candidate& q = b.candidate;
-    return std::min(p.area, q.area) >= kLeastModel && (areAlike(p, q) || areAlikeBodies(p, q)) &&
+    return std::min(p.area, q.area) >= kCrumb && (areAlike(p, q) || areAlikeBodies(p, q)) &&
            (colouredShare(p) > 0.5f) == (colouredShare(q) > 0.5f);
 }
 
@@ -85,7 +79,7 @@ Kinship kinshipOf(const std::vector<Piece>& pieces)
         for (uint32_t b = a + 1; b < pieces.size(); ++b) {
             if (pieces[a].isOpening || pieces[b].isOpening) {
                 if (pieces[a].isOpening != pieces[b].isOpening ||
-                    !areWithin(pieces[a].candidate, pieces[b].candidate, kBeside))
+                    !areTouching(pieces[a].candidate, pieces[b].candidate))
                     continue;
                 kin.model[a].push_back(b);
                 kin.model[b].push_back(a);

@@ -12,9 +12,7 @@ namespace
 {
 
 // Standard deviations of the light found, as a share of it.
-constexpr float kAlwaysUnsure = 0.05f; // where nothing else speaks against it
-constexpr float kUnknownLight = 0.03f; // of the light in the middle of all places: lost, or let in
-constexpr float kUnsureOfBacks = 2.0f; // times the share of a view that meets backs
+constexpr float kUnsureOfBacks = 2.0f;   // times the share of a view that meets backs
 constexpr float kUnsureOfOutside = 0.4f; // times the share of a view that leaves the scan
 
 // Of these, in rooms with ground truth, after the correction.
@@ -78,7 +76,7 @@ std::vector<LightVariance> varianceOf(const HitLists& hits, const SurfelLighting
         const ShareOfView view = viewOf(hits, s);
         variance[s] = {squareOf(kUnsureOfOutside * view.outside),
                        squareOf(kUnsureOfBacks * view.backs), squareOf(spread / found),
-                       squareOf(kAlwaysUnsure) + squareOf(kUnknownLight * usual / found)};
+                       squareOf(kAlwaysUnsure) + squareOf(kLostLight * usual / found)};
     });
     return variance;
 }

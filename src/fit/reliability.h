@@ -9,6 +9,13 @@
 namespace relamp
 {
 
+/// Of the light in the middle of all places: lost anywhere, or let in, by few rays and a whole
+/// mesh.
+inline constexpr float kLostLight = 0.025f;
+
+/// Of any light, where nothing else speaks against it, as a share: standard deviation.
+inline constexpr float kAlwaysUnsure = 0.05f;
+
 /// By how much the light found on a surfel may be wrong: variances of its logarithm, by cause.
 struct LightVariance
 {

@@ -9,6 +9,7 @@ namespace relamp
 namespace
 {
 
+// Numerics.
 constexpr size_t kChunk = 2048; // residuals that one thread sums
 constexpr size_t kTogether = 8; // residuals, so that a sum is loaded and stored once for all
 

@@ -11,9 +11,11 @@ namespace relamp
 namespace
 {
 
-constexpr float kFar = 1e4f;       // m; a room's size beside it is nothing
 constexpr float kGrazing = 0.15f;  // cosine; below, an edge is too far off
 constexpr float kBlackest = 0.08f; // albedo of what the sun may shine on; black cloth has 0.04
+
+// Numerics.
+constexpr float kFar = 1e4f; // m; a room's size beside it is nothing
 
 } // namespace
 
@@ -27,7 +29,7 @@ std::vector<ClippedPatch> sunDisc(const Sun& sun, const Scan& scan)
 
 glm::vec3 sunRadiance(const Sun& sun)
 {
-    return sun.irradiance / kSunSolidAngle;
+    return sun.irradiance / sunSolidAngle();
 }
 
 std::optional<Ray> rayToSun(glm::vec3 place, glm::vec3 normal, glm::vec3 towards)

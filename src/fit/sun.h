@@ -16,7 +16,12 @@ namespace relamp
 {
 
 constexpr float kSunHalfAngle = 0.00465f; // radians of the disc, seen from the earth
-constexpr float kSunSolidAngle = kPi * kSunHalfAngle * kSunHalfAngle; // sr
+
+/// Of the disc, sr.
+constexpr float sunSolidAngle()
+{
+    return kPi * kSunHalfAngle * kSunHalfAngle;
+}
 
 /// The sun as a piece of lamp far beyond the scan, a disc of its angular size. Its radiance is
 /// sunRadiance(sun).

@@ -20,9 +20,9 @@ namespace relamp
 namespace
 {
 
-constexpr float kTooBright = 1.1f;   // albedo; the whitest paper has 0.9, and light errs by a fifth
-constexpr float kLeastPatch = 0.03f; // m^2; of a smaller one little hangs
-constexpr float kSeesOut = 0.6f;     // share of a patch: the first directions are 3 degrees apart
+constexpr float kSeesOut = 0.6f; // share of a patch: the first directions are 3 degrees apart
+
+// Numerics.
 constexpr size_t kMostPatches = 8;   // largest; for time alone
 constexpr size_t kDirections = 4096; // over the sphere; a window 3 m away moves by its sixth
 constexpr size_t kFinalists = 3;     // of each patch, and in the end of all
@@ -102,10 +102,10 @@ DirectionSearch::DirectionSearch(const Texels& texels, const RayScene& outside,
     : surfels_(texels.surfels), outside_(outside), look_(texels.surfels.count())
 {
     for (uint32_t s = 0; s < look_.size(); ++s) {
-        if (albedo[s] > kTooBright)
+        if (albedo[s] * kWhitestPaper > 1.0f)
             look_[s] = Look::bright;
         else if (!isMostlyBurntOut(radiance, s))
-            look_[s] = albedo[s] < 1.0f / kTooBright ? Look::dark : Look::other;
+            look_[s] = albedo[s] < kWhitestPaper ? Look::dark : Look::other;
     }
 }
 
@@ -124,7 +124,7 @@ std::vector<Patch> DirectionSearch::patches() const
     }
     std::vector<Patch> patches;
     for (auto& [set, patch] : bySet)
-        if (patch.area >= kLeastPatch) patches.push_back(std::move(patch));
+        if (patch.area >= kSpeck) patches.push_back(std::move(patch));
     std::stable_sort(patches.begin(), patches.end(),
                      [](const Patch& a, const Patch& b) { return a.area > b.area; });
     if (patches.size() > kMostPatches) patches.resize(kMostPatches);

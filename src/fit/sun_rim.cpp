@@ -1,6 +1,7 @@
 #include "fit/sun_rim.h"
 
 #include "fit/pairs.h"
+#include "lights/candidates.h"
 
 #include <algorithm>
 #include <array>
@@ -15,8 +16,7 @@ namespace relamp
 namespace
 {
 
-constexpr float kAcross = 0.25f;     // m; from light to dark, and as far along the rim errs alike
-constexpr float kLeastAcross = 0.1f; // m; twice what a reconstruction moves an edge
+constexpr float kAcross = 0.25f; // m; from light to dark, and as far along the rim errs alike
 
 using Cell = std::array<int, 3>;
 
@@ -58,7 +58,7 @@ SunRim::SunRim(const Texels& texels, const SurfelRadiance& radiance,
     const auto arePair = [&](uint32_t p, uint32_t q) {
         const glm::vec3 way = surfels.position[q] - surfels.position[p];
         const float across2 = glm::dot(way, way);
-        return across2 > kLeastAcross * kLeastAcross && across2 < kAcross * kAcross &&
+        return across2 > kTouching * kTouching && across2 < kAcross * kAcross &&
                areOnOnePlane(surfels, p, q) &&
                (isMostlyBurntOut(radiance, p) ||
                 haveOneColor(radiance.plain[p], radiance.plain[q]));

@@ -19,7 +19,9 @@ namespace
 constexpr double kTintSpread = 0.07; // log: of red or blue over green, by automatic white balance
 constexpr double kTintStep = 0.04;   // log: likewise, from knot to knot
 constexpr double kLeastTintNoise = 0.01; // log: what a byte tells of a colour
-constexpr int kRounds = 5;               // of reweighted least squares
+
+// Numerics.
+constexpr int kRounds = 5; // of reweighted least squares
 
 /// A pair's knots: those of one place, and those of the other with the sign turned.
 struct Row

@@ -15,23 +15,14 @@ namespace relamp
 namespace
 {
 
-constexpr float kUncutFacing = 0.8f;  // cosine; an edge sharper than this cuts
-constexpr float kPlaneFacing = 0.85f; // cosine to a plane's normal, with a scan's noise
-constexpr float kPlaneThickness = 1.5f * kScanError; // m
-constexpr float kLargePlane = 0.5f;                  // m^2; smaller ones may be parts of lamps
-constexpr float kSmallPlane = 0.1f;   // m^2; from here on, where the wall goes on around it
+constexpr float kLargePlane = 0.5f;   // m^2; smaller ones may be parts of lamps
 constexpr float kWallAround = 0.4f;   // of a square's rim that is wall
-constexpr float kBrightRim = 0.75f;   // luminance around a speck that only just burnt out
-constexpr float kSpeck = 0.02f;       // m^2
-constexpr float kCrumb = 4.0f;        // squares of a surfel's size; too small to be flat or bent
-constexpr float kBentCrumb = 10.0f;   // of these
-constexpr float kBent = 0.95f;        // length of a mean normal
-constexpr float kFlat = 0.9f;         // likewise; more faces one way
-constexpr float kTouching = 0.12f;    // m between pieces of one lamp
-constexpr float kBesideCrumb = 1.75f; // surfel sizes
+constexpr float kNearlyWhite = 0.75f; // of what burns out: what shows as much nearly did
+constexpr float kFlat = 0.9f;         // length of a mean normal; more faces one way
 constexpr float kPointedAt = 0.3f;    // m around a place that a person names
-constexpr float kFading = 0.75f;      // of white, in the channel that burns out first
-constexpr size_t kMostPlanes = 4;     // of one blob
+
+// Numerics.
+constexpr size_t kMostPlanes = 4; // of one blob
 
 using Members = std::vector<uint32_t>; // indices into SurfelRadiance::clipped
 
@@ -59,8 +50,8 @@ struct Plane
 
     [[nodiscard]] bool holds(glm::vec3 position, glm::vec3 facing) const
     {
-        return glm::dot(facing, normal) > kPlaneFacing &&
-               std::abs(glm::dot(position, normal) - offset) < kPlaneThickness;
+        return glm::dot(facing, normal) > kSameFacing &&
+               std::abs(glm::dot(position, normal) - offset) < 1.5f * kScanError;
     }
 
     /// 1 in the plane, 0 beyond the error of a scan.
@@ -167,7 +158,7 @@ std::vector<Members> cutPlanes(const Texels& texels, const SurfelRadiance& radia
                                Members members)
 {
     std::vector<Members> pieces;
-    while (pieces.size() < kMostPlanes && areaOf(radiance, members) > kSmallPlane) {
+    while (pieces.size() < kMostPlanes && areaOf(radiance, members) > kPane) {
         const Plane plane = largestPlane(radiance, members);
         Members on;
         Members off;
@@ -176,7 +167,7 @@ std::vector<Members> cutPlanes(const Texels& texels, const SurfelRadiance& radia
             (plane.holds(patch.position, patch.normal) ? on : off).push_back(i);
         }
         const float area = areaOf(radiance, on);
-        if (area < kSmallPlane) break;
+        if (area < kPane) break;
         if (area < kLargePlane && !goesOn(texels, radiance, on, plane)) break;
         pieces.push_back(std::move(on));
         members = std::move(off);
@@ -197,7 +188,7 @@ std::vector<Members> connected(const Texels& texels, const SurfelRadiance& radia
             const int32_t j = index[other];
             if (j < 0 || part[static_cast<size_t>(j)] != part[i]) continue;
             if (glm::dot(patch.normal, radiance.clipped[static_cast<size_t>(j)].normal) >
-                kUncutFacing)
+                kSameFacing)
                 sets.join(i, static_cast<uint32_t>(j));
         }
     }
@@ -220,37 +211,23 @@ bool isSpeck(const Texels& texels, const SurfelRadiance& radiance, const Candida
             sum += radiance.plainArea[other] * luminance(radiance.plain[other]);
             area += radiance.plainArea[other];
         }
-    return area > 0.0f && sum > kBrightRim * area;
+    return area > 0.0f && sum > kNearlyWhite * area;
 }
 
-bool isCrumb(const Candidate& candidate, float surfelSize)
-{
-    const float most = glm::length(candidate.normal) < kBent ? kBentCrumb : kCrumb;
-    return candidate.area < most * surfelSize * surfelSize;
-}
-
-/// What is hardly larger than surfels has facings as sharply apart as the sides of a box: crumbs
+/// What is small has facings as sharply apart as the sides of a box: crumbs
 /// side by side are one piece, so that a bulb is one lamp and not six.
 std::vector<Candidate> joinCrumbs(const Surfels& surfels, const std::vector<Candidate>& candidates)
 {
-    struct Crumb // of a surfel
-    {
-        uint32_t candidate = Surfels::kNone;
-        glm::vec3 position{0.0f};
-    };
-    std::vector<Crumb> crumbs(surfels.count());
+    std::vector<uint32_t> crumbs(surfels.count(), Surfels::kNone); // candidates of surfels
     for (uint32_t c = 0; c < candidates.size(); ++c)
-        if (isCrumb(candidates[c], surfels.size))
-            for (const ClippedPatch& patch : candidates[c].patches)
-                crumbs[patch.surfel] = {c, patch.position};
+        if (candidates[c].area < kCrumb)
+            for (const ClippedPatch& patch : candidates[c].patches) crumbs[patch.surfel] = c;
     DisjointSets sets(candidates.size());
-    for (const Crumb& crumb : crumbs) {
-        if (crumb.candidate == Surfels::kNone) continue;
-        surfels.forEachInReach(crumb.position, [&](size_t near) {
-            const Crumb& other = crumbs[near];
-            if (other.candidate != Surfels::kNone &&
-                glm::distance(crumb.position, other.position) < kBesideCrumb * surfels.size)
-                sets.join(crumb.candidate, other.candidate);
+    for (uint32_t s = 0; s < crumbs.size(); ++s) {
+        if (crumbs[s] == Surfels::kNone) continue;
+        surfels.forEachInReach(surfels.position[s], [&](size_t near) {
+            if (crumbs[near] != Surfels::kNone && surfels.areBeside(s, near))
+                sets.join(crumbs[s], crumbs[near]);
         });
     }
     std::map<uint32_t, std::vector<ClippedPatch>> pieces;
@@ -298,7 +275,7 @@ bool fades(const Texels& texels, const SurfelRadiance& radiance, const Candidate
     if (static_cast<float>(rim.size()) < rimOfSquare(candidate.area, surfels)) return false;
     const auto nearlyBurntOut = std::count_if(rim.begin(), rim.end(), [&](uint32_t s) {
         const glm::vec3 color = radiance.plain[s];
-        return std::max({color.r, color.g, color.b}) > kFading;
+        return std::max({color.r, color.g, color.b}) > kNearlyWhite;
     });
     return 2 * static_cast<size_t>(nearlyBurntOut) > rim.size();
 }

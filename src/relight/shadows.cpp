@@ -249,17 +249,14 @@ void Shadows::smoothPage(size_t p, std::span<const Moments> ofSurfels)
     const PageTexels& page = texels_.pages[p];
     const Surfels& surfels = texels_.surfels;
     OfPage& found = pages_[p];
-    const float ring = kRingOfSeen * surfels.size;
     forEachChunk(found.firstShare.size(), 256, [&](size_t begin, size_t end) {
         for (size_t run = begin; run < end; ++run) {
             const uint32_t first = found.firstShare[run];
             if (first == kNone || first == kAll) continue;
             const uint32_t surfel = page.runs[run].surfel;
             Moments around;
-            for (const uint32_t n : surfels.neighborsOf(surfel)) { // with itself
-                const glm::vec3 way = surfels.position[n] - surfels.position[surfel];
-                if (glm::dot(way, way) < ring * ring) around.add(ofSurfels[n]);
-            }
+            for (const uint32_t n : surfels.neighborsOf(surfel)) // with itself
+                if (surfels.areBeside(surfel, n)) around.add(ofSurfels[n]);
             if (around.count <= 0.0f) continue;
             const float mean = around.sum / around.count;
             const float spread = around.squares / around.count - mean * mean;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 namespace relamp
@@ -44,6 +45,15 @@ struct Surfels
 
     /// Whether it lies open beside an enclosed part of its own cell and layer.
     [[nodiscard]] bool isPartlyEnclosed(size_t surfel) const;
+
+    /// Whether one is in the ring around the other: they share an edge or a corner, wherever in
+    /// their cells they lie.
+    [[nodiscard]] bool areBeside(size_t a, size_t b) const
+    {
+        constexpr float kRing = 1.7f; // surfel sizes
+        const glm::vec3 way = position[a] - position[b];
+        return glm::dot(way, way) < kRing * kRing * size * size;
+    }
 
     static constexpr uint32_t kNone = ~0u;
     /// The surfel that a texel at `place` facing `facing` belongs to, of layers the nearest; where

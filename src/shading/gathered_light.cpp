@@ -162,13 +162,11 @@ LampOnSurfels lampOnSurfels(const Surfels& surfels, const GatheredLight& light, 
 /// Variance of the values of a surfel and of those in the ring around it.
 float varianceAround(const Surfels& surfels, size_t s, std::span<const float> values)
 {
-    const float reach = kRingOfSeen * surfels.size;
     float sum = 0.0f;
     float squares = 0.0f;
     float count = 0.0f;
     for (const uint32_t n : surfels.neighborsOf(s)) {
-        const glm::vec3 way = surfels.position[n] - surfels.position[s];
-        if (glm::dot(way, way) > reach * reach) continue;
+        if (!surfels.areBeside(s, n)) continue;
         sum += values[n];
         squares += values[n] * values[n];
         count += 1.0f;

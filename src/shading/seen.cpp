@@ -21,13 +21,10 @@ std::vector<Seen> seenBySurfels(const Surfels& surfels, std::span<const AreaSamp
                  : seesAll(coarse[s])      ? Seen::all
                                            : Seen::some;
     std::vector<Seen> seen = own;
-    const float ring = kRingOfSeen * surfels.size;
     forEachChunk(own.size(), 1024, [&](size_t begin, size_t end) {
         for (size_t s = begin; s < end; ++s)
-            for (const uint32_t n : surfels.neighborsOf(s)) {
-                const glm::vec3 way = surfels.position[n] - surfels.position[s];
-                if (own[n] != own[s] && glm::dot(way, way) < ring * ring) seen[s] = Seen::some;
-            }
+            for (const uint32_t n : surfels.neighborsOf(s))
+                if (own[n] != own[s] && surfels.areBeside(s, n)) seen[s] = Seen::some;
     });
     return seen;
 }

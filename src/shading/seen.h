@@ -13,9 +13,6 @@ namespace relamp
 /// What of a light a surfel sees, as far as few rays tell.
 enum class Seen : uint8_t { none, all, some };
 
-/// Surfel sizes; so near, surfels must agree on a light, and one ring of neighbours lies within.
-inline constexpr float kRingOfSeen = 1.7f;
-
 /// Whether rays saw all of a light that is above a surface's horizon.
 bool seesAll(const AreaSample& sample);
 

@@ -182,8 +182,7 @@ void Visibility::drawTogether(std::span<const Seen> states, std::span<const uint
             float around = 0.0f;
             float count = 0.0f;
             for (const uint32_t other : surfels.neighborsOf(s)) {
-                const glm::vec3 way = surfels.position[other] - surfels.position[s];
-                if (mean[other] < 0.0f || glm::length(way) > kRingOfSeen * surfels.size) continue;
+                if (mean[other] < 0.0f || !surfels.areBeside(s, other)) continue;
                 around += mean[other];
                 count += 1.0f;
             }

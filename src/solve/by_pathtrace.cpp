@@ -16,7 +16,6 @@ namespace
 
 constexpr int kRounds = 3;          // of albedo and light; each takes the error times an albedo
 constexpr size_t kOrigins = 4;      // texels of a surfel that paths start from
-constexpr float kAround = 1.6f;     // surfel sizes
 constexpr uint64_t kOfTexels = ~0u; // sequence of random numbers; those of surfels are the rounds
 
 /// Irradiance on the fronts of surfels. Bounce light is the mean over the surfels around: it
@@ -24,15 +23,13 @@ constexpr uint64_t kOfTexels = ~0u; // sequence of random numbers; those of surf
 std::vector<glm::vec3> irradianceOf(const Texels& texels, std::span<const TracedShading> shading)
 {
     const Surfels& surfels = texels.surfels;
-    const float reach = kAround * surfels.size;
     std::vector<glm::vec3> irradiance(surfels.count());
     forEachChunk(irradiance.size(), 1024, [&](size_t begin, size_t end) {
         for (size_t s = begin; s < end; ++s) {
             glm::vec3 indirect(0.0f);
             float count = 0.0f;
             for (const uint32_t n : surfels.neighborsOf(s)) {
-                const glm::vec3 way = surfels.position[n] - surfels.position[s];
-                if (glm::dot(way, way) > reach * reach) continue;
+                if (!surfels.areBeside(s, n)) continue;
                 indirect += shading[n].indirect;
                 count += 1.0f;
             }
