@@ -15,7 +15,7 @@ set -euo pipefail
 readonly mostOfLight=60
 readonly mostOfCamera=18
 readonly mostWithoutWord=0
-readonly mostOfGrid=2 # to be 0
+readonly mostOfGrid=1 # to be 0
 
 find src/fit src/lights/candidates.{h,cpp} -type f \( -name '*.cpp' -o -name '*.h' \) \
     ! -name '*_test.*' | LC_ALL=C sort | xargs awk -v light="$mostOfLight" -v camera="$mostOfCamera" -v wordless="$mostWithoutWord" -v grid="$mostOfGrid" '
