@@ -102,14 +102,15 @@ void shadeDirect(const GatheredLight& light, const PageTexels& page, size_t begi
     for (float* channel : {out.r, out.g, out.b}) std::fill_n(channel, block.count, 0.0f);
     float share[TexelBlock::kPadded];
     float open[TexelBlock::kPadded];
-    for (size_t l = 0; l < light.lamps.size(); ++l) {
+    const CastLamps& lamps = *light.lamps;
+    for (size_t l = 0; l < lamps.count(); ++l) {
         bool isSeen = false;
         forEachRunOf(page, begin, block, [&](uint32_t surfel, size_t first, size_t end) {
-            isSeen |= light.visibility->at(l, surfel, block, first, end, share);
+            isSeen |= lamps.visibility.at(l, surfel, block, first, end, share);
         });
         if (!isSeen) continue;
-        openIrradiance(block, light.lamps[l].patches, Geometry::scanned, open);
-        const glm::vec3 radiance = light.lamps[l].radiance / kPi;
+        openIrradiance(block, lamps.patches[l], Geometry::scanned, open);
+        const glm::vec3 radiance = light.radiance[l] / kPi;
         for (size_t i = 0; i < block.count; ++i) {
             out.r[i] += open[i] * share[i] * radiance.r;
             out.g[i] += open[i] * share[i] * radiance.g;
@@ -136,14 +137,7 @@ void interpolate(const Texels& texels, std::span<const glm::vec3> irradiance, si
 namespace
 {
 
-/// What surfels get of a lamp, one entry a surfel.
-struct LampOnSurfels
-{
-    std::vector<float> open; // irradiance at radiance 1 with nothing in the way
-    std::vector<float> share;
-};
-
-LampOnSurfels lampOnSurfels(const Surfels& surfels, const GatheredLight& light, size_t lamp)
+LampOnSurfels lampOnSurfels(const Surfels& surfels, const CastLamps& lamps, size_t lamp)
 {
     LampOnSurfels on{std::vector<float>(surfels.count()), std::vector<float>(surfels.count())};
     forEachChunk(surfels.count(), TexelBlock::kCapacity, [&](size_t begin, size_t end) {
@@ -151,9 +145,9 @@ LampOnSurfels lampOnSurfels(const Surfels& surfels, const GatheredLight& light, 
         loadSurfels(surfels, begin, end, block);
         float share[TexelBlock::kPadded];
         float open[TexelBlock::kPadded];
-        openIrradiance(block, light.lamps[lamp].patches, Geometry::scanned, open);
+        openIrradiance(block, lamps.patches[lamp], Geometry::scanned, open);
         for (size_t i = 0; i < block.count; ++i) {
-            light.visibility->at(lamp, static_cast<uint32_t>(begin + i), block, i, i + 1, share);
+            lamps.visibility.at(lamp, static_cast<uint32_t>(begin + i), block, i, i + 1, share);
             on.share[begin + i] = share[i];
             on.open[begin + i] = open[i];
         }
@@ -181,18 +175,24 @@ float varianceAround(const Surfels& surfels, size_t s, std::span<const float> va
 
 } // namespace
 
+CastLamps::CastLamps(std::vector<LampPatches> lamps, Visibility seen, const Surfels& surfels)
+    : patches(std::move(lamps)), visibility(std::move(seen))
+{
+    for (size_t l = 0; l < count(); ++l) onSurfels.push_back(lampOnSurfels(surfels, *this, l));
+}
+
 SurfelLighting lightOnSurfels(const Surfels& surfels, const GatheredLight& light)
 {
     SurfelLighting result{light.indirect, std::vector<uint8_t>(surfels.count(), 0),
                           std::vector<float>(surfels.count(), 0.0f)};
     std::vector<float> partly(surfels.count(), 0.0f);
-    for (size_t l = 0; l < light.lamps.size(); ++l) {
-        const LampOnSurfels on = lampOnSurfels(surfels, light, l);
-        const glm::vec3 radiance = light.lamps[l].radiance;
+    for (size_t l = 0; l < light.lamps->count(); ++l) {
+        const LampOnSurfels& on = light.lamps->onSurfels[l];
+        const glm::vec3 radiance = light.radiance[l];
         forEachChunk(surfels.count(), 1024, [&](size_t begin, size_t end) {
             for (size_t s = begin; s < end; ++s) {
                 result.irradiance[s] += on.open[s] * on.share[s] * radiance;
-                if (!light.visibility->isPartial(l, static_cast<uint32_t>(s))) continue;
+                if (!light.lamps->visibility.isPartial(l, static_cast<uint32_t>(s))) continue;
                 const float most = on.open[s] * luminance(radiance);
                 partly[s] += most;
                 result.spread[s] += most * most * varianceAround(surfels, s, on.share);

@@ -40,26 +40,28 @@ std::vector<float> openShares(const FoundRoom& room, std::span<const glm::vec3> 
 std::shared_ptr<const GatheredLight> lightOf(const Texels& texels, const RayScene& scene,
                                              const FoundRoom& room, std::vector<glm::vec3> indirect)
 {
-    std::vector<LitLamp> lamps;
+    std::vector<LampPatches> lamps;
+    std::vector<glm::vec3> radiances;
     const auto rays = static_cast<size_t>(room.options.shadowRays);
-    const auto visibility = std::make_shared<Visibility>(
-        texels, scene, std::span<const AreaLight>(), std::span<const std::vector<AreaSample>>(),
-        VisibilityOptions{});
+    Visibility visibility(texels, scene, {}, {}, {});
     for (const FoundLamp& lamp : room.found.lamps) {
         const AreaLight area(lamp.patches);
         const size_t singles = singlesOf(lamp).size();
-        lamps.push_back({LampPatches(area), lamp.radiance});
-        visibility->add(scene, area, lamp.onSides, rays * raysToGroup(singles),
-                        openShares(room, indirect, lamp.onSides, lamp.radiance));
+        lamps.emplace_back(area);
+        radiances.push_back(lamp.radiance);
+        visibility.add(scene, area, lamp.onSides, rays * raysToGroup(singles),
+                       openShares(room, indirect, lamp.onSides, lamp.radiance));
     }
     if (const auto& sun = room.sun) {
         const glm::vec3 radiance = sunRadiance(sun->sun);
-        lamps.push_back({LampPatches(sun->disc), radiance});
-        visibility->add(*sun->outside, sun->disc, sun->onSides, rays,
-                        openShares(room, indirect, sun->onSides, radiance), sun->inShade);
+        lamps.emplace_back(sun->disc);
+        radiances.push_back(radiance);
+        visibility.add(*sun->outside, sun->disc, sun->onSides, rays,
+                       openShares(room, indirect, sun->onSides, radiance), sun->inShade);
     }
-    return std::make_shared<const GatheredLight>(
-        GatheredLight{std::move(lamps), visibility, std::move(indirect)});
+    return std::make_shared<const GatheredLight>(GatheredLight{
+        std::make_shared<const CastLamps>(std::move(lamps), std::move(visibility), texels.surfels),
+        std::move(radiances), std::move(indirect)});
 }
 
 /// Irradiance of all lists by lamps alone.
@@ -75,11 +77,9 @@ std::vector<glm::vec3> directUnder(const SolvedRoom& room, const LampPowers& pow
 void shine(const Texels& texels, SolvedRoom& room, const LampPowers& powers,
            std::vector<glm::vec3> indirect)
 {
-    const auto light = std::make_shared<GatheredLight>(*room.light);
-    for (size_t l = 0; l < powers.lamps.size(); ++l) light->lamps[l].radiance = powers.lamps[l];
-    light->indirect = std::move(indirect);
-    room.lighting = lightOnSurfels(texels.surfels, *light);
-    room.light = light;
+    room.light = std::make_shared<const GatheredLight>(
+        GatheredLight{room.light->lamps, powers.lamps, std::move(indirect)});
+    room.lighting = lightOnSurfels(texels.surfels, *room.light);
 }
 
 } // namespace
@@ -112,9 +112,7 @@ std::span<const AreaSample> onSidesOf(const SolvedRoom& room, size_t lamp)
 
 LampPowers powersOf(const SolvedRoom& room)
 {
-    LampPowers powers{.outside = room.found.found.outside};
-    for (const LitLamp& lamp : room.light->lamps) powers.lamps.push_back(lamp.radiance);
-    return powers;
+    return {room.light->radiance, room.found.found.outside};
 }
 
 void reevaluate(const Texels& texels, SolvedRoom& room, const LampPowers& powers)

@@ -24,7 +24,7 @@ std::vector<double> numbersOf(std::span<const glm::vec3> values)
 std::vector<float> scalesOf(const SolvedRoom& room)
 {
     std::vector<float> scales;
-    for (size_t l = 0; l < room.light->lamps.size(); ++l) {
+    for (size_t l = 0; l < room.light->lamps->count(); ++l) {
         float most = 0.0f;
         for (const AreaSample& sample : onSidesOf(room, l)) most = std::max(most, sample.open);
         scales.push_back(most > 0.0f ? 1.0f / most : 1.0f);
@@ -35,7 +35,7 @@ std::vector<float> scalesOf(const SolvedRoom& room)
 std::vector<std::vector<float>> onListsOf(const SolvedRoom& room)
 {
     std::vector<std::vector<float>> onLists;
-    for (size_t l = 0; l < room.light->lamps.size(); ++l) {
+    for (size_t l = 0; l < room.light->lamps->count(); ++l) {
         std::vector<float>& ofLamp = onLists.emplace_back();
         for (const AreaSample& sample : onSidesOf(room, l)) ofLamp.push_back(sample.visible);
     }
@@ -84,17 +84,17 @@ ReevaluateGpu::ReevaluateGpu(const gpu::Device& device, const Texels& texels,
     : device_(device), texels_(texels), shade_(device, kReevaluateSpirv),
       surfels_(device, texels.surfels),
       sides_(device, room.found.hits, room.found.radiance, {room.found.shines, room.lit}),
-      lamps_(device, texels.surfels, *room.light, scalesOf(room)),
+      lamps_(device, texels.surfels, *room.light->lamps, scalesOf(room)),
       layers_(device, texels.surfels.count()), padding_(device),
       termsOfLists_(lamps_.keep(onListsOf(room), sides_.lists())),
       directOfLists_(device, sides_.lists()),
       pages_(
           device, texels.pages.size(), budgetOf(device, budget, texels),
-          [&texels, lamps = room.light->lamps.size()](size_t page) {
+          [&texels, lamps = room.light->lamps->count()](size_t page) {
               return Page::bytesOf(texels, page, lamps);
           },
           [&device, &texels, linearization = room.found.linearization,
-           lamps = room.light->lamps.size()](size_t page) {
+           lamps = room.light->lamps->count()](size_t page) {
               return std::make_unique<Page>(device, texels, page, linearization, lamps);
           })
 {}
