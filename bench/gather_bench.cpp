@@ -103,15 +103,13 @@ void shade(benchmark::State& state)
 {
     const LampRoom& r = room();
     std::vector<LampPatches> patches(r.areas.begin(), r.areas.end());
-    std::vector<glm::vec3> radiance;
-    for (const FoundLamp& lamp : r.found.lamps) radiance.push_back(lamp.radiance);
     const TexelShading shading = shadingOf(
         r.texels, std::make_shared<GatheredLight>(GatheredLight{
                       std::make_shared<const CastLamps>(
                           std::move(patches),
                           Visibility(r.texels, r.scene, r.areas, r.coarse, {.raysPerProbe = 8}),
                           r.texels.surfels),
-                      std::move(radiance),
+                      r.found.powers.lamps,
                       std::vector<glm::vec3>(r.texels.surfels.count(), glm::vec3(1.0f))}));
     const TexelLoader loader(r.texels, 0);
     for (auto _ : state)

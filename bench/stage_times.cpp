@@ -247,7 +247,7 @@ struct LampRoom
     {
         separateEnclosed(texels, scene, progress);
         solved = solvedRoom(texels, scene, findRoom(texels, scene, {}, progress));
-        powers = powersOf(solved);
+        powers = solved.found.found.powers;
         said = solutionOf(texels, solved, {}, rate(texels, solved)).texels;
     }
 

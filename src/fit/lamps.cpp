@@ -417,15 +417,16 @@ void LampSearch::takeSun(FoundLamps& found)
                          .determined = static_cast<double>(sun.error) < kUnknown},
                  .outside = std::move(beforeSun_),
                  .onSides = std::move(sun_->onSides)};
-    for (const SunPatch& patch : sun_->patches)
-        found.lamps.push_back({.patches = std::move(pieces_[patch.piece].candidate.patches),
-                               .radiance = patch.perRadiance * sun.radiance,
-                               .isSunlit = true});
+    for (const SunPatch& patch : sun_->patches) {
+        found.lamps.push_back(
+            {.patches = std::move(pieces_[patch.piece].candidate.patches), .isSunlit = true});
+        found.powers.lamps.push_back(patch.perRadiance * sun.radiance);
+    }
 }
 
 FoundLamps LampSearch::result()
 {
-    FoundLamps found{.outside = outside_,
+    FoundLamps found{.powers = {.lamps = {}, .outside = outside_},
                      .residual = static_cast<float>(estimate_.residual),
                      .changeUnseen = changeUnseen(
                          {model_, evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, noise_,
@@ -442,9 +443,9 @@ FoundLamps LampSearch::result()
         const bool isDetermined = static_cast<double>(lamp.error) < kUnknown;
         if (!isDetermined)
             found.warnings.push_back(unknownAt(lamp.candidate.centre, lamp.ends.size()));
-        found.lamps.push_back({std::move(lamp.candidate.patches), lamp.radiance,
-                               glm::vec3(lamp.error), std::move(lamp.onSides), false, isDetermined,
-                               std::move(lamp.ends)});
+        found.lamps.push_back({std::move(lamp.candidate.patches), glm::vec3(lamp.error),
+                               std::move(lamp.onSides), false, isDetermined, std::move(lamp.ends)});
+        found.powers.lamps.push_back(lamp.radiance);
     }
     takeSun(found);
     found.camera = std::move(camera_);
@@ -496,15 +497,6 @@ std::vector<std::span<const ClippedPatch>> singlesOf(const FoundLamp& lamp)
         begin = end;
     }
     return singles;
-}
-
-std::vector<uint8_t> shinesOf(const FoundLamps& found, size_t surfels)
-{
-    std::vector<uint8_t> shines(surfels, 0);
-    for (const FoundLamp& lamp : found.lamps)
-        for (const ClippedPatch& patch : lamp.patches)
-            if (patch.surfel != Surfels::kNone) shines[patch.surfel] = 1;
-    return shines;
 }
 
 } // namespace relamp

@@ -56,7 +56,7 @@ GatherOptions withRays(GatherOptions options, size_t surfels)
     return options;
 }
 
-Fixture fixtureOf(const FoundLamp& lamp, std::span<const ClippedPatch> patches)
+Fixture fixtureOf(const FoundLamp& lamp, glm::vec3 radiance, std::span<const ClippedPatch> patches)
 {
     Fixture fixture;
     glm::vec3 normal(0.0f);
@@ -69,7 +69,7 @@ Fixture fixtureOf(const FoundLamp& lamp, std::span<const ClippedPatch> patches)
     fixture.centre /= fixture.area;
     const float length = glm::length(normal);
     if (length > kNoFacing * fixture.area) fixture.normal = normal / length;
-    fixture.radiance = lamp.radiance;
+    fixture.radiance = radiance;
     fixture.error = lamp.logError;
     fixture.determined = lamp.isDetermined;
     return fixture;
@@ -93,27 +93,21 @@ void label(FoundLamps& found, const Texels& texels, Progress& progress)
     }
 }
 
-/// Irradiance from all lamps, one a hit list. Lamps that were not looked at yet are now.
-std::vector<glm::vec3> directOf(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                                FoundLamps& found)
+/// Lamps that were not looked at yet are now.
+void lookAtAll(const Texels& texels, const RayScene& scene, const HitLists& hits, FoundLamps& found)
 {
-    std::vector<glm::vec3> direct(hits.sideOfList.size(), glm::vec3(0.0f));
-    for (FoundLamp& lamp : found.lamps) {
+    for (FoundLamp& lamp : found.lamps)
         if (lamp.onSides.empty())
             lamp.onSides =
                 directOfLists(texels, scene, hits,
                               {AreaLight(lamp.patches), raysToGroup(singlesOf(lamp).size())});
-        addDirect(lamp.onSides, lamp.radiance, direct);
-    }
-    return direct;
 }
 
-LitSides sidesOf(const Texels& texels, const RayScene& scene, FoundRoom& room)
+/// Lights a room by its lamps, and by its sun where that is let in.
+void light(const Texels& texels, FoundRoom& room)
 {
-    std::vector<glm::vec3> direct = directOf(texels, scene, room.hits, room.found);
-    if (room.sun) addDirect(room.sun->onSides, sunRadiance(room.sun->sun), direct);
-    return lightSides(texels, room.hits, room.radiance, std::move(direct), room.shines,
-                      room.found.outside);
+    room.sides = lightSides(texels, room.hits, room.radiance, directOf(room), room.shines,
+                            room.found.powers.outside);
 }
 
 SunOnRoom sunOn(FoundSun found, const Texels& texels)
@@ -126,13 +120,20 @@ SunOnRoom sunOn(FoundSun found, const Texels& texels)
 }
 
 /// The sun lights what it is seen from; what the texture shows to lie in shade, it does not.
-void letIn(SunOnRoom sun, const Texels& texels, const RayScene& scene, FoundRoom& room)
+void letIn(SunOnRoom sun, const Texels& texels, FoundRoom& room)
 {
-    room.shines = shinesOf(room);
-    room.sides = sidesOf(texels, scene, room);
     sun.inShade = markShade(sun.sun, texels, room.radiance, room.sides, sun.onSides);
+    room.found.powers.lamps.push_back(sunRadiance(sun.sun));
     room.sun = std::move(sun);
-    room.sides = sidesOf(texels, scene, room);
+    light(texels, room);
+}
+
+/// Lights a room by its lamps alone.
+void lightByLamps(const Texels& texels, const RayScene& scene, FoundRoom& room)
+{
+    lookAtAll(texels, scene, room.hits, room.found);
+    room.shines = shinesOf(room, room.found.powers);
+    light(texels, room);
 }
 
 /// Takes out of the radiance what the camera made of it.
@@ -151,12 +152,8 @@ void search(const Texels& texels, const RayScene& scene, Progress& progress, Fou
     room.warnings = room.found.warnings;
     linearize(texels, room);
     const Progress::Stage stage(progress, "sun");
-    if (room.found.sun) {
-        letIn(sunOn(*std::exchange(room.found.sun, {}), texels), texels, scene, room);
-    } else {
-        room.shines = shinesOf(room);
-        room.sides = sidesOf(texels, scene, room);
-    }
+    lightByLamps(texels, scene, room);
+    if (room.found.sun) letIn(sunOn(*std::exchange(room.found.sun, {}), texels), texels, room);
     label(room.found, texels, progress);
 }
 
@@ -175,9 +172,8 @@ void take(const Lights& given, const DelightOptions& options, const Texels& texe
     room.found.camera = given.camera;
     linearize(texels, room);
     if (given.openings.size() == room.hits.shareOfPart.size())
-        room.found.outside = {given.ambient, given.openings};
-    room.shines = shinesOf(room);
-    room.sides = sidesOf(texels, scene, room);
+        room.found.powers.outside = {given.ambient, given.openings};
+    lightByLamps(texels, scene, room);
     if (!given.sun) return;
     FoundLamps panes;
     for (const auto& surface : surfaces) panes.lamps.push_back({.patches = surface});
@@ -185,17 +181,20 @@ void take(const Lights& given, const DelightOptions& options, const Texels& texe
         std::make_shared<const RayScene>(sceneWithoutPanes(texels, room.radiance, panes));
     const AreaLight disc(sunDisc(*given.sun, *texels.scan));
     std::vector<AreaSample> onSides = directOfLists(texels, *outside, room.hits, {disc});
-    letIn(sunOn({*given.sun, outside, std::move(onSides)}, texels), texels, scene, room);
+    letIn(sunOn({*given.sun, outside, std::move(onSides)}, texels), texels, room);
 }
 
-/// Where the lamps are that shine, and no more of them.
-FoundLamps litOf(const FoundRoom& room, bool withSunlit)
+/// Marks the surfels of the lamps that shine.
+std::vector<uint8_t> marked(const FoundRoom& room, const LampPowers& powers, bool withSunlit)
 {
-    FoundLamps lit;
-    for (const FoundLamp& lamp : room.found.lamps)
-        if (lamp.radiance != glm::vec3(0.0f) && (withSunlit || !lamp.isSunlit))
-            lit.lamps.push_back({.patches = lamp.patches});
-    return lit;
+    std::vector<uint8_t> shines(room.radiance.plain.size(), 0);
+    for (size_t l = 0; l < room.found.lamps.size(); ++l) {
+        const FoundLamp& lamp = room.found.lamps[l];
+        if (powers.lamps[l] == glm::vec3(0.0f) || (lamp.isSunlit && !withSunlit)) continue;
+        for (const ClippedPatch& patch : lamp.patches)
+            if (patch.surfel != Surfels::kNone) shines[patch.surfel] = 1;
+    }
+    return shines;
 }
 
 } // namespace
@@ -237,16 +236,17 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
 Lights lightsOf(const FoundRoom& room)
 {
     Lights lights;
-    lights.ambient = room.found.outside.even();
-    lights.openings = room.found.outside.ratios();
+    lights.ambient = room.found.powers.outside.even();
+    lights.openings = room.found.powers.outside.ratios();
     lights.camera = room.found.camera;
     lights.tempering = room.tempering;
     if (room.sun) lights.sun = room.sun->sun;
-    for (const FoundLamp& lamp : room.found.lamps) {
+    for (size_t l = 0; l < room.found.lamps.size(); ++l) {
+        const FoundLamp& lamp = room.found.lamps[l];
         if (lamp.isSunlit) continue;
         const auto singles = singlesOf(lamp);
         for (size_t i = 0; i < singles.size(); ++i) {
-            Fixture fixture = fixtureOf(lamp, singles[i]);
+            Fixture fixture = fixtureOf(lamp, room.found.powers.lamps[l], singles[i]);
             putLabel(lamp.labels[i], fixture);
             if (singles.size() > 1) fixture.group = lamp.labels.front().id;
             lights.points.push_back(
@@ -270,14 +270,28 @@ std::vector<int32_t> fixturesOfSurfels(const FoundRoom& room)
     return fixtureOf;
 }
 
-std::vector<uint8_t> shinesOf(const FoundRoom& room)
+std::span<const AreaSample> onSidesOf(const FoundRoom& room, size_t lamp)
 {
-    return shinesOf(litOf(room, true), room.radiance.plain.size());
+    const std::vector<FoundLamp>& lamps = room.found.lamps;
+    return lamp < lamps.size() ? lamps[lamp].onSides : room.sun->onSides;
+}
+
+std::vector<glm::vec3> directOf(const FoundRoom& room)
+{
+    const std::vector<glm::vec3>& radiance = room.found.powers.lamps;
+    std::vector<glm::vec3> direct(room.hits.sideOfList.size(), glm::vec3(0.0f));
+    for (size_t l = 0; l < radiance.size(); ++l) addDirect(onSidesOf(room, l), radiance[l], direct);
+    return direct;
+}
+
+std::vector<uint8_t> shinesOf(const FoundRoom& room, const LampPowers& powers)
+{
+    return marked(room, powers, true);
 }
 
 Shining shiningOf(const FoundRoom& room)
 {
-    return {shinesOf(litOf(room, false), room.radiance.plain.size()), 0.0f};
+    return {marked(room, room.found.powers, false), 0.0f};
 }
 
 std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radiance,

@@ -40,7 +40,7 @@ struct FoundRoom
     std::vector<glm::vec3> texture; // what SurfelRadiance::plain was without it; empty: the same
     GatherOptions options;          // with what was left open filled in
     HitLists hits;
-    FoundLamps found;             // or as a person gave them
+    FoundLamps found;             // or as a person gave them; the power of `sun` is with theirs
     bool isGiven = false;         // the latter
     Tempering tempering;          // of its shading
     std::vector<uint8_t> shines;  // of surfels; not 0: its burnt-out texels are a lamp's
@@ -60,8 +60,15 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
 /// Lamps and the sun as people see and edit them.
 Lights lightsOf(const FoundRoom& room);
 
-/// Marks the surfels whose burnt-out texels belong to a lamp that shines, or are a patch of sun.
-std::vector<uint8_t> shinesOf(const FoundRoom& room);
+/// What a lamp does at radiance 1, one a hit list; the sun comes behind all lamps.
+std::span<const AreaSample> onSidesOf(const FoundRoom& room, size_t lamp);
+
+/// Irradiance from lamps and sun, one a hit list.
+std::vector<glm::vec3> directOf(const FoundRoom& room);
+
+/// Marks the surfels whose burnt-out texels belong to a lamp that shines under `powers`, or are a
+/// patch of sun.
+std::vector<uint8_t> shinesOf(const FoundRoom& room, const LampPowers& powers);
 
 /// Whose the burnt-out texels of each surfel are, as fixtureMapOf() takes it; lamps that are off
 /// have theirs, a patch of sun has none.

@@ -26,7 +26,8 @@ std::vector<float> scalesOf(const SolvedRoom& room)
     std::vector<float> scales;
     for (size_t l = 0; l < room.light->lamps->count(); ++l) {
         float most = 0.0f;
-        for (const AreaSample& sample : onSidesOf(room, l)) most = std::max(most, sample.open);
+        for (const AreaSample& sample : onSidesOf(room.found, l))
+            most = std::max(most, sample.open);
         scales.push_back(most > 0.0f ? 1.0f / most : 1.0f);
     }
     return scales;
@@ -37,7 +38,7 @@ std::vector<std::vector<float>> onListsOf(const SolvedRoom& room)
     std::vector<std::vector<float>> onLists;
     for (size_t l = 0; l < room.light->lamps->count(); ++l) {
         std::vector<float>& ofLamp = onLists.emplace_back();
-        for (const AreaSample& sample : onSidesOf(room, l)) ofLamp.push_back(sample.visible);
+        for (const AreaSample& sample : onSidesOf(room.found, l)) ofLamp.push_back(sample.visible);
     }
     return onLists;
 }

@@ -58,7 +58,7 @@ LampPowers others(LampPowers powers)
 struct ReevaluateTwins
 {
     ReevaluateTwins(const gpu::Device& device, Scan scan)
-        : room(std::move(scan)), found(powersOf(room.solved)), powers(others(found)),
+        : room(std::move(scan)), found(room.solved.found.found.powers), powers(others(found)),
           gpu(device, room.texels, room.solved)
     {
         gather(found); // that it has to change
