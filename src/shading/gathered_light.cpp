@@ -4,6 +4,7 @@
 #include "base/lanes.h"
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
+#include "shading/direct_sum.h"
 #include "shading/gathered_light.shared.h"
 
 #include <algorithm>
@@ -99,23 +100,17 @@ void forEachRunOf(const PageTexels& page, size_t begin, const TexelBlock& block,
 void shadeDirect(const GatheredLight& light, const PageTexels& page, size_t begin,
                  const TexelBlock& block, RgbBlock& out)
 {
-    for (float* channel : {out.r, out.g, out.b}) std::fill_n(channel, block.count, 0.0f);
-    float share[TexelBlock::kPadded];
-    float open[TexelBlock::kPadded];
+    darken(out, block.count);
+    LampOnBlock on;
     const CastLamps& lamps = *light.lamps;
     for (size_t l = 0; l < lamps.count(); ++l) {
         bool isSeen = false;
         forEachRunOf(page, begin, block, [&](uint32_t surfel, size_t first, size_t end) {
-            isSeen |= lamps.visibility.at(l, surfel, block, first, end, share);
+            isSeen |= lamps.visibility.at(l, surfel, block, first, end, on.share);
         });
         if (!isSeen) continue;
-        openIrradiance(block, lamps.patches[l], Geometry::scanned, open);
-        const glm::vec3 radiance = light.radiance[l] / kPi;
-        for (size_t i = 0; i < block.count; ++i) {
-            out.r[i] += open[i] * share[i] * radiance.r;
-            out.g[i] += open[i] * share[i] * radiance.g;
-            out.b[i] += open[i] * share[i] * radiance.b;
-        }
+        openIrradiance(block, lamps.patches[l], Geometry::scanned, on.open);
+        addDirect(on, light.radiance[l], block.count, out);
     }
 }
 
@@ -139,7 +134,7 @@ namespace
 
 LampOnSurfels lampOnSurfels(const Surfels& surfels, const CastLamps& lamps, size_t lamp)
 {
-    LampOnSurfels on{std::vector<float>(surfels.count()), std::vector<float>(surfels.count())};
+    LampOnSurfels on{std::vector<AreaSample>(surfels.count()), std::vector<float>(surfels.count())};
     forEachChunk(surfels.count(), TexelBlock::kCapacity, [&](size_t begin, size_t end) {
         TexelBlock block;
         loadSurfels(surfels, begin, end, block);
@@ -149,7 +144,7 @@ LampOnSurfels lampOnSurfels(const Surfels& surfels, const CastLamps& lamps, size
         for (size_t i = 0; i < block.count; ++i) {
             lamps.visibility.at(lamp, static_cast<uint32_t>(begin + i), block, i, i + 1, share);
             on.share[begin + i] = share[i];
-            on.open[begin + i] = open[i];
+            on.seen[begin + i] = {open[i], open[i] * share[i]};
         }
     });
     return on;
@@ -189,11 +184,11 @@ SurfelLighting lightOnSurfels(const Surfels& surfels, const GatheredLight& light
     for (size_t l = 0; l < light.lamps->count(); ++l) {
         const LampOnSurfels& on = light.lamps->onSurfels[l];
         const glm::vec3 radiance = light.radiance[l];
+        addDirect(on.seen, radiance, result.irradiance);
         forEachChunk(surfels.count(), 1024, [&](size_t begin, size_t end) {
             for (size_t s = begin; s < end; ++s) {
-                result.irradiance[s] += on.open[s] * on.share[s] * radiance;
                 if (!light.lamps->visibility.isPartial(l, static_cast<uint32_t>(s))) continue;
-                const float most = on.open[s] * luminance(radiance);
+                const float most = on.seen[s].open * luminance(radiance);
                 partly[s] += most;
                 result.spread[s] += most * most * varianceAround(surfels, s, on.share);
             }

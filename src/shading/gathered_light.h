@@ -15,8 +15,8 @@ namespace relamp
 /// What surfels' middles get of a lamp at radiance 1, one entry a surfel.
 struct LampOnSurfels
 {
-    std::vector<float> open; // irradiance with nothing in the way
-    std::vector<float> share;
+    std::vector<AreaSample> seen;
+    std::vector<float> share; // that is visible
 };
 
 /// What is fixed of the lamps of a room once rays are cast, whatever their power.

@@ -180,12 +180,6 @@ std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scen
     return std::move(directOfLists(texels, scene, hits, {&lamp, 1}, {}).front());
 }
 
-void addDirect(std::span<const AreaSample> ofLamp, glm::vec3 radiance,
-               std::span<glm::vec3> irradiance)
-{
-    forEach(irradiance.size(), [&](size_t i) { irradiance[i] += ofLamp[i].visible * radiance; });
-}
-
 namespace
 {
 

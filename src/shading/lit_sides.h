@@ -38,10 +38,6 @@ std::vector<std::vector<AreaSample>> directOfLists(const Texels& texels, const R
 std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scene,
                                       const HitLists& hits, const SoughtLamp& lamp);
 
-/// Adds what a lamp does at `radiance`.
-void addDirect(std::span<const AreaSample> ofLamp, glm::vec3 radiance,
-               std::span<glm::vec3> irradiance);
-
 /// Standard errors of the surfels around each, itself among them: the root of their mean square.
 /// For values that few rays tell, of places of much the same light: a surfel's own is a guess then,
 /// and the lower the darker what they met by chance. Beside something very bright it is too much.

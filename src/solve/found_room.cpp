@@ -9,6 +9,7 @@
 #include "lights/fixture_map.h"
 #include "lights/point_light.h"
 #include "lights/surfel_radiance.h"
+#include "shading/direct_sum.h"
 #include "shading/lit_sides.shared.h"
 
 #include <algorithm>
