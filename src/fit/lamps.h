@@ -7,6 +7,7 @@
 #include "relamp/lights.h"
 #include "relamp/progress.h"
 #include "scan/rays.h"
+#include "scan/split_surfels.h"
 #include "shading/hit_lists.h"
 #include "shading/lamp_powers.h"
 #include "shading/lit_sides.h"
@@ -39,12 +40,13 @@ struct FoundSun
     Sun sun;
     std::shared_ptr<const RayScene> outside; // what stands before it
     std::vector<AreaSample> onSides;         // at radiance 1, one a hit list
+    TexelMarks inShade{};                    // see markShade
 };
 
 struct FoundLamps
 {
     std::vector<FoundLamp> lamps; // by falling power
-    LampPowers powers;            // of these, without the sun
+    LampPowers powers;            // of these, and of a sun once it is let in
     float residual = 0.0f;        // of the fit, in log radiance
     std::optional<FoundSun> sun{};
     CameraModel camera{}; // what it made of the light

@@ -140,9 +140,9 @@ LampPowers GatherSolver::setPowers(const Lights& lights)
     FoundRoom& room = kept_->room.found;
     LampPowers powers{.outside = {lights.ambient, kept_->powers.outside.ratios()}};
     glm::vec3 share(1.0f);
-    if (room.sun) {
-        room.sun->sun.irradiance = lights.sun ? lights.sun->irradiance : glm::vec3(0.0f);
-        share = shareOf(room.sun->sun.irradiance, kept_->found.sun->irradiance);
+    if (auto& sun = room.found.sun) {
+        sun->sun.irradiance = lights.sun ? lights.sun->irradiance : glm::vec3(0.0f);
+        share = shareOf(sun->sun.irradiance, kept_->found.sun->irradiance);
     }
     for (size_t l = 0; l < room.found.lamps.size(); ++l) {
         FoundLamp& lamp = room.found.lamps[l];
@@ -154,7 +154,7 @@ LampPowers GatherSolver::setPowers(const Lights& lights)
         powers.lamps.push_back(meanOf(namedBy(lamp.labels, lights)));
         setError(lamp, powers.lamps.back(), found.fixtures[found.placeOf(lamp.labels.front().id)]);
     }
-    if (room.sun) powers.lamps.push_back(sunRadiance(room.sun->sun));
+    if (room.found.sun) powers.lamps.push_back(sunRadiance(room.found.sun->sun));
     return powers;
 }
 

@@ -128,14 +128,14 @@ TracedRoom tracedRoomOf(const Texels& texels, const FoundRoom& room, std::vector
                       .ambient = room.found.powers.outside.even(),
                       .outside = {},
                       .unseenLights = {}};
-    if (const auto& sun = room.sun)
-        traced.unseenLights = [outside = sun->outside, disc = sun->disc,
-                               radiance = room.found.powers.lamps.back()](const TexelSite& place,
-                                                                          Random& random) {
-            const AreaSample one =
-                sampleAreaLight(*outside, disc, place.position, place.normal, 1, random.next());
-            return one.visible / kPi * radiance;
-        };
+    if (const auto& sun = room.found.sun)
+        traced.unseenLights =
+            [outside = sun->outside, disc = AreaLight(sunDisc(sun->sun, *texels.scan)),
+             radiance = room.found.powers.lamps.back()](const TexelSite& place, Random& random) {
+                const AreaSample one =
+                    sampleAreaLight(*outside, disc, place.position, place.normal, 1, random.next());
+                return one.visible / kPi * radiance;
+            };
     return traced;
 }
 

@@ -111,21 +111,12 @@ void light(const Texels& texels, FoundRoom& room)
                             room.found.powers.outside);
 }
 
-SunOnRoom sunOn(FoundSun found, const Texels& texels)
-{
-    AreaLight disc(sunDisc(found.sun, *texels.scan));
-    return {.sun = found.sun,
-            .disc = std::move(disc),
-            .outside = std::move(found.outside),
-            .onSides = std::move(found.onSides)};
-}
-
 /// The sun lights what it is seen from; what the texture shows to lie in shade, it does not.
-void letIn(SunOnRoom sun, const Texels& texels, FoundRoom& room)
+void letSunIn(const Texels& texels, FoundRoom& room)
 {
+    FoundSun& sun = *room.found.sun;
     sun.inShade = markShade(sun.sun, texels, room.radiance, room.sides, sun.onSides);
     room.found.powers.lamps.push_back(sunRadiance(sun.sun));
-    room.sun = std::move(sun);
     light(texels, room);
 }
 
@@ -154,7 +145,7 @@ void search(const Texels& texels, const RayScene& scene, Progress& progress, Fou
     linearize(texels, room);
     const Progress::Stage stage(progress, "sun");
     lightByLamps(texels, scene, room);
-    if (room.found.sun) letIn(sunOn(*std::exchange(room.found.sun, {}), texels), texels, room);
+    if (room.found.sun) letSunIn(texels, room);
     label(room.found, texels, progress);
 }
 
@@ -181,8 +172,8 @@ void take(const Lights& given, const DelightOptions& options, const Texels& texe
     const auto outside =
         std::make_shared<const RayScene>(sceneWithoutPanes(texels, room.radiance, panes));
     const AreaLight disc(sunDisc(*given.sun, *texels.scan));
-    std::vector<AreaSample> onSides = directOfLists(texels, *outside, room.hits, {disc});
-    letIn(sunOn({*given.sun, outside, std::move(onSides)}, texels), texels, room);
+    room.found.sun = {*given.sun, outside, directOfLists(texels, *outside, room.hits, {disc})};
+    letSunIn(texels, room);
 }
 
 /// Marks the surfels of the lamps that shine.
@@ -228,7 +219,7 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
         take(*options.lights, options, texels, scene, progress, room);
     else
         search(texels, scene, progress, room);
-    if (room.found.lamps.empty() && !room.sun)
+    if (room.found.lamps.empty() && !room.found.sun)
         room.warnings.emplace_back("no lamp was found; the room is taken to be lit from "
                                    "outside alone. Point at one with --light or --lights");
     return room;
@@ -241,7 +232,7 @@ Lights lightsOf(const FoundRoom& room)
     lights.openings = room.found.powers.outside.ratios();
     lights.camera = room.found.camera;
     lights.tempering = room.tempering;
-    if (room.sun) lights.sun = room.sun->sun;
+    if (room.found.sun) lights.sun = room.found.sun->sun;
     for (size_t l = 0; l < room.found.lamps.size(); ++l) {
         const FoundLamp& lamp = room.found.lamps[l];
         if (lamp.isSunlit) continue;
@@ -274,7 +265,7 @@ std::vector<int32_t> fixturesOfSurfels(const FoundRoom& room)
 std::span<const AreaSample> onSidesOf(const FoundRoom& room, size_t lamp)
 {
     const std::vector<FoundLamp>& lamps = room.found.lamps;
-    return lamp < lamps.size() ? lamps[lamp].onSides : room.sun->onSides;
+    return lamp < lamps.size() ? lamps[lamp].onSides : room.found.sun->onSides;
 }
 
 std::vector<glm::vec3> directOf(const FoundRoom& room)

@@ -22,16 +22,6 @@ namespace relamp
 /// As fine as light changes on walls; coarse for a draft. separateEnclosed has to follow.
 SurfelOptions surfelsOf(const GatherOptions& options);
 
-/// The sun, and what it does to a room.
-struct SunOnRoom
-{
-    Sun sun;
-    AreaLight disc;
-    std::shared_ptr<const RayScene> outside; // what stands before it
-    std::vector<AreaSample> onSides;         // at radiance 1, one a hit list
-    TexelMarks inShade;                      // see markShade
-};
-
 /// A scan whose lamps are known: where the solvers start that shade by area and shadow.
 struct FoundRoom
 {
@@ -40,12 +30,11 @@ struct FoundRoom
     std::vector<glm::vec3> texture; // what SurfelRadiance::plain was without it; empty: the same
     GatherOptions options;          // with what was left open filled in
     HitLists hits;
-    FoundLamps found;             // or as a person gave them; the power of `sun` is with theirs
-    bool isGiven = false;         // the latter
-    Tempering tempering;          // of its shading
-    std::vector<uint8_t> shines;  // of surfels; not 0: its burnt-out texels are a lamp's
-    std::optional<SunOnRoom> sun; // that shines in
-    LitSides sides;               // the light as the texture tells it
+    FoundLamps found;            // or as a person gave them
+    bool isGiven = false;        // the latter
+    Tempering tempering;         // of its shading
+    std::vector<uint8_t> shines; // of surfels; not 0: its burnt-out texels are a lamp's
+    LitSides sides;              // the light as the texture tells it
     std::vector<std::string> warnings;
 };
 

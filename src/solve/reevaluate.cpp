@@ -53,9 +53,10 @@ std::shared_ptr<const GatheredLight> lightOf(const Texels& texels, const RayScen
         visibility.add(scene, area, lamp.onSides, rays * raysToGroup(singles),
                        openShares(room, indirect, l));
     }
-    if (const auto& sun = room.sun) {
-        lamps.emplace_back(sun->disc);
-        visibility.add(*sun->outside, sun->disc, sun->onSides, rays,
+    if (const auto& sun = room.found.sun) {
+        const AreaLight disc(sunDisc(sun->sun, *texels.scan));
+        lamps.emplace_back(disc);
+        visibility.add(*sun->outside, disc, sun->onSides, rays,
                        openShares(room, indirect, room.found.lamps.size()), sun->inShade);
     }
     return std::make_shared<const GatheredLight>(GatheredLight{

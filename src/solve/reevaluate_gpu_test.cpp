@@ -146,7 +146,7 @@ TEST_P(GpuReevaluate, LightsSurfelsAsTheCpuDoes)
 {
     const ReevaluateTwins& room = twins();
     ASSERT_EQ(room.powers.lamps.empty(), GetParam() == std::string("NoLamp"));
-    ASSERT_EQ(room.room.solved.found.sun.has_value(), GetParam() == std::string("Sun"));
+    ASSERT_EQ(room.room.solved.found.found.sun.has_value(), GetParam() == std::string("Sun"));
     const std::vector<glm::vec4> found = room.gpu.indirectOnSurfels();
     Apart indirect(0.02f);
     Apart lit(0.02f);
