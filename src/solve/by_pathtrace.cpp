@@ -121,7 +121,7 @@ TracedRoom tracedRoomOf(const Texels& texels, const FoundRoom& room, std::vector
             if (patch.surfel != Surfels::kNone) emission[patch.surfel] = lamp.radiance;
     }
     TracedRoom traced{.albedo = std::move(albedo),
-                      .shines = room.shines,
+                      .shines = shinesOf(room, room.found.powers),
                       .emission = std::move(emission),
                       .isClipped = room.radiance.isClipped,
                       .lamps = LampSurface(lampTexels(texels, room.radiance, shiners)),

@@ -63,7 +63,6 @@ private:
         found.radiance = collectRadiance(texels, progress);
         found.found.lamps.push_back({.patches = found.radiance.clipped});
         found.found.powers.lamps = {radiance};
-        found.shines = shinesOf(found, found.found.powers);
         return tracedRoomOf(texels, found, found.radiance.plain); // as yet the texture is the paper
     }
 };

@@ -104,28 +104,20 @@ void lookAtAll(const Texels& texels, const RayScene& scene, const HitLists& hits
                               {AreaLight(lamp.patches), raysToGroup(singlesOf(lamp).size())});
 }
 
-/// Lights a room by its lamps, and by its sun where that is let in.
-void light(const Texels& texels, FoundRoom& room)
-{
-    room.sides = lightSides(texels, room.hits, room.radiance, directOf(room), room.shines,
-                            room.found.powers.outside);
-}
-
 /// The sun lights what it is seen from; what the texture shows to lie in shade, it does not.
 void letSunIn(const Texels& texels, FoundRoom& room)
 {
     FoundSun& sun = *room.found.sun;
     sun.inShade = markShade(sun.sun, texels, room.radiance, room.sides, sun.onSides);
     room.found.powers.lamps.push_back(sunRadiance(sun.sun));
-    light(texels, room);
+    room.sides = sidesOf(texels, room);
 }
 
 /// Lights a room by its lamps alone.
 void lightByLamps(const Texels& texels, const RayScene& scene, FoundRoom& room)
 {
     lookAtAll(texels, scene, room.hits, room.found);
-    room.shines = shinesOf(room, room.found.powers);
-    light(texels, room);
+    room.sides = sidesOf(texels, room);
 }
 
 /// Takes out of the radiance what the camera made of it.
@@ -274,6 +266,13 @@ std::vector<glm::vec3> directOf(const FoundRoom& room)
     std::vector<glm::vec3> direct(room.hits.sideOfList.size(), glm::vec3(0.0f));
     for (size_t l = 0; l < radiance.size(); ++l) addDirect(onSidesOf(room, l), radiance[l], direct);
     return direct;
+}
+
+LitSides sidesOf(const Texels& texels, const FoundRoom& room)
+{
+    const LampPowers& powers = room.found.powers;
+    return lightSides(texels, room.hits, room.radiance, directOf(room), shinesOf(room, powers),
+                      powers.outside);
 }
 
 std::vector<uint8_t> shinesOf(const FoundRoom& room, const LampPowers& powers)

@@ -30,11 +30,10 @@ struct FoundRoom
     std::vector<glm::vec3> texture; // what SurfelRadiance::plain was without it; empty: the same
     GatherOptions options;          // with what was left open filled in
     HitLists hits;
-    FoundLamps found;            // or as a person gave them
-    bool isGiven = false;        // the latter
-    Tempering tempering;         // of its shading
-    std::vector<uint8_t> shines; // of surfels; not 0: its burnt-out texels are a lamp's
-    LitSides sides;              // the light as the texture tells it
+    FoundLamps found;     // or as a person gave them
+    bool isGiven = false; // the latter
+    Tempering tempering;  // of its shading
+    LitSides sides;       // the light as the texture tells it
     std::vector<std::string> warnings;
 };
 
@@ -54,6 +53,9 @@ std::span<const AreaSample> onSidesOf(const FoundRoom& room, size_t lamp);
 
 /// Irradiance from lamps and sun, one a hit list.
 std::vector<glm::vec3> directOf(const FoundRoom& room);
+
+/// The light at all sides under the room's powers.
+LitSides sidesOf(const Texels& texels, const FoundRoom& room);
 
 /// Marks the surfels whose burnt-out texels belong to a lamp that shines under `powers`, or are a
 /// patch of sun.

@@ -64,12 +64,6 @@ std::shared_ptr<const GatheredLight> lightOf(const Texels& texels, const RayScen
         room.found.powers.lamps, std::move(indirect)});
 }
 
-void setPowers(FoundRoom& room, const LampPowers& powers)
-{
-    room.found.powers = powers;
-    room.shines = shinesOf(room, powers);
-}
-
 /// Lets all follow that the light between surfels leads to.
 void shine(const Texels& texels, SolvedRoom& room, std::vector<glm::vec3> indirect)
 {
@@ -102,10 +96,8 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
 
 void reevaluate(const Texels& texels, SolvedRoom& room, const LampPowers& powers)
 {
-    FoundRoom& found = room.found;
-    setPowers(found, powers);
-    found.sides = lightSides(texels, found.hits, found.radiance, directOf(found), found.shines,
-                             powers.outside);
+    room.found.found.powers = powers;
+    room.found.sides = sidesOf(texels, room.found);
     shine(texels, room, indirectOf(texels, room));
 }
 
@@ -113,11 +105,12 @@ void reevaluate(const Texels& texels, SolvedRoom& room, const LampPowers& powers
                 SettledLight light)
 {
     FoundRoom& found = room.found;
-    setPowers(found, powers);
+    found.found.powers = powers;
     Gathered gathered{.irradiance = std::move(light.gathered),
                       .missed = std::move(found.sides.gathered.missed)}; // of the mesh alone
-    found.sides = sidesFrom(texels, found.hits, found.radiance,
-                            {directOf(found), std::move(gathered)}, found.shines, powers.outside);
+    found.sides =
+        sidesFrom(texels, found.hits, found.radiance, {directOf(found), std::move(gathered)},
+                  shinesOf(found, powers), powers.outside);
     shine(texels, room, std::move(light.indirect));
 }
 

@@ -124,7 +124,7 @@ TEST_F(GpuReevaluateEngine, ALampThatIsOffSendsOnWhatItGets)
     off.outside = glm::vec3(0.5f);
     expectLightAlike(gpu.layers(gpu.reevaluate(on)), cpu.layers(cpu.reevaluate(on)));
     const auto shiningOf = [](const Room& room) {
-        const std::vector<uint8_t>& shines = room.room.solved.found.shines;
+        const std::vector<uint8_t>& shines = room.room.solved.found.sides.field.shines;
         return std::count(shines.begin(), shines.end(), 1);
     };
     EXPECT_NE(shiningOf(gpu), 0);

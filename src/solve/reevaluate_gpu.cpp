@@ -83,8 +83,8 @@ struct ReevaluateGpu::Page
 ReevaluateGpu::ReevaluateGpu(const gpu::Device& device, const Texels& texels,
                              const SolvedRoom& room, uint64_t budget)
     : device_(device), texels_(texels), shade_(device, kReevaluateSpirv),
-      surfels_(device, texels.surfels),
-      sides_(device, room.found.hits, room.found.radiance, {room.found.shines, room.lit}),
+      surfels_(device, texels.surfels), sides_(device, room.found.hits, room.found.radiance,
+                                               {room.found.sides.field.shines, room.lit}),
       lamps_(device, texels.surfels, *room.light->lamps, scalesOf(room)),
       layers_(device, texels.surfels.count()), padding_(device),
       termsOfLists_(lamps_.keep(onListsOf(room), sides_.lists())),

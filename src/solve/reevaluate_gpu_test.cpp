@@ -70,7 +70,7 @@ struct ReevaluateTwins
 
     std::vector<gpu::Timing> gather(const LampPowers& under)
     {
-        return gpu.gather(under, room.solved.found.shines);
+        return gpu.gather(under, room.solved.found.sides.field.shines);
     }
 
     [[nodiscard]] size_t pages() const { return room.texels.pages.size(); }
@@ -227,7 +227,7 @@ TEST_F(GpuReevaluatePages, TakeTurnsWhereMemoryIsShort)
 {
     ReevaluateTwins room(device(), roomOfTwoPages());
     ReevaluateGpu oneAtATime(device(), room.room.texels, room.room.solved, 1);
-    oneAtATime.gather(room.powers, room.room.solved.found.shines);
+    oneAtATime.gather(room.powers, room.room.solved.found.sides.field.shines);
     oneAtATime.setSurfels(room.said);
     for (const size_t p : {0u, 1u, 0u}) {
         room.gpu.divide(p, {});
