@@ -183,16 +183,6 @@ std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scen
 namespace
 {
 
-/// Sides before anything is gathered.
-LitSides darkSides(const SurfelRadiance& radiance, std::vector<glm::vec3> direct,
-                   std::span<const uint8_t> shines, const OutsideLight& outside)
-{
-    LitSides sides{.field = fieldOf(radiance), .direct = std::move(direct)};
-    sides.field.shines.assign(shines.begin(), shines.end());
-    sides.field.outside = outside;
-    return sides;
-}
-
 /// What the sides send on of the light that they gathered. `least`: what the texture shows of
 /// burnt-out walls.
 void sendOn(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
@@ -214,26 +204,22 @@ void sendOn(const Texels& texels, const HitLists& hits, const SurfelRadiance& ra
 
 LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
                     std::vector<glm::vec3> direct, std::span<const uint8_t> shines,
-                    const OutsideLight& outside)
+                    const OutsideLight& outside, std::optional<Gathered> settled)
 {
-    LitSides sides = darkSides(radiance, std::move(direct), shines, outside);
+    LitSides sides{.field = fieldOf(radiance), .direct = std::move(direct)};
+    sides.field.shines.assign(shines.begin(), shines.end());
+    sides.field.outside = outside;
     const std::vector<glm::vec3> least = sides.field.clipped;
+    if (settled) {
+        sides.gathered = *std::move(settled);
+        sendOn(texels, hits, radiance, least, sides);
+        return sides;
+    }
     const SettlingGather settling(hits, sides.field);
     for (int round = 0; round < kLitSidesRounds; ++round) {
         sides.gathered = settling.gather(sides.field);
         sendOn(texels, hits, radiance, least, sides);
     }
-    return sides;
-}
-
-LitSides sidesFrom(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
-                   ArrivingLight light, std::span<const uint8_t> shines,
-                   const OutsideLight& outside)
-{
-    LitSides sides = darkSides(radiance, std::move(light.direct), shines, outside);
-    const std::vector<glm::vec3> least = sides.field.clipped;
-    sides.gathered = std::move(light.gathered);
-    sendOn(texels, hits, radiance, least, sides);
     return sides;
 }
 

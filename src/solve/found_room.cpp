@@ -268,11 +268,11 @@ std::vector<glm::vec3> directOf(const FoundRoom& room)
     return direct;
 }
 
-LitSides sidesOf(const Texels& texels, const FoundRoom& room)
+LitSides sidesOf(const Texels& texels, const FoundRoom& room, std::optional<Gathered> settled)
 {
     const LampPowers& powers = room.found.powers;
     return lightSides(texels, room.hits, room.radiance, directOf(room), shinesOf(room, powers),
-                      powers.outside);
+                      powers.outside, std::move(settled));
 }
 
 std::vector<uint8_t> shinesOf(const FoundRoom& room, const LampPowers& powers)

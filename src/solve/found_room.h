@@ -54,8 +54,8 @@ std::span<const AreaSample> onSidesOf(const FoundRoom& room, size_t lamp);
 /// Irradiance from lamps and sun, one a hit list.
 std::vector<glm::vec3> directOf(const FoundRoom& room);
 
-/// The light at all sides under the room's powers.
-LitSides sidesOf(const Texels& texels, const FoundRoom& room);
+/// The light at all sides under the room's powers; `settled` as lightSides().
+LitSides sidesOf(const Texels& texels, const FoundRoom& room, std::optional<Gathered> settled = {});
 
 /// Marks the surfels whose burnt-out texels belong to a lamp that shines under `powers`, or are a
 /// patch of sun.

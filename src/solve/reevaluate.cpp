@@ -108,9 +108,7 @@ void reevaluate(const Texels& texels, SolvedRoom& room, const LampPowers& powers
     found.found.powers = powers;
     Gathered gathered{.irradiance = std::move(light.gathered),
                       .missed = std::move(found.sides.gathered.missed)}; // of the mesh alone
-    found.sides =
-        sidesFrom(texels, found.hits, found.radiance, {directOf(found), std::move(gathered)},
-                  shinesOf(found, powers), powers.outside);
+    found.sides = sidesOf(texels, found, std::move(gathered));
     shine(texels, room, std::move(light.indirect));
 }
 
