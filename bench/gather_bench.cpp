@@ -102,14 +102,14 @@ void visibility(benchmark::State& state)
 void shade(benchmark::State& state)
 {
     const LampRoom& r = room();
-    std::vector<LitLamp> lit;
-    for (size_t l = 0; l < r.areas.size(); ++l)
-        lit.push_back({LampPatches(r.areas[l]), r.found.lamps[l].radiance});
+    std::vector<LampPatches> patches(r.areas.begin(), r.areas.end());
     const TexelShading shading = shadingOf(
         r.texels, std::make_shared<GatheredLight>(GatheredLight{
-                      std::move(lit),
-                      std::make_shared<const Visibility>(r.texels, r.scene, r.areas, r.coarse,
-                                                         VisibilityOptions{.raysPerProbe = 8}),
+                      std::make_shared<const CastLamps>(
+                          std::move(patches),
+                          Visibility(r.texels, r.scene, r.areas, r.coarse, {.raysPerProbe = 8}),
+                          r.texels.surfels),
+                      r.found.powers.lamps,
                       std::vector<glm::vec3>(r.texels.surfels.count(), glm::vec3(1.0f))}));
     const TexelLoader loader(r.texels, 0);
     for (auto _ : state)

@@ -7,7 +7,7 @@
 #include "relamp/relight.h"
 #include "relight/relighter_state.h"
 #include "relight/relit_page.h"
-#include "shading/lit_sides.h"
+#include "shading/direct_sum.h"
 
 #include <benchmark/benchmark.h>
 

@@ -247,7 +247,7 @@ struct LampRoom
     {
         separateEnclosed(texels, scene, progress);
         solved = solvedRoom(texels, scene, findRoom(texels, scene, {}, progress));
-        powers = powersOf(solved);
+        powers = solved.found.found.powers;
         said = solutionOf(texels, solved, {}, closureOf(solved)).texels;
     }
 
@@ -298,7 +298,8 @@ std::vector<double> reevaluateOfCpu(LampRoom& room)
 
 std::vector<gpu::Timing> reevaluateOfGpu(ReevaluateGpu& gpu, const LampRoom& room)
 {
-    std::vector<gpu::Timing> timings = gpu.gather(room.powers, room.solved.found.shines);
+    std::vector<gpu::Timing> timings =
+        gpu.gather(room.powers, room.solved.found.sides.field.shines);
     for (size_t p = 0; p < room.texels.pages.size(); ++p)
         for (gpu::Timing& timing : gpu.divide(p, {})) timings.push_back(std::move(timing));
     return timings;

@@ -138,13 +138,10 @@ std::string movedNote(const Fixture& fixture)
                        fixture.id, fixture.normal == glm::vec3(0.0f) ? "ball" : "disc");
 }
 
-FoundLamp lampOf(const PointLight& light)
+void add(FoundLamp lamp, glm::vec3 radiance, FoundLamps& lamps)
 {
-    const float radius = std::max(light.radius, kLeastRadius);
-    return {patchedBall(light.position, radius),
-            light.intensity / (kPi * radius * radius),
-            glm::vec3(0.0f),
-            {}};
+    lamps.lamps.push_back(std::move(lamp));
+    lamps.powers.lamps.push_back(radiance);
 }
 
 /// Adds a lamp to those of its group that have its radiance.
@@ -202,22 +199,22 @@ std::vector<std::vector<ClippedPatch>> surfacesOf(std::span<const Fixture> fixtu
 FoundLamps asGiven(const Lights& given, std::span<const std::vector<ClippedPatch>> surfaces)
 {
     FoundLamps lamps;
-    lamps.outside = given.ambient;
+    lamps.powers.outside = given.ambient;
     std::map<std::tuple<int, float, float, float>, size_t> places; // of a group and radiance
     for (size_t f = 0; f < given.fixtures.size(); ++f) {
         const Fixture& fixture = given.fixtures[f];
         if (isDark(fixture.radiance)) continue;
-        FoundLamp lamp{surfaces[f], fixture.radiance, fixture.error};
+        FoundLamp lamp{surfaces[f], fixture.error};
         lamp.labels = {{given.idOf(f), fixture.name}};
         if (fixture.group < 0) {
-            lamps.lamps.push_back(std::move(lamp));
+            add(std::move(lamp), fixture.radiance, lamps);
             continue;
         }
         const glm::vec3 light = fixture.radiance;
         const auto [place, isNew] =
             places.try_emplace({fixture.group, light.r, light.g, light.b}, lamps.lamps.size());
         if (isNew)
-            lamps.lamps.push_back(std::move(lamp));
+            add(std::move(lamp), light, lamps);
         else
             addToGroup(std::move(lamp), lamps.lamps[place->second]);
     }
@@ -225,8 +222,9 @@ FoundLamps asGiven(const Lights& given, std::span<const std::vector<ClippedPatch
     for (size_t f = 0; f < given.fixtures.size(); ++f) next = std::max(next, given.idOf(f) + 1);
     for (const PointLight& light : given.points) {
         if (light.fixture >= 0 || isDark(light.intensity)) continue;
-        lamps.lamps.push_back(lampOf(light));
-        lamps.lamps.back().labels = {{next++, {}}};
+        const float radius = std::max(light.radius, kLeastRadius);
+        add({.patches = patchedBall(light.position, radius), .labels = {{next++, {}}}},
+            light.intensity / (kPi * radius * radius), lamps);
     }
     return lamps;
 }

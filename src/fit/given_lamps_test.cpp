@@ -106,9 +106,9 @@ TEST(GivenLamps, RadianceAndAmbientAreTheFiles)
     const FoundLamps lamps =
         lampsOf({.fixtures = {panelAt({1, 2, 3}, 5)}, .ambient = glm::vec3(0.1f)});
     ASSERT_EQ(lamps.lamps.size(), 1u);
-    EXPECT_EQ(lamps.lamps[0].radiance, glm::vec3(60, 40, 20));
+    EXPECT_EQ(lamps.powers.lamps[0], glm::vec3(60, 40, 20));
     EXPECT_EQ(lamps.lamps[0].labels.at(0).id, 5);
-    EXPECT_EQ(lamps.outside[0], glm::vec3(0.1f));
+    EXPECT_EQ(lamps.powers.outside[0], glm::vec3(0.1f));
 }
 
 TEST(GivenLamps, LampsOfAGroupStayTogetherAsFarAsTheyAreAlike)
@@ -186,7 +186,7 @@ TEST(GivenLamps, PointLightIsABallOfItsIntensity)
     float seen = 0.0f; // projected area towards +x
     for (const ClippedPatch& patch : lamps.lamps[0].patches)
         seen += patch.area * std::max(patch.normal.x, 0.0f);
-    EXPECT_NEAR(seen * lamps.lamps[0].radiance.r, 4.0f, 0.1f);
+    EXPECT_NEAR(seen * lamps.powers.lamps[0].r, 4.0f, 0.1f);
 }
 
 TEST(GivenLamps, PointLightsOfFixturesAreNotCountedTwice)

@@ -6,6 +6,7 @@
 #include "fit/pairs.h"
 #include "scan/gain.h"
 #include "scan/linearization.h"
+#include "shading/direct_sum.h"
 
 #include <algorithm>
 #include <cmath>

@@ -416,10 +416,11 @@ void LampSearch::takeSun(FoundLamps& found)
                          .determined = static_cast<double>(sun.error) < kUnknown},
                  .outside = std::move(beforeSun_),
                  .onSides = std::move(sun_->onSides)};
-    for (const SunPatch& patch : sun_->patches)
-        found.lamps.push_back({.patches = std::move(pieces_[patch.piece].candidate.patches),
-                               .radiance = patch.perRadiance * sun.radiance,
-                               .isSunlit = true});
+    for (const SunPatch& patch : sun_->patches) {
+        found.lamps.push_back(
+            {.patches = std::move(pieces_[patch.piece].candidate.patches), .isSunlit = true});
+        found.powers.lamps.push_back(patch.perRadiance * sun.radiance);
+    }
 }
 
 /// Of log power: what the light of a lamp leaves open, and its area, whose rim is off by as much as
@@ -432,7 +433,7 @@ float errorOfPower(const Piece& lamp)
 
 FoundLamps LampSearch::result()
 {
-    FoundLamps found{.outside = outside_,
+    FoundLamps found{.powers = {.lamps = {}, .outside = outside_},
                      .residual = static_cast<float>(estimate_.residual),
                      .changeUnseen = changeUnseen(
                          {model_, evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, noise_,
@@ -449,9 +450,9 @@ FoundLamps LampSearch::result()
         const bool isDetermined = static_cast<double>(lamp.error) < kUnknown;
         if (!isDetermined)
             found.warnings.push_back(unknownAt(lamp.candidate.centre, lamp.ends.size()));
-        found.lamps.push_back({std::move(lamp.candidate.patches), lamp.radiance,
-                               glm::vec3(errorOfPower(lamp)), std::move(lamp.onSides), false,
-                               isDetermined, std::move(lamp.ends)});
+        found.lamps.push_back({std::move(lamp.candidate.patches), glm::vec3(errorOfPower(lamp)),
+                               std::move(lamp.onSides), false, isDetermined, std::move(lamp.ends)});
+        found.powers.lamps.push_back(lamp.radiance);
     }
     takeSun(found);
     found.camera = std::move(camera_);
@@ -503,15 +504,6 @@ std::vector<std::span<const ClippedPatch>> singlesOf(const FoundLamp& lamp)
         begin = end;
     }
     return singles;
-}
-
-std::vector<uint8_t> shinesOf(const FoundLamps& found, size_t surfels)
-{
-    std::vector<uint8_t> shines(surfels, 0);
-    for (const FoundLamp& lamp : found.lamps)
-        for (const ClippedPatch& patch : lamp.patches)
-            if (patch.surfel != Surfels::kNone) shines[patch.surfel] = 1;
-    return shines;
 }
 
 } // namespace relamp

@@ -7,7 +7,9 @@
 #include "relamp/lights.h"
 #include "relamp/progress.h"
 #include "scan/rays.h"
+#include "scan/split_surfels.h"
 #include "shading/hit_lists.h"
+#include "shading/lamp_powers.h"
 #include "shading/lit_sides.h"
 
 #include <memory>
@@ -24,7 +26,6 @@ namespace relamp
 struct FoundLamp
 {
     std::vector<ClippedPatch> patches;
-    glm::vec3 radiance{0.0f};          // RGB, 1 = the texture's white
     glm::vec3 logError{0.0f};          // standard error of log radiance
     std::vector<AreaSample> onSides{}; // at radiance 1, one a hit list; empty: not looked at
     bool isSunlit = false;        // no lamp but a burnt-out patch of sun, which lights the room
@@ -39,13 +40,14 @@ struct FoundSun
     Sun sun;
     std::shared_ptr<const RayScene> outside; // what stands before it
     std::vector<AreaSample> onSides;         // at radiance 1, one a hit list
+    TexelMarks inShade{};                    // see markShade
 };
 
 struct FoundLamps
 {
     std::vector<FoundLamp> lamps; // by falling power
-    OutsideLight outside;
-    float residual = 0.0f; // of the fit, in log radiance
+    LampPowers powers;            // of these, and of a sun once it is let in
+    float residual = 0.0f;        // of the fit, in log radiance
     std::optional<FoundSun> sun{};
     CameraModel camera{}; // what it made of the light
     // By how much the log albedo of each of placesToLookAt() is another where no fit looks at it:
@@ -68,8 +70,5 @@ FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists
 
 /// The patches of each lamp of a group, or of the one that it is.
 std::vector<std::span<const ClippedPatch>> singlesOf(const FoundLamp& lamp);
-
-/// Marks the surfels whose burnt-out texels belong to a lamp.
-std::vector<uint8_t> shinesOf(const FoundLamps& found, size_t surfels);
 
 } // namespace relamp

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
+#include "shading/direct_sum.h"
 #include "shading/gathered_light.h"
 #include "shading/lit_sides.h"
 
@@ -14,19 +15,6 @@ namespace
 {
 
 constexpr size_t kRaysToGlow = 2; // of a surfel; the neighbours have as many
-
-void addDirectOf(const LightSource& source, glm::vec3 emission, const TexelBlock& block,
-                 const float* share, RgbBlock& out)
-{
-    float open[TexelBlock::kPadded];
-    source.open(block, open);
-    const glm::vec3 perIrradiance = emission / kPi;
-    for (size_t i = 0; i < block.count; ++i) {
-        out.r[i] += open[i] * share[i] * perIrradiance.r;
-        out.g[i] += open[i] * share[i] * perIrradiance.g;
-        out.b[i] += open[i] * share[i] * perIrradiance.b;
-    }
-}
 
 /// Share of a light that is seen from the middle of surfels. A few rays tell it, those of the
 /// neighbours with them.
@@ -181,8 +169,7 @@ void RadiosityLight::set(const ActiveLights& active, std::span<const glm::vec3> 
     for (size_t s = 0; s < byGlow.size(); ++s) onFronts_[s] += byGlow[s];
     indirect_ = std::make_shared<const std::vector<glm::vec3>>(onFronts_);
     for (size_t l = 0; l < lights_.size(); ++l)
-        for (size_t s = 0; s < onFronts_.size(); ++s)
-            onFronts_[s] += lights_[l]->onFronts[s] * emissions_[l];
+        addDirect(lights_[l]->onFronts, emissions_[l], onFronts_);
 }
 
 TexelShading RadiosityLight::shading() const
@@ -190,12 +177,13 @@ TexelShading RadiosityLight::shading() const
     return [&texels = texels_, lights = lights_, emissions = emissions_, indirect = indirect_](
                size_t p, size_t begin, const TexelBlock& block, ShadingBlock& out) {
         interpolate(texels, *indirect, p, begin, block, out.indirect);
-        for (float* channel : {out.direct.r, out.direct.g, out.direct.b})
-            std::fill_n(channel, block.count, 0.0f);
-        float share[TexelBlock::kPadded];
-        for (size_t l = 0; l < lights.size(); ++l)
-            if (lights[l]->shadows->at(p, begin, block.count, share))
-                addDirectOf(*lights[l]->light.source, emissions[l], block, share, out.direct);
+        darken(out.direct, block.count);
+        LampOnBlock on;
+        for (size_t l = 0; l < lights.size(); ++l) {
+            if (!lights[l]->shadows->at(p, begin, block.count, on.share)) continue;
+            lights[l]->light.source->open(block, on.open);
+            addDirect(on, emissions[l], block.count, out.direct);
+        }
     };
 }
 

@@ -4,6 +4,7 @@
 #include "base/lanes.h"
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
+#include "shading/direct_sum.h"
 #include "shading/gathered_light.shared.h"
 
 #include <algorithm>
@@ -97,22 +98,17 @@ void forEachRunOf(const PageTexels& page, size_t begin, const TexelBlock& block,
 void shadeDirect(const GatheredLight& light, const PageTexels& page, size_t begin,
                  const TexelBlock& block, RgbBlock& out)
 {
-    for (float* channel : {out.r, out.g, out.b}) std::fill_n(channel, block.count, 0.0f);
-    float share[TexelBlock::kPadded];
-    float open[TexelBlock::kPadded];
-    for (size_t l = 0; l < light.lamps.size(); ++l) {
+    darken(out, block.count);
+    LampOnBlock on;
+    const CastLamps& lamps = *light.lamps;
+    for (size_t l = 0; l < lamps.count(); ++l) {
         bool isSeen = false;
         forEachRunOf(page, begin, block, [&](uint32_t surfel, size_t first, size_t end) {
-            isSeen |= light.visibility->at(l, surfel, block, first, end, share);
+            isSeen |= lamps.visibility.at(l, surfel, block, first, end, on.share);
         });
         if (!isSeen) continue;
-        openIrradiance(block, light.lamps[l].patches, Geometry::scanned, open);
-        const glm::vec3 radiance = light.lamps[l].radiance / kPi;
-        for (size_t i = 0; i < block.count; ++i) {
-            out.r[i] += open[i] * share[i] * radiance.r;
-            out.g[i] += open[i] * share[i] * radiance.g;
-            out.b[i] += open[i] * share[i] * radiance.b;
-        }
+        openIrradiance(block, lamps.patches[l], Geometry::scanned, on.open);
+        addDirect(on, light.radiance[l], block.count, out);
     }
 }
 
@@ -134,26 +130,19 @@ void interpolate(const Texels& texels, std::span<const glm::vec3> irradiance, si
 namespace
 {
 
-/// What surfels get of a lamp, one entry a surfel.
-struct LampOnSurfels
+LampOnSurfels lampOnSurfels(const Surfels& surfels, const CastLamps& lamps, size_t lamp)
 {
-    std::vector<float> open; // irradiance at radiance 1 with nothing in the way
-    std::vector<float> share;
-};
-
-LampOnSurfels lampOnSurfels(const Surfels& surfels, const GatheredLight& light, size_t lamp)
-{
-    LampOnSurfels on{std::vector<float>(surfels.count()), std::vector<float>(surfels.count())};
+    LampOnSurfels on{std::vector<AreaSample>(surfels.count()), std::vector<float>(surfels.count())};
     forEachChunk(surfels.count(), TexelBlock::kCapacity, [&](size_t begin, size_t end) {
         TexelBlock block;
         loadSurfels(surfels, begin, end, block);
         float share[TexelBlock::kPadded];
         float open[TexelBlock::kPadded];
-        openIrradiance(block, light.lamps[lamp].patches, Geometry::scanned, open);
+        openIrradiance(block, lamps.patches[lamp], Geometry::scanned, open);
         for (size_t i = 0; i < block.count; ++i) {
-            light.visibility->at(lamp, static_cast<uint32_t>(begin + i), block, i, i + 1, share);
+            lamps.visibility.at(lamp, static_cast<uint32_t>(begin + i), block, i, i + 1, share);
             on.share[begin + i] = share[i];
-            on.open[begin + i] = open[i];
+            on.seen[begin + i] = {open[i], open[i] * share[i]};
         }
     });
     return on;
@@ -177,17 +166,23 @@ float varianceAround(const Surfels& surfels, size_t s, std::span<const float> va
 
 } // namespace
 
+CastLamps::CastLamps(std::vector<LampPatches> lamps, Visibility seen, const Surfels& surfels)
+    : patches(std::move(lamps)), visibility(std::move(seen))
+{
+    for (size_t l = 0; l < count(); ++l) onSurfels.push_back(lampOnSurfels(surfels, *this, l));
+}
+
 SurfelLighting lightOnSurfels(const Surfels& surfels, const GatheredLight& light)
 {
     SurfelLighting result{light.indirect, std::vector<float>(surfels.count(), 0.0f)};
-    for (size_t l = 0; l < light.lamps.size(); ++l) {
-        const LampOnSurfels on = lampOnSurfels(surfels, light, l);
-        const glm::vec3 radiance = light.lamps[l].radiance;
+    for (size_t l = 0; l < light.lamps->count(); ++l) {
+        const LampOnSurfels& on = light.lamps->onSurfels[l];
+        const glm::vec3 radiance = light.radiance[l];
+        addDirect(on.seen, radiance, result.irradiance);
         forEachChunk(surfels.count(), 1024, [&](size_t begin, size_t end) {
             for (size_t s = begin; s < end; ++s) {
-                result.irradiance[s] += on.open[s] * on.share[s] * radiance;
-                if (!light.visibility->isPartial(l, static_cast<uint32_t>(s))) continue;
-                const float most = on.open[s] * luminance(radiance);
+                if (!light.lamps->visibility.isPartial(l, static_cast<uint32_t>(s))) continue;
+                const float most = on.seen[s].open * luminance(radiance);
                 result.spread[s] += most * most * varianceAround(surfels, s, on.share);
             }
         });

@@ -12,18 +12,29 @@
 namespace relamp
 {
 
-/// A lamp with a power.
-struct LitLamp
+/// What surfels' middles get of a lamp at radiance 1, one entry a surfel.
+struct LampOnSurfels
 {
-    LampPatches patches;
-    glm::vec3 radiance{0.0f};
+    std::vector<AreaSample> seen;
+    std::vector<float> share; // that is visible
+};
+
+/// What is fixed of the lamps of a room once rays are cast, whatever their power.
+struct CastLamps
+{
+    std::vector<LampPatches> patches;
+    Visibility visibility;                // of the same lamps
+    std::vector<LampOnSurfels> onSurfels; // likewise
+
+    CastLamps(std::vector<LampPatches> lamps, Visibility seen, const Surfels& surfels);
+    [[nodiscard]] size_t count() const { return patches.size(); }
 };
 
 /// Everything that the default solver knows of the light of a room.
 struct GatheredLight
 {
-    std::vector<LitLamp> lamps;
-    std::shared_ptr<const Visibility> visibility; // of the same lamps
+    std::shared_ptr<const CastLamps> lamps;
+    std::vector<glm::vec3> radiance; // of each
     std::vector<glm::vec3> indirect; // irradiance at surfels' fronts that did not come from a lamp
 };
 

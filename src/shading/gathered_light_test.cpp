@@ -41,16 +41,17 @@ void forEachShaded(const std::vector<AreaLight>& lamps, glm::vec3 indirect, cons
     for (uint32_t s = 0; s < floor.texels.surfels.count(); ++s)
         fronts.sideOfList.push_back(Side::front(s));
     std::vector<std::vector<AreaSample>> coarse;
-    std::vector<LitLamp> lit;
+    std::vector<LampPatches> patches;
     for (const AreaLight& light : lamps) {
         coarse.push_back(directOfLists(floor.texels, floor.rays, fronts, {light}));
-        lit.push_back({LampPatches(light), {3.0f, 2.0f, 1.0f}});
+        patches.emplace_back(light);
     }
-    const auto light = std::make_shared<GatheredLight>(
-        GatheredLight{std::move(lit),
-                      std::make_shared<const Visibility>(floor.texels, floor.rays, lamps, coarse,
-                                                         VisibilityOptions{}),
-                      std::vector<glm::vec3>(floor.texels.surfels.count(), indirect)});
+    const auto light = std::make_shared<GatheredLight>(GatheredLight{
+        std::make_shared<const CastLamps>(std::move(patches),
+                                          Visibility(floor.texels, floor.rays, lamps, coarse, {}),
+                                          floor.texels.surfels),
+        std::vector(lamps.size(), glm::vec3(3.0f, 2.0f, 1.0f)),
+        std::vector<glm::vec3>(floor.texels.surfels.count(), indirect)});
     const TexelShading shade = shadingOf(floor.texels, light);
     const TexelLoader loader(floor.texels, 0);
     const size_t texels = floor.texels.pages[0].count();

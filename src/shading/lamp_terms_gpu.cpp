@@ -71,17 +71,17 @@ std::vector<glm::uvec2> probesOfSurfels(const Visibility::Probes& probes)
 } // namespace
 
 LampTermsGpu::LampTermsGpu(const gpu::Device& device, const Surfels& surfels,
-                           const GatheredLight& light, std::vector<float> scales)
+                           const CastLamps& lamps, std::vector<float> scales)
     : device_(device), keep_(device, kLampTermsSpirv), sum_(device, kLampTermsSumSpirv),
-      scales_(std::move(scales)), probes_(device, placesOf(light.visibility->probes())),
-      probesOf_(device, probesOfSurfels(light.visibility->probes())),
-      radiance_(device, termsOf(light.lamps.size(), 2)),
+      scales_(std::move(scales)), probes_(device, placesOf(lamps.visibility.probes())),
+      probesOf_(device, probesOfSurfels(lamps.visibility.probes())),
+      radiance_(device, termsOf(lamps.count(), 2)),
       written_(device, radiance_.buffer().size(), gpu::Buffer::Place::host)
 {
-    for (size_t l = 0; l < light.lamps.size(); ++l)
-        lamps_.push_back({{device, entriesOf(light.lamps[l].patches)},
-                          {device, seenBy(*light.visibility, l, surfels.count())},
-                          {device, inFours(light.visibility->sharesOf(l))}});
+    for (size_t l = 0; l < lamps.count(); ++l)
+        lamps_.push_back({{device, entriesOf(lamps.patches[l])},
+                          {device, seenBy(lamps.visibility, l, surfels.count())},
+                          {device, inFours(lamps.visibility.sharesOf(l))}});
 }
 
 void LampTermsGpu::setPowers(gpu::Commands& commands, std::span<const glm::vec3> radiance)

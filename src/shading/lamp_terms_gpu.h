@@ -17,7 +17,7 @@ class LampTermsGpu
 {
 public:
     /// `scales` are of the lamps: their terms are kept times this, as halves.
-    LampTermsGpu(const gpu::Device& device, const Surfels& surfels, const GatheredLight& light,
+    LampTermsGpu(const gpu::Device& device, const Surfels& surfels, const CastLamps& lamps,
                  std::vector<float> scales);
 
     /// From these commands on lamps shine like this; one call before the commands run.

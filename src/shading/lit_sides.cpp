@@ -180,24 +180,8 @@ std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scen
     return std::move(directOfLists(texels, scene, hits, {&lamp, 1}, {}).front());
 }
 
-void addDirect(std::span<const AreaSample> ofLamp, glm::vec3 radiance,
-               std::span<glm::vec3> irradiance)
-{
-    forEach(irradiance.size(), [&](size_t i) { irradiance[i] += ofLamp[i].visible * radiance; });
-}
-
 namespace
 {
-
-/// Sides before anything is gathered.
-LitSides darkSides(const SurfelRadiance& radiance, std::vector<glm::vec3> direct,
-                   std::span<const uint8_t> shines, const OutsideLight& outside)
-{
-    LitSides sides{.field = fieldOf(radiance), .direct = std::move(direct)};
-    sides.field.shines.assign(shines.begin(), shines.end());
-    sides.field.outside = outside;
-    return sides;
-}
 
 /// What the sides send on of the light that they gathered. `least`: what the texture shows of
 /// burnt-out walls.
@@ -220,26 +204,22 @@ void sendOn(const Texels& texels, const HitLists& hits, const SurfelRadiance& ra
 
 LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
                     std::vector<glm::vec3> direct, std::span<const uint8_t> shines,
-                    const OutsideLight& outside)
+                    const OutsideLight& outside, std::optional<Gathered> settled)
 {
-    LitSides sides = darkSides(radiance, std::move(direct), shines, outside);
+    LitSides sides{.field = fieldOf(radiance), .direct = std::move(direct)};
+    sides.field.shines.assign(shines.begin(), shines.end());
+    sides.field.outside = outside;
     const std::vector<glm::vec3> least = sides.field.clipped;
+    if (settled) {
+        sides.gathered = *std::move(settled);
+        sendOn(texels, hits, radiance, least, sides);
+        return sides;
+    }
     const SettlingGather settling(hits, sides.field);
     for (int round = 0; round < kLitSidesRounds; ++round) {
         sides.gathered = settling.gather(sides.field);
         sendOn(texels, hits, radiance, least, sides);
     }
-    return sides;
-}
-
-LitSides sidesFrom(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
-                   ArrivingLight light, std::span<const uint8_t> shines,
-                   const OutsideLight& outside)
-{
-    LitSides sides = darkSides(radiance, std::move(light.direct), shines, outside);
-    const std::vector<glm::vec3> least = sides.field.clipped;
-    sides.gathered = std::move(light.gathered);
-    sendOn(texels, hits, radiance, least, sides);
     return sides;
 }
 

@@ -5,6 +5,7 @@
 #include "shading/gather.h"
 #include "shading/hit_lists.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,10 +39,6 @@ std::vector<std::vector<AreaSample>> directOfLists(const Texels& texels, const R
 std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scene,
                                       const HitLists& hits, const SoughtLamp& lamp);
 
-/// Adds what a lamp does at `radiance`.
-void addDirect(std::span<const AreaSample> ofLamp, glm::vec3 radiance,
-               std::span<glm::vec3> irradiance);
-
 /// Standard errors of the surfels around each, itself among them: the root of their mean square.
 /// For values that few rays tell, of places of much the same light: a surfel's own is a guess then,
 /// and the lower the darker what they met by chance. Beside something very bright it is too much.
@@ -74,21 +71,10 @@ void guessBurntOut(const Texels& texels, const SurfelRadiance& radiance,
 /// Settles what the texture does not show: burnt-out walls send out albedo * irradiance / pi and
 /// not the white that they show, backs are lit by what is behind them. `shines` marks the lamps'
 /// surfels.
-/// `direct` is the irradiance from all lamps, one a list.
+/// `direct` is the irradiance from all lamps, one a list. `settled`: what somebody else has found
+/// that sides gather.
 LitSides lightSides(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
                     std::vector<glm::vec3> direct, std::span<const uint8_t> shines,
-                    const OutsideLight& outside);
-
-/// Light that arrives at sides, one entry a list.
-struct ArrivingLight
-{
-    std::vector<glm::vec3> direct; // as LitSides
-    Gathered gathered;             // settled
-};
-
-/// The same where somebody else has settled what they gather.
-LitSides sidesFrom(const Texels& texels, const HitLists& hits, const SurfelRadiance& radiance,
-                   ArrivingLight light, std::span<const uint8_t> shines,
-                   const OutsideLight& outside);
+                    const OutsideLight& outside, std::optional<Gathered> settled = {});
 
 } // namespace relamp

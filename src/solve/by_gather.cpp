@@ -74,10 +74,9 @@ glm::vec3 meanOf(std::span<const Fixture> group)
 }
 
 /// What a person says is known; a lamp that is as it was found is as sure as then.
-void setRadiance(FoundLamp& lamp, glm::vec3 radiance, const Fixture& found)
+void setError(FoundLamp& lamp, glm::vec3 radiance, const Fixture& found)
 {
     const bool isAsFound = radiance == found.radiance;
-    lamp.radiance = radiance;
     lamp.logError = isAsFound ? found.error : glm::vec3(0.0f);
     lamp.isDetermined = !isAsFound || found.determined;
 }
@@ -131,7 +130,7 @@ void GatherSolver::keep(SolvedRoom room, const DelightOptions& asked,
 {
     kept_.emplace(KeptRoom{.room = std::move(room), .asked = asked});
     kept_->found = lightsOf(kept_->room.found);
-    kept_->powers = powersOf(kept_->room);
+    kept_->powers = kept_->room.found.found.powers;
     kept_->engine.of(asked.engine, [&] { return std::move(engine); });
 }
 
@@ -141,22 +140,21 @@ LampPowers GatherSolver::setPowers(const Lights& lights)
     FoundRoom& room = kept_->room.found;
     LampPowers powers{.outside = {lights.ambient, kept_->powers.outside.ratios()}};
     glm::vec3 share(1.0f);
-    if (room.sun) {
-        room.sun->sun.irradiance = lights.sun ? lights.sun->irradiance : glm::vec3(0.0f);
-        share = shareOf(room.sun->sun.irradiance, kept_->found.sun->irradiance);
+    if (auto& sun = room.found.sun) {
+        sun->sun.irradiance = lights.sun ? lights.sun->irradiance : glm::vec3(0.0f);
+        share = shareOf(sun->sun.irradiance, kept_->found.sun->irradiance);
     }
     for (size_t l = 0; l < room.found.lamps.size(); ++l) {
         FoundLamp& lamp = room.found.lamps[l];
         if (lamp.isSunlit) {
-            lamp.radiance = share * kept_->powers.lamps[l];
-        } else {
-            const Lights& found = kept_->found;
-            setRadiance(lamp, meanOf(namedBy(lamp.labels, lights)),
-                        found.fixtures[found.placeOf(lamp.labels.front().id)]);
+            powers.lamps.push_back(share * kept_->powers.lamps[l]);
+            continue;
         }
-        powers.lamps.push_back(lamp.radiance);
+        const Lights& found = kept_->found;
+        powers.lamps.push_back(meanOf(namedBy(lamp.labels, lights)));
+        setError(lamp, powers.lamps.back(), found.fixtures[found.placeOf(lamp.labels.front().id)]);
     }
-    if (room.sun) powers.lamps.push_back(sunRadiance(room.sun->sun));
+    if (room.found.sun) powers.lamps.push_back(sunRadiance(room.found.sun->sun));
     return powers;
 }
 
@@ -168,7 +166,6 @@ Solution GatherSolver::reevaluate(const Lights& lights, const AlbedoOptions& alb
     SolvedRoom& room = kept_->room;
     const LampPowers powers = setPowers(lights);
     room.found.tempering = lights.tempering;
-    room.found.shines = shinesOf(room.found);
     const auto& engine = kept_->engine.of(kept_->asked.engine, [&] {
         return std::make_shared<ReevaluateEngine>(texels_, kept_->asked.engine);
     });

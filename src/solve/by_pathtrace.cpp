@@ -111,27 +111,28 @@ TracedRoom tracedRoomOf(const Texels& texels, const FoundRoom& room, std::vector
 {
     std::vector<Shiner> shiners;
     std::vector<glm::vec3> emission(texels.surfels.count(), glm::vec3(0.0f));
-    for (const FoundLamp& lamp : room.found.lamps) {
-        shiners.push_back({lamp.patches, lamp.radiance});
+    for (size_t l = 0; l < room.found.lamps.size(); ++l) {
+        const Shiner& lamp =
+            shiners.emplace_back(Shiner{room.found.lamps[l].patches, room.found.powers.lamps[l]});
         for (const ClippedPatch& patch : lamp.patches)
             if (patch.surfel != Surfels::kNone) emission[patch.surfel] = lamp.radiance;
     }
     TracedRoom traced{.albedo = std::move(albedo),
-                      .shines = room.shines,
+                      .shines = shinesOf(room, room.found.powers),
                       .emission = std::move(emission),
                       .isClipped = room.radiance.isClipped,
                       .lamps = LampSurface(lampTexels(texels, room.radiance, shiners)),
-                      .ambient = room.found.outside.even(),
+                      .ambient = room.found.powers.outside.even(),
                       .outside = {},
                       .unseenLights = {}};
-    if (const auto& sun = room.sun)
-        traced.unseenLights = [outside = sun->outside, disc = sun->disc,
-                               radiance = sunRadiance(sun->sun)](const TexelSite& place,
-                                                                 Random& random) {
-            const AreaSample one =
-                sampleAreaLight(*outside, disc, place.position, place.normal, 1, random.next());
-            return one.visible / kPi * radiance;
-        };
+    if (const auto& sun = room.found.sun)
+        traced.unseenLights =
+            [outside = sun->outside, disc = AreaLight(sunDisc(sun->sun, *texels.scan)),
+             radiance = room.found.powers.lamps.back()](const TexelSite& place, Random& random) {
+                const AreaSample one =
+                    sampleAreaLight(*outside, disc, place.position, place.normal, 1, random.next());
+                return one.visible / kPi * radiance;
+            };
     return traced;
 }
 

@@ -61,8 +61,8 @@ private:
     {
         FoundRoom found;
         found.radiance = collectRadiance(texels, progress);
-        found.found.lamps.push_back({.patches = found.radiance.clipped, .radiance = radiance});
-        found.shines = shinesOf(found.found, texels.surfels.count());
+        found.found.lamps.push_back({.patches = found.radiance.clipped});
+        found.found.powers.lamps = {radiance};
         return tracedRoomOf(texels, found, found.radiance.plain); // as yet the texture is the paper
     }
 };

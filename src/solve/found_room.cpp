@@ -9,6 +9,7 @@
 #include "lights/fixture_map.h"
 #include "lights/point_light.h"
 #include "lights/surfel_radiance.h"
+#include "shading/direct_sum.h"
 #include "shading/lit_sides.shared.h"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ GatherOptions withRays(GatherOptions options, size_t surfels)
     return options;
 }
 
-Fixture fixtureOf(const FoundLamp& lamp, std::span<const ClippedPatch> patches)
+Fixture fixtureOf(const FoundLamp& lamp, glm::vec3 radiance, std::span<const ClippedPatch> patches)
 {
     Fixture fixture;
     glm::vec3 normal(0.0f);
@@ -69,7 +70,7 @@ Fixture fixtureOf(const FoundLamp& lamp, std::span<const ClippedPatch> patches)
     fixture.centre /= fixture.area;
     const float length = glm::length(normal);
     if (length > kNoFacing * fixture.area) fixture.normal = normal / length;
-    fixture.radiance = lamp.radiance;
+    fixture.radiance = radiance;
     fixture.error = lamp.logError;
     fixture.determined = lamp.isDetermined;
     return fixture;
@@ -93,46 +94,30 @@ void label(FoundLamps& found, const Texels& texels, Progress& progress)
     }
 }
 
-/// Irradiance from all lamps, one a hit list. Lamps that were not looked at yet are now.
-std::vector<glm::vec3> directOf(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                                FoundLamps& found)
+/// Lamps that were not looked at yet are now.
+void lookAtAll(const Texels& texels, const RayScene& scene, const HitLists& hits, FoundLamps& found)
 {
-    std::vector<glm::vec3> direct(hits.sideOfList.size(), glm::vec3(0.0f));
-    for (FoundLamp& lamp : found.lamps) {
+    for (FoundLamp& lamp : found.lamps)
         if (lamp.onSides.empty())
             lamp.onSides =
                 directOfLists(texels, scene, hits,
                               {AreaLight(lamp.patches), raysToGroup(singlesOf(lamp).size())});
-        addDirect(lamp.onSides, lamp.radiance, direct);
-    }
-    return direct;
-}
-
-LitSides sidesOf(const Texels& texels, const RayScene& scene, FoundRoom& room)
-{
-    std::vector<glm::vec3> direct = directOf(texels, scene, room.hits, room.found);
-    if (room.sun) addDirect(room.sun->onSides, sunRadiance(room.sun->sun), direct);
-    return lightSides(texels, room.hits, room.radiance, std::move(direct), room.shines,
-                      room.found.outside);
-}
-
-SunOnRoom sunOn(FoundSun found, const Texels& texels)
-{
-    AreaLight disc(sunDisc(found.sun, *texels.scan));
-    return {.sun = found.sun,
-            .disc = std::move(disc),
-            .outside = std::move(found.outside),
-            .onSides = std::move(found.onSides)};
 }
 
 /// The sun lights what it is seen from; what the texture shows to lie in shade, it does not.
-void letIn(SunOnRoom sun, const Texels& texels, const RayScene& scene, FoundRoom& room)
+void letSunIn(const Texels& texels, FoundRoom& room)
 {
-    room.shines = shinesOf(room);
-    room.sides = sidesOf(texels, scene, room);
+    FoundSun& sun = *room.found.sun;
     sun.inShade = markShade(sun.sun, texels, room.radiance, room.sides, sun.onSides);
-    room.sun = std::move(sun);
-    room.sides = sidesOf(texels, scene, room);
+    room.found.powers.lamps.push_back(sunRadiance(sun.sun));
+    room.sides = sidesOf(texels, room);
+}
+
+/// Lights a room by its lamps alone.
+void lightByLamps(const Texels& texels, const RayScene& scene, FoundRoom& room)
+{
+    lookAtAll(texels, scene, room.hits, room.found);
+    room.sides = sidesOf(texels, room);
 }
 
 /// Takes out of the radiance what the camera made of it.
@@ -151,12 +136,8 @@ void search(const Texels& texels, const RayScene& scene, Progress& progress, Fou
     room.warnings = room.found.warnings;
     linearize(texels, room);
     const Progress::Stage stage(progress, "sun");
-    if (room.found.sun) {
-        letIn(sunOn(*std::exchange(room.found.sun, {}), texels), texels, scene, room);
-    } else {
-        room.shines = shinesOf(room);
-        room.sides = sidesOf(texels, scene, room);
-    }
+    lightByLamps(texels, scene, room);
+    if (room.found.sun) letSunIn(texels, room);
     label(room.found, texels, progress);
 }
 
@@ -175,27 +156,29 @@ void take(const Lights& given, const DelightOptions& options, const Texels& texe
     room.found.camera = given.camera;
     linearize(texels, room);
     if (given.openings.size() == room.hits.shareOfPart.size())
-        room.found.outside = {given.ambient, given.openings};
-    room.shines = shinesOf(room);
-    room.sides = sidesOf(texels, scene, room);
+        room.found.powers.outside = {given.ambient, given.openings};
+    lightByLamps(texels, scene, room);
     if (!given.sun) return;
     FoundLamps panes;
     for (const auto& surface : surfaces) panes.lamps.push_back({.patches = surface});
     const auto outside =
         std::make_shared<const RayScene>(sceneWithoutPanes(texels, room.radiance, panes));
     const AreaLight disc(sunDisc(*given.sun, *texels.scan));
-    std::vector<AreaSample> onSides = directOfLists(texels, *outside, room.hits, {disc});
-    letIn(sunOn({*given.sun, outside, std::move(onSides)}, texels), texels, scene, room);
+    room.found.sun = {*given.sun, outside, directOfLists(texels, *outside, room.hits, {disc})};
+    letSunIn(texels, room);
 }
 
-/// Where the lamps are that shine, and no more of them.
-FoundLamps litOf(const FoundRoom& room, bool withSunlit)
+/// Marks the surfels of the lamps that shine.
+std::vector<uint8_t> marked(const FoundRoom& room, const LampPowers& powers, bool withSunlit)
 {
-    FoundLamps lit;
-    for (const FoundLamp& lamp : room.found.lamps)
-        if (lamp.radiance != glm::vec3(0.0f) && (withSunlit || !lamp.isSunlit))
-            lit.lamps.push_back({.patches = lamp.patches});
-    return lit;
+    std::vector<uint8_t> shines(room.radiance.plain.size(), 0);
+    for (size_t l = 0; l < room.found.lamps.size(); ++l) {
+        const FoundLamp& lamp = room.found.lamps[l];
+        if (powers.lamps[l] == glm::vec3(0.0f) || (lamp.isSunlit && !withSunlit)) continue;
+        for (const ClippedPatch& patch : lamp.patches)
+            if (patch.surfel != Surfels::kNone) shines[patch.surfel] = 1;
+    }
+    return shines;
 }
 
 } // namespace
@@ -228,7 +211,7 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
         take(*options.lights, options, texels, scene, progress, room);
     else
         search(texels, scene, progress, room);
-    if (room.found.lamps.empty() && !room.sun)
+    if (room.found.lamps.empty() && !room.found.sun)
         room.warnings.emplace_back("no lamp was found; the room is taken to be lit from "
                                    "outside alone. Point at one with --light or --lights");
     return room;
@@ -237,16 +220,17 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
 Lights lightsOf(const FoundRoom& room)
 {
     Lights lights;
-    lights.ambient = room.found.outside.even();
-    lights.openings = room.found.outside.ratios();
+    lights.ambient = room.found.powers.outside.even();
+    lights.openings = room.found.powers.outside.ratios();
     lights.camera = room.found.camera;
     lights.tempering = room.tempering;
-    if (room.sun) lights.sun = room.sun->sun;
-    for (const FoundLamp& lamp : room.found.lamps) {
+    if (room.found.sun) lights.sun = room.found.sun->sun;
+    for (size_t l = 0; l < room.found.lamps.size(); ++l) {
+        const FoundLamp& lamp = room.found.lamps[l];
         if (lamp.isSunlit) continue;
         const auto singles = singlesOf(lamp);
         for (size_t i = 0; i < singles.size(); ++i) {
-            Fixture fixture = fixtureOf(lamp, singles[i]);
+            Fixture fixture = fixtureOf(lamp, room.found.powers.lamps[l], singles[i]);
             putLabel(lamp.labels[i], fixture);
             if (singles.size() > 1) fixture.group = lamp.labels.front().id;
             lights.points.push_back(
@@ -270,14 +254,35 @@ std::vector<int32_t> fixturesOfSurfels(const FoundRoom& room)
     return fixtureOf;
 }
 
-std::vector<uint8_t> shinesOf(const FoundRoom& room)
+std::span<const AreaSample> onSidesOf(const FoundRoom& room, size_t lamp)
 {
-    return shinesOf(litOf(room, true), room.radiance.plain.size());
+    const std::vector<FoundLamp>& lamps = room.found.lamps;
+    return lamp < lamps.size() ? lamps[lamp].onSides : room.found.sun->onSides;
+}
+
+std::vector<glm::vec3> directOf(const FoundRoom& room)
+{
+    const std::vector<glm::vec3>& radiance = room.found.powers.lamps;
+    std::vector<glm::vec3> direct(room.hits.sideOfList.size(), glm::vec3(0.0f));
+    for (size_t l = 0; l < radiance.size(); ++l) addDirect(onSidesOf(room, l), radiance[l], direct);
+    return direct;
+}
+
+LitSides sidesOf(const Texels& texels, const FoundRoom& room, std::optional<Gathered> settled)
+{
+    const LampPowers& powers = room.found.powers;
+    return lightSides(texels, room.hits, room.radiance, directOf(room), shinesOf(room, powers),
+                      powers.outside, std::move(settled));
+}
+
+std::vector<uint8_t> shinesOf(const FoundRoom& room, const LampPowers& powers)
+{
+    return marked(room, powers, true);
 }
 
 Shining shiningOf(const FoundRoom& room)
 {
-    return {shinesOf(litOf(room, false), room.radiance.plain.size()), 0.0f};
+    return {marked(room, room.found.powers, false), 0.0f};
 }
 
 std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radiance,

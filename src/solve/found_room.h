@@ -22,16 +22,6 @@ namespace relamp
 /// As fine as light changes on walls; coarse for a draft. separateEnclosed has to follow.
 SurfelOptions surfelsOf(const GatherOptions& options);
 
-/// The sun, and what it does to a room.
-struct SunOnRoom
-{
-    Sun sun;
-    AreaLight disc;
-    std::shared_ptr<const RayScene> outside; // what stands before it
-    std::vector<AreaSample> onSides;         // at radiance 1, one a hit list
-    TexelMarks inShade;                      // see markShade
-};
-
 /// A scan whose lamps are known: where the solvers start that shade by area and shadow.
 struct FoundRoom
 {
@@ -40,12 +30,10 @@ struct FoundRoom
     std::vector<glm::vec3> texture; // what SurfelRadiance::plain was without it; empty: the same
     GatherOptions options;          // with what was left open filled in
     HitLists hits;
-    FoundLamps found;             // or as a person gave them
-    bool isGiven = false;         // the latter
-    Tempering tempering;          // of its shading
-    std::vector<uint8_t> shines;  // of surfels; not 0: its burnt-out texels are a lamp's
-    std::optional<SunOnRoom> sun; // that shines in
-    LitSides sides;               // the light as the texture tells it
+    FoundLamps found;     // or as a person gave them
+    bool isGiven = false; // the latter
+    Tempering tempering;  // of its shading
+    LitSides sides;       // the light as the texture tells it
     std::vector<std::string> warnings;
 };
 
@@ -60,8 +48,18 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
 /// Lamps and the sun as people see and edit them.
 Lights lightsOf(const FoundRoom& room);
 
-/// Marks the surfels whose burnt-out texels belong to a lamp that shines, or are a patch of sun.
-std::vector<uint8_t> shinesOf(const FoundRoom& room);
+/// What a lamp does at radiance 1, one a hit list; the sun comes behind all lamps.
+std::span<const AreaSample> onSidesOf(const FoundRoom& room, size_t lamp);
+
+/// Irradiance from lamps and sun, one a hit list.
+std::vector<glm::vec3> directOf(const FoundRoom& room);
+
+/// The light at all sides under the room's powers; `settled` as lightSides().
+LitSides sidesOf(const Texels& texels, const FoundRoom& room, std::optional<Gathered> settled = {});
+
+/// Marks the surfels whose burnt-out texels belong to a lamp that shines under `powers`, or are a
+/// patch of sun.
+std::vector<uint8_t> shinesOf(const FoundRoom& room, const LampPowers& powers);
 
 /// Whose the burnt-out texels of each surfel are, as fixtureMapOf() takes it; lamps that are off
 /// have theirs, a patch of sun has none.

@@ -25,14 +25,16 @@ std::vector<glm::vec3> indirectOf(const Texels& texels, const SolvedRoom& room)
 
 /// What a lamp would bring to every surfel's front with nothing in the way, of all the light there.
 std::vector<float> openShares(const FoundRoom& room, std::span<const glm::vec3> indirect,
-                              std::span<const AreaSample> onSides, glm::vec3 radiance)
+                              size_t lamp)
 {
+    const std::span<const AreaSample> onSides = onSidesOf(room, lamp);
+    const float brightness = luminance(room.found.powers.lamps[lamp]);
     std::vector<float> shares(indirect.size());
     forEach(shares.size(), [&](size_t s) {
         const Side side = Side::front(static_cast<uint32_t>(s));
         const auto front = static_cast<size_t>(room.hits.listOfSide[side.index]);
         const float all = luminance(room.sides.direct[front] + indirect[s]);
-        shares[s] = onSides[front].open * luminance(radiance) / std::max(all, kHardlyLit);
+        shares[s] = onSides[front].open * brightness / std::max(all, kHardlyLit);
     });
     return shares;
 }
@@ -40,46 +42,34 @@ std::vector<float> openShares(const FoundRoom& room, std::span<const glm::vec3> 
 std::shared_ptr<const GatheredLight> lightOf(const Texels& texels, const RayScene& scene,
                                              const FoundRoom& room, std::vector<glm::vec3> indirect)
 {
-    std::vector<LitLamp> lamps;
+    std::vector<LampPatches> lamps;
     const auto rays = static_cast<size_t>(room.options.shadowRays);
-    const auto visibility = std::make_shared<Visibility>(
-        texels, scene, std::span<const AreaLight>(), std::span<const std::vector<AreaSample>>(),
-        VisibilityOptions{});
-    for (const FoundLamp& lamp : room.found.lamps) {
+    Visibility visibility(texels, scene, {}, {}, {});
+    for (size_t l = 0; l < room.found.lamps.size(); ++l) {
+        const FoundLamp& lamp = room.found.lamps[l];
         const AreaLight area(lamp.patches);
         const size_t singles = singlesOf(lamp).size();
-        lamps.push_back({LampPatches(area), lamp.radiance});
-        visibility->add(scene, area, lamp.onSides, rays * raysToGroup(singles),
-                        openShares(room, indirect, lamp.onSides, lamp.radiance));
+        lamps.emplace_back(area);
+        visibility.add(scene, area, lamp.onSides, rays * raysToGroup(singles),
+                       openShares(room, indirect, l));
     }
-    if (const auto& sun = room.sun) {
-        const glm::vec3 radiance = sunRadiance(sun->sun);
-        lamps.push_back({LampPatches(sun->disc), radiance});
-        visibility->add(*sun->outside, sun->disc, sun->onSides, rays,
-                        openShares(room, indirect, sun->onSides, radiance), sun->inShade);
+    if (const auto& sun = room.found.sun) {
+        const AreaLight disc(sunDisc(sun->sun, *texels.scan));
+        lamps.emplace_back(disc);
+        visibility.add(*sun->outside, disc, sun->onSides, rays,
+                       openShares(room, indirect, room.found.lamps.size()), sun->inShade);
     }
-    return std::make_shared<const GatheredLight>(
-        GatheredLight{std::move(lamps), visibility, std::move(indirect)});
+    return std::make_shared<const GatheredLight>(GatheredLight{
+        std::make_shared<const CastLamps>(std::move(lamps), std::move(visibility), texels.surfels),
+        room.found.powers.lamps, std::move(indirect)});
 }
 
-/// Irradiance of all lists by lamps alone.
-std::vector<glm::vec3> directUnder(const SolvedRoom& room, const LampPowers& powers)
+/// Lets all follow that the light between surfels leads to.
+void shine(const Texels& texels, SolvedRoom& room, std::vector<glm::vec3> indirect)
 {
-    std::vector<glm::vec3> direct(room.found.hits.sideOfList.size(), glm::vec3(0.0f));
-    for (size_t l = 0; l < powers.lamps.size(); ++l)
-        addDirect(onSidesOf(room, l), powers.lamps[l], direct);
-    return direct;
-}
-
-/// Lets the room's lamps shine like this.
-void shine(const Texels& texels, SolvedRoom& room, const LampPowers& powers,
-           std::vector<glm::vec3> indirect)
-{
-    const auto light = std::make_shared<GatheredLight>(*room.light);
-    for (size_t l = 0; l < powers.lamps.size(); ++l) light->lamps[l].radiance = powers.lamps[l];
-    light->indirect = std::move(indirect);
-    room.lighting = lightOnSurfels(texels.surfels, *light);
-    room.light = light;
+    room.light = std::make_shared<const GatheredLight>(
+        GatheredLight{room.light->lamps, room.found.found.powers.lamps, std::move(indirect)});
+    room.lighting = lightOnSurfels(texels.surfels, *room.light);
 }
 
 } // namespace
@@ -104,39 +94,22 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
     return room;
 }
 
-std::span<const AreaSample> onSidesOf(const SolvedRoom& room, size_t lamp)
-{
-    const std::vector<FoundLamp>& lamps = room.found.found.lamps;
-    return lamp < lamps.size() ? lamps[lamp].onSides : room.found.sun->onSides;
-}
-
-LampPowers powersOf(const SolvedRoom& room)
-{
-    LampPowers powers{.outside = room.found.found.outside};
-    for (const LitLamp& lamp : room.light->lamps) powers.lamps.push_back(lamp.radiance);
-    return powers;
-}
-
 void reevaluate(const Texels& texels, SolvedRoom& room, const LampPowers& powers)
 {
-    FoundRoom& found = room.found;
-    found.sides = lightSides(texels, found.hits, found.radiance, directUnder(room, powers),
-                             found.shines, powers.outside);
-    found.found.outside = powers.outside;
-    shine(texels, room, powers, indirectOf(texels, room));
+    room.found.found.powers = powers;
+    room.found.sides = sidesOf(texels, room.found);
+    shine(texels, room, indirectOf(texels, room));
 }
 
 void reevaluate(const Texels& texels, SolvedRoom& room, const LampPowers& powers,
                 SettledLight light)
 {
     FoundRoom& found = room.found;
+    found.found.powers = powers;
     Gathered gathered{.irradiance = std::move(light.gathered),
                       .missed = std::move(found.sides.gathered.missed)}; // of the mesh alone
-    found.sides =
-        sidesFrom(texels, found.hits, found.radiance,
-                  {directUnder(room, powers), std::move(gathered)}, found.shines, powers.outside);
-    found.found.outside = powers.outside;
-    shine(texels, room, powers, std::move(light.indirect));
+    found.sides = sidesOf(texels, found, std::move(gathered));
+    shine(texels, room, std::move(light.indirect));
 }
 
 TexelShading shadingOf(const Texels& texels, const SolvedRoom& room)

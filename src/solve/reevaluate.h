@@ -33,19 +33,6 @@ SolvedRoom solvedRoom(
     const Texels& texels, const RayScene& scene, FoundRoom found,
     const std::function<void(const SolvedRoom&)>& meanwhile = [](const auto&) {});
 
-/// How bright the lamps of a room are, and what lies around it.
-struct LampPowers
-{
-    std::vector<glm::vec3> lamps; // radiance of each of SolvedRoom::light
-    OutsideLight outside;
-
-    bool operator==(const LampPowers&) const = default;
-};
-LampPowers powersOf(const SolvedRoom& room);
-
-/// What a lamp does at radiance 1, one a hit list.
-std::span<const AreaSample> onSidesOf(const SolvedRoom& room, size_t lamp);
-
 /// Changes the powers and all light that follows from them; casts no ray and fits nothing again.
 /// The same powers give the same light, to the bit. What shades by the light before goes on to.
 void reevaluate(const Texels& texels, SolvedRoom& room, const LampPowers& powers);

@@ -45,7 +45,7 @@ ReevaluateEngine::ReevaluateEngine(const Texels& texels, const EngineOptions& op
 
 DeviceLayers ReevaluateEngine::reevaluate(SolvedRoom& room, const LampPowers& powers)
 {
-    const auto asked = std::make_shared<const Asked>(Asked{powers, room.found.shines});
+    const auto asked = std::make_shared<const Asked>(Asked{powers, shinesOf(room.found, powers)});
     SettledLight light;
     if (!settle(room, *asked, light)) {
         relamp::reevaluate(texels_, room, powers);

@@ -24,9 +24,10 @@ std::vector<double> numbersOf(std::span<const glm::vec3> values)
 std::vector<float> scalesOf(const SolvedRoom& room)
 {
     std::vector<float> scales;
-    for (size_t l = 0; l < room.light->lamps.size(); ++l) {
+    for (size_t l = 0; l < room.light->lamps->count(); ++l) {
         float most = 0.0f;
-        for (const AreaSample& sample : onSidesOf(room, l)) most = std::max(most, sample.open);
+        for (const AreaSample& sample : onSidesOf(room.found, l))
+            most = std::max(most, sample.open);
         scales.push_back(most > 0.0f ? 1.0f / most : 1.0f);
     }
     return scales;
@@ -35,9 +36,9 @@ std::vector<float> scalesOf(const SolvedRoom& room)
 std::vector<std::vector<float>> onListsOf(const SolvedRoom& room)
 {
     std::vector<std::vector<float>> onLists;
-    for (size_t l = 0; l < room.light->lamps.size(); ++l) {
+    for (size_t l = 0; l < room.light->lamps->count(); ++l) {
         std::vector<float>& ofLamp = onLists.emplace_back();
-        for (const AreaSample& sample : onSidesOf(room, l)) ofLamp.push_back(sample.visible);
+        for (const AreaSample& sample : onSidesOf(room.found, l)) ofLamp.push_back(sample.visible);
     }
     return onLists;
 }
@@ -82,19 +83,19 @@ struct ReevaluateGpu::Page
 ReevaluateGpu::ReevaluateGpu(const gpu::Device& device, const Texels& texels,
                              const SolvedRoom& room, uint64_t budget)
     : device_(device), texels_(texels), shade_(device, kReevaluateSpirv),
-      surfels_(device, texels.surfels),
-      sides_(device, room.found.hits, room.found.radiance, {room.found.shines, room.lit}),
-      lamps_(device, texels.surfels, *room.light, scalesOf(room)),
+      surfels_(device, texels.surfels), sides_(device, room.found.hits, room.found.radiance,
+                                               {room.found.sides.field.shines, room.lit}),
+      lamps_(device, texels.surfels, *room.light->lamps, scalesOf(room)),
       layers_(device, texels.surfels.count()), padding_(device),
       termsOfLists_(lamps_.keep(onListsOf(room), sides_.lists())),
       directOfLists_(device, sides_.lists()),
       pages_(
           device, texels.pages.size(), budgetOf(device, budget, texels),
-          [&texels, lamps = room.light->lamps.size()](size_t page) {
+          [&texels, lamps = room.light->lamps->count()](size_t page) {
               return Page::bytesOf(texels, page, lamps);
           },
           [&device, &texels, linearization = room.found.linearization,
-           lamps = room.light->lamps.size()](size_t page) {
+           lamps = room.light->lamps->count()](size_t page) {
               return std::make_unique<Page>(device, texels, page, linearization, lamps);
           })
 {}

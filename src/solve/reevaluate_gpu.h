@@ -31,7 +31,7 @@ public:
                   uint64_t budget = 0);
     ~ReevaluateGpu();
 
-    /// The light of the room's surfels. `shines` as FoundRoom under these powers.
+    /// The light of the room's surfels. `shines` as shinesOf() these powers.
     std::vector<gpu::Timing> gather(const LampPowers& powers, std::span<const uint8_t> shines);
     /// Shading of one page under the powers of gather(), which came before. What is read below is
     /// this page's.

@@ -58,7 +58,7 @@ LampPowers others(LampPowers powers)
 struct ReevaluateTwins
 {
     ReevaluateTwins(const gpu::Device& device, Scan scan)
-        : room(std::move(scan)), found(powersOf(room.solved)), powers(others(found)),
+        : room(std::move(scan)), found(room.solved.found.found.powers), powers(others(found)),
           gpu(device, room.texels, room.solved)
     {
         gather(found); // that it has to change
@@ -70,7 +70,7 @@ struct ReevaluateTwins
 
     std::vector<gpu::Timing> gather(const LampPowers& under)
     {
-        return gpu.gather(under, room.solved.found.shines);
+        return gpu.gather(under, room.solved.found.sides.field.shines);
     }
 
     [[nodiscard]] size_t pages() const { return room.texels.pages.size(); }
@@ -146,7 +146,7 @@ TEST_P(GpuReevaluate, LightsSurfelsAsTheCpuDoes)
 {
     const ReevaluateTwins& room = twins();
     ASSERT_EQ(room.powers.lamps.empty(), GetParam() == std::string("NoLamp"));
-    ASSERT_EQ(room.room.solved.found.sun.has_value(), GetParam() == std::string("Sun"));
+    ASSERT_EQ(room.room.solved.found.found.sun.has_value(), GetParam() == std::string("Sun"));
     const std::vector<glm::vec4> found = room.gpu.indirectOnSurfels();
     Apart indirect(0.02f);
     Apart lit(0.02f);
@@ -227,7 +227,7 @@ TEST_F(GpuReevaluatePages, TakeTurnsWhereMemoryIsShort)
 {
     ReevaluateTwins room(device(), roomOfTwoPages());
     ReevaluateGpu oneAtATime(device(), room.room.texels, room.room.solved, 1);
-    oneAtATime.gather(room.powers, room.room.solved.found.shines);
+    oneAtATime.gather(room.powers, room.room.solved.found.sides.field.shines);
     oneAtATime.setSurfels(room.said);
     for (const size_t p : {0u, 1u, 0u}) {
         room.gpu.divide(p, {});

@@ -13,7 +13,7 @@ TEST(Reevaluate, SamePowersGiveTheSameLight)
 {
     scenes::Solved room(scenes::LitRoom().scan);
     const std::vector<glm::vec3> before = room.solved.light->indirect;
-    const LampPowers powers = powersOf(room.solved);
+    const LampPowers powers = room.solved.found.found.powers;
     ASSERT_FALSE(powers.lamps.empty());
     reevaluate(room.texels, room.solved, powers);
     EXPECT_EQ(room.solved.light->indirect, before);
@@ -31,7 +31,7 @@ TEST(Reevaluate, SamePowersGiveTheSameLight)
 TEST(Reevaluate, TwiceThePowerIsTwiceTheDirectLight)
 {
     scenes::Solved room(scenes::LitRoom().scan);
-    LampPowers powers = powersOf(room.solved);
+    LampPowers powers = room.solved.found.found.powers;
     const std::vector<glm::vec3> once =
         lightOnSurfels(room.texels.surfels, *room.solved.light).irradiance;
     const std::vector<glm::vec3> indirect = room.solved.light->indirect;
