@@ -1,5 +1,6 @@
 #include "command.h"
 #include "interrupt.h"
+#include "place_arguments.h"
 #include "scan_arguments.h"
 #include "terminal.h"
 
@@ -32,8 +33,6 @@ struct DelightArguments
     std::filesystem::path folder;
     std::filesystem::path lights;
     std::vector<float> attenuation;
-    std::vector<float> lightsAt;
-    std::vector<float> notLightsAt;
     bool quiet = false;
     bool json = false;
     bool force = false;
@@ -119,18 +118,6 @@ void addThesisParameters(CLI::App& command, DelightArguments& arguments)
         ->group(group);
 }
 
-void addPlaces(CLI::App& command, const char* name, std::vector<float>& numbers, const char* what)
-{
-    command.add_option(name, numbers, what)
-        ->delimiter(',')
-        ->type_size(3)
-        ->expected(1)
-        ->take_all()
-        ->type_name("X,Y,Z")
-        ->check(between(-1e6, 1e6))
-        ->group(kGatherGroup);
-}
-
 void addGatherParameters(CLI::App& command, DelightArguments& arguments)
 {
     relamp::GatherOptions& gather = arguments.options.gather;
@@ -142,10 +129,18 @@ void addGatherParameters(CLI::App& command, DelightArguments& arguments)
         ->transform(oneOf<relamp::Quality>())
         ->type_name("NAME")
         ->group(kGatherGroup);
-    addPlaces(command, "--light", arguments.lightsAt,
-              "What is burnt out at this place, in metres, is a lamp (repeatable)");
-    addPlaces(command, "--not-a-light", arguments.notLightsAt,
-              "What is burnt out at this place is no lamp (repeatable)");
+    addPlaces(command, "--light", gather.lights,
+              "What is burnt out at this place, in metres, is a lamp (repeatable)")
+        .group(kGatherGroup);
+    addPlaces(command, "--not-a-light", gather.notLights,
+              "What is burnt out at this place is no lamp (repeatable)")
+        .group(kGatherGroup);
+    addSamePaint(command, "--same", gather.same,
+                 "The surfaces at these two places are of one paint (repeatable)")
+        .group(kGatherGroup);
+    addPlaces(command, "--white", gather.white,
+              "The surface at this place is white, as paper is: the scale of albedo (repeatable)")
+        .group(kGatherGroup);
     command
         .add_flag_callback(
             "--no-sun", [&gather] { gather.sun = false; }, "Look for no sun")
@@ -192,14 +187,6 @@ void addPathtraceParameters(CLI::App& command, relamp::PathtraceOptions& pathtra
         ->check(between(1, 65536))
         ->type_name("N")
         ->group(group);
-}
-
-std::vector<glm::vec3> placesFrom(const std::vector<float>& numbers)
-{
-    std::vector<glm::vec3> places;
-    for (size_t i = 0; i + 2 < numbers.size(); i += 3)
-        places.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
-    return places;
 }
 
 /// What the camera did, as far as anything was found.
@@ -274,9 +261,6 @@ int run(DelightArguments& arguments)
         arguments.options.thesis.attenuation = {arguments.attenuation[0], arguments.attenuation[1],
                                                 arguments.attenuation[2]};
 
-    arguments.options.gather.lights = placesFrom(arguments.lightsAt);
-    arguments.options.gather.notLights = placesFrom(arguments.notLightsAt);
-
     if (arguments.options.gather.quality == relamp::Quality::draft)
         arguments.scan.options.longestSide = kDraftSide;
     relamp::Scan scan = relamp::readScan(arguments.scan.file, arguments.scan.options, progress);
@@ -339,5 +323,12 @@ void addDelightCommand(CLI::App& app, Run& run)
                    "  relamp delight kitchen.glb -o kitchen\n"
                    "  relamp delight scan.obj --up z --scale 0.01 -o out\n"
                    "  relamp delight kitchen.glb -o again --lights kitchen/lights.json");
-    command.callback([arguments, &run] { run = [arguments] { return ::run(*arguments); }; });
+    command.callback([arguments, &run] {
+        const relamp::GatherOptions& gather = arguments->options.gather;
+        if (!arguments->lights.empty() && !(gather.same.empty() && gather.white.empty()))
+            throw CLI::ValidationError(
+                "--lights", "nothing is estimated where the lights are given, so that what --same "
+                            "and --white say would change nothing; leave them out, or --lights");
+        run = [arguments] { return ::run(*arguments); };
+    });
 }

@@ -6,6 +6,7 @@
 #include "fit/light_fit.h"
 #include "fit/pieces.h"
 #include "fit/sun_trial.h"
+#include "fit/told_paint.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -71,6 +72,8 @@ private:
     bool isResponseSought_;
     bool isGainSought_;
     Progress::Stage stage_;
+    std::vector<std::string> warnings_;
+    ToldPaint told_; // of surfels
     LampEvidence evidence_;
     std::vector<Piece> pieces_;
     std::vector<uint8_t> emits_; // of pieces
@@ -79,7 +82,6 @@ private:
     LightEstimate estimate_;
     double noise_; // log: between places of one paint
     OutsideLight outside_;
-    std::vector<std::string> warnings_;
     std::shared_ptr<const RayScene> beforeSun_; // what stands before it
     CameraModel camera_;
     double curved_ = 0.0; // how likely its response is not straight; 0: it is taken for that

@@ -72,7 +72,8 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
       isResponseSought_(options.response && isByCamera(*texels.scan)),
       isGainSought_(options.gain && isByCamera(*texels.scan)),
       stage_(progress, "lamps", kSearchSteps),
-      evidence_(texels, scene, hits, radiance, options.quality), noise_(kFirstNoise)
+      told_(toldPaintOf(options, texels.surfels, radiance, warnings_)),
+      evidence_(texels, scene, hits, radiance, options.quality, told_.same), noise_(kFirstNoise)
 {
     callAll([&] { takeCandidates(options, radiance); }, [&] { evidence_.drawAllPairs(); });
 }
@@ -136,7 +137,9 @@ void LampSearch::observe()
 
 LightFit LampSearch::fitOf(size_t pairs) const
 {
-    return {model_, evidence_.pairs(pairs), kin_.alike, noise_};
+    LightFit fit(model_, evidence_.pairs(pairs), kin_.alike, noise_);
+    fit.believe(evidence_.told());
+    return fit;
 }
 
 /// Nats that it takes to believe that a piece emits; none where one does that it is a part of. One
@@ -349,6 +352,7 @@ void LampSearch::findColors()
                 sun_ ? std::optional(sun_->channelOf(static_cast<int>(c))) : std::nullopt;
             LightFit channel(sunny ? *sunny : model_, evidence_.pairs(LampEvidence::kPairs),
                              kin_.alike, noise_, static_cast<int>(c));
+            channel.believe(evidence_.told());
             channel.expectLeaks(estimate_.log);
             colors[c] =
                 channel.solve(emits_, estimate_.log, kColorWidth, {estimate_.log, kColorSpread});
@@ -391,7 +395,8 @@ void LampSearch::letSunIn(const LitSides& sides)
     std::optional<SunFit> fit =
         findSun(texels_, *outside, hits_, evidence_.radiance(),
                 {sides, pieces_, emits_, cost, estimate_.log, model_, evidence_.places(),
-                 evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, noise_, kLampNats});
+                 evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, evidence_.told(), noise_,
+                 kLampNats});
     if (!fit) return;
     for (const size_t perPlace : {LampEvidence::kPairsFirst, LampEvidence::kPairs})
         evidence_.addPairs(perPlace, fit->trial.pairs(evidence_.pairs(perPlace).size()));
@@ -427,10 +432,12 @@ FoundLamps LampSearch::result()
 {
     FoundLamps found{.outside = outside_,
                      .residual = static_cast<float>(estimate_.residual),
-                     .changeUnseen = changeUnseen(
-                         {model_, evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, noise_,
-                          emits_, estimate_.log, camera_, evidence_.texturePlaces()},
-                         texels_.surfels.seed),
+                     .changeUnseen =
+                         changeUnseen({model_, evidence_.pairs(LampEvidence::kPairsFirst),
+                                       kin_.alike, noise_, emits_, estimate_.log, camera_,
+                                       evidence_.texturePlaces(), evidence_.told()},
+                                      texels_.surfels.seed),
+                     .white = std::move(told_.white),
                      .warnings = std::move(warnings_)};
     std::vector<Piece> lamps = this->lamps();
     const auto power = [](const Piece& lamp) {
@@ -459,7 +466,8 @@ double LampSearch::noiseOf(const LightEstimate& estimate)
 
 FoundLamps LampSearch::run()
 {
-    if (!evidence_.tells()) return {.warnings = std::move(warnings_)};
+    if (!evidence_.tells())
+        return {.white = std::move(told_.white), .warnings = std::move(warnings_)};
     observe();
     const LightFit all = fitOf(LampEvidence::kPairsFirst);
     estimate_ = all.solve(emits_, all.beginning(), kFirstWidth);

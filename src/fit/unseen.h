@@ -22,6 +22,7 @@ struct FittedLight
     std::span<const double> log; // as LightEstimate has it
     const CameraModel& camera;
     TexturePlaces texture;
+    std::span<const MaterialPair> told{}; // that a person called one paint
 };
 
 /// By how much the log albedo of places is another where the fit does not look at them: one a

@@ -29,7 +29,6 @@ constexpr float kBent = 0.95f;        // length of a mean normal
 constexpr float kFlat = 0.9f;         // likewise; more faces one way
 constexpr float kTouching = 0.12f;    // m between pieces of one lamp
 constexpr float kBesideCrumb = 1.75f; // surfel sizes
-constexpr float kPointedAt = 0.3f;    // m around a place that a person names
 constexpr float kFading = 0.75f;      // of white, in the channel that burns out first
 constexpr size_t kMostPlanes = 4;     // of one blob
 

@@ -74,6 +74,13 @@ ordered_json placesAsJson(const std::vector<glm::vec3>& places)
     return list;
 }
 
+ordered_json pairsAsJson(const std::vector<SamePaint>& same)
+{
+    ordered_json list = ordered_json::array();
+    for (const auto& [a, b] : same) list.push_back(placesAsJson({a, b}));
+    return list;
+}
+
 ordered_json optionsAsJson(const GatherOptions& gather)
 {
     return {{"quality", nameOf(gather.quality)},
@@ -81,6 +88,8 @@ ordered_json optionsAsJson(const GatherOptions& gather)
             {"shadowRays", gather.shadowRays},
             {"lights", placesAsJson(gather.lights)},
             {"notLights", placesAsJson(gather.notLights)},
+            {"same", pairsAsJson(gather.same)},
+            {"white", placesAsJson(gather.white)},
             {"sun", gather.sun},
             {"response", gather.response},
             {"gain", gather.gain},

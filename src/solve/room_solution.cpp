@@ -10,19 +10,6 @@
 
 namespace relamp
 {
-namespace
-{
-
-/// On surfels, corrected.
-std::vector<glm::vec3> irradianceOf(const SolvedRoom& room)
-{
-    std::vector<glm::vec3> irradiance = room.lighting.irradiance;
-    for (size_t s = 0; s < irradiance.size(); ++s) irradiance[s] *= room.lit[s];
-    return irradiance;
-}
-
-} // namespace
-
 Rating rate(const Texels& texels, const SolvedRoom& room)
 {
     const FoundRoom& found = room.found;
