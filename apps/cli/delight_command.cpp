@@ -1,4 +1,6 @@
+#include "camera_words.h"
 #include "command.h"
+#include "draft.h"
 #include "interrupt.h"
 #include "place_arguments.h"
 #include "scan_arguments.h"
@@ -17,13 +19,12 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace
 {
 
-constexpr int kDraftSide = 512;    // pixels of a draft's textures, at most
-constexpr size_t kMostListed = 12; // lamps in the summary
+constexpr size_t kMostListed = 12;            // lamps in the summary
+constexpr const char* kStraight = "straight"; // --response of a camera that applied no curve
 constexpr const char* kGatherGroup = "Parameters of the gather solver (it needs none)";
 
 struct DelightArguments
@@ -32,6 +33,7 @@ struct DelightArguments
     relamp::DelightOptions options;
     std::filesystem::path folder;
     std::filesystem::path lights;
+    std::string response;
     std::vector<float> attenuation;
     bool quiet = false;
     bool json = false;
@@ -146,9 +148,11 @@ void addGatherParameters(CLI::App& command, DelightArguments& arguments)
             "--no-sun", [&gather] { gather.sun = false; }, "Look for no sun")
         ->group(kGatherGroup);
     command
-        .add_flag_callback(
-            "--no-response", [&gather] { gather.response = false; },
-            "Look for no contrast curve of the camera: the texture is proportional to light")
+        .add_option("--response", arguments.response,
+                    "The camera's contrast curve, where it is known: straight, if the texture is "
+                    "proportional to light, or that of a lights.json or report.json of another "
+                    "scan by it [looked for]")
+        ->type_name("straight|FILE")
         ->group(kGatherGroup);
     command
         .add_flag_callback(
@@ -192,16 +196,8 @@ void addPathtraceParameters(CLI::App& command, relamp::PathtraceOptions& pathtra
 /// What the camera did, as far as anything was found.
 std::string cameraLine(const relamp::CameraModel& camera)
 {
-    std::vector<std::string> parts;
-    if (!camera.response.isStraight())
-        parts.push_back(fmt::format("contrast {:.2f}", camera.response.contrast()));
-    if (!camera.tone.gain.isOne())
-        parts.push_back(
-            fmt::format("local tone mapping to the power {:.2f}", camera.tone.exponent));
-    if (!camera.gain.isOne())
-        parts.push_back(fmt::format("exposure drifts over {:.2f} stops", camera.gain.stops()));
-    if (parts.empty()) return {};
-    return fmt::format("  camera: {}; taken out of the albedo\n", fmt::join(parts, ", "));
+    const std::string did = deedsOf(camera);
+    return did.empty() ? did : fmt::format("  camera: {}; taken out of the albedo\n", did);
 }
 
 /// What can be told without the truth.
@@ -257,6 +253,10 @@ int run(DelightArguments& arguments)
     std::vector<std::string> notes;
     if (!arguments.lights.empty())
         arguments.options.lights = relamp::readLights(arguments.lights, notes);
+    if (arguments.response == kStraight)
+        arguments.options.gather.response = relamp::Response{};
+    else if (!arguments.response.empty())
+        arguments.options.gather.response = relamp::readResponse(arguments.response, notes);
     if (arguments.attenuation.size() == 3)
         arguments.options.thesis.attenuation = {arguments.attenuation[0], arguments.attenuation[1],
                                                 arguments.attenuation[2]};
@@ -325,10 +325,12 @@ void addDelightCommand(CLI::App& app, Run& run)
                    "  relamp delight kitchen.glb -o again --lights kitchen/lights.json");
     command.callback([arguments, &run] {
         const relamp::GatherOptions& gather = arguments->options.gather;
-        if (!arguments->lights.empty() && !(gather.same.empty() && gather.white.empty()))
+        const bool isTold = !gather.same.empty() || !gather.white.empty();
+        if (!arguments->lights.empty() && (isTold || !arguments->response.empty()))
             throw CLI::ValidationError(
-                "--lights", "nothing is estimated where the lights are given, so that what --same "
-                            "and --white say would change nothing; leave them out, or --lights");
+                "--lights", "nothing is estimated where the lights are given, so that --same, "
+                            "--white and --response would change nothing; leave them out, or "
+                            "--lights");
         run = [arguments] { return ::run(*arguments); };
     });
 }

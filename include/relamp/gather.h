@@ -1,6 +1,9 @@
 #pragma once
 
+#include "relamp/response.h"
+
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -35,7 +38,7 @@ struct GatherOptions
     std::vector<SamePaint> same;      // the surfaces nearest to these have one albedo
     std::vector<glm::vec3> white;     // places, m, whose albedo is about 0.9: the scale of all
     bool sun = true;                  // false: no sun is looked for
-    bool response = true;             // false: the camera applied no contrast curve
+    std::optional<Response> response; // what the camera applied, if it is known; none: looked for
     bool gain = true;                 // false: its exposure was the same everywhere
     uint32_t seed = 1; // of where rays start and go and of which places are compared; the same seed
                        // gives the same result

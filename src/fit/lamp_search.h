@@ -69,7 +69,7 @@ private:
     const RayScene& scene_;
     const HitLists& hits_;
     bool isSunSought_;
-    bool isResponseSought_;
+    bool isResponseSought_; // else it is what `camera_` begins with
     bool isGainSought_;
     Progress::Stage stage_;
     std::vector<std::string> warnings_;

@@ -69,12 +69,13 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
                        const SurfelRadiance& radiance, const GatherOptions& options,
                        Progress& progress)
     : texels_(texels), scene_(scene), hits_(hits), isSunSought_(options.sun),
-      isResponseSought_(options.response && isByCamera(*texels.scan)),
+      isResponseSought_(!options.response && isByCamera(*texels.scan)),
       isGainSought_(options.gain && isByCamera(*texels.scan)),
       stage_(progress, "lamps", kSearchSteps),
       told_(toldPaintOf(options, texels.surfels, radiance, warnings_)),
       evidence_(texels, scene, hits, radiance, options.quality, told_.same), noise_(kFirstNoise)
 {
+    if (options.response && isByCamera(*texels.scan)) camera_.response = *options.response;
     callAll([&] { takeCandidates(options, radiance); }, [&] { evidence_.drawAllPairs(); });
 }
 
@@ -468,6 +469,7 @@ FoundLamps LampSearch::run()
 {
     if (!evidence_.tells())
         return {.white = std::move(told_.white), .warnings = std::move(warnings_)};
+    if (!camera_.isNeutral()) evidence_.linearize(camera_);
     observe();
     const LightFit all = fitOf(LampEvidence::kPairsFirst);
     estimate_ = all.solve(emits_, all.beginning(), kFirstWidth);

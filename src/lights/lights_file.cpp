@@ -298,7 +298,7 @@ Lights lightsFrom(const JsonDocument& document, std::vector<std::string>& warnin
         lights.openings.push_back(item.lightAt("timesAmbient"));
     });
     lights.sun = sunOf(top, warnings);
-    lights.camera = cameraOf(top, warnings);
+    if (const auto camera = top.objectIn("camera")) lights.camera = cameraOf(*camera, warnings);
     lights.tempering = temperingOf(top, warnings);
     if (lights.points.empty() && lights.ambient == glm::vec3(0.0f) && !lights.sun)
         malformed(top.what, "holds no light: it needs \"lights\", \"fixtures\", \"ambient\" or "

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace relamp
 {
@@ -81,6 +82,15 @@ ordered_json pairsAsJson(const std::vector<SamePaint>& same)
     return list;
 }
 
+/// Null where it is looked for.
+ordered_json responseAsJson(const std::optional<Response>& response)
+{
+    ordered_json slopes;
+    if (response)
+        for (const float slope : response->slope) slopes.push_back(shortest(slope));
+    return slopes;
+}
+
 ordered_json optionsAsJson(const GatherOptions& gather)
 {
     return {{"quality", nameOf(gather.quality)},
@@ -91,7 +101,7 @@ ordered_json optionsAsJson(const GatherOptions& gather)
             {"same", pairsAsJson(gather.same)},
             {"white", placesAsJson(gather.white)},
             {"sun", gather.sun},
-            {"response", gather.response},
+            {"response", responseAsJson(gather.response)},
             {"gain", gather.gain},
             {"raySeed", gather.seed}};
 }
@@ -173,6 +183,12 @@ ordered_json lightsAsReport(const Decomposition& result)
                       {"pointLights", result.lights().points.size()},
                       {"mergedLights", result.mergedLights().size()},
                       {"ambient", toJson(result.lights().ambient)}};
+    json["openings"] = ordered_json::array();
+    for (const Opening& opening : result.openings())
+        json["openings"].push_back({{"centre", toJson(opening.centre)},
+                                    {"normal", toJson(opening.normal)},
+                                    {"area", shortest(opening.area)},
+                                    {"radiance", toJson(opening.radiance)}});
     if (const auto& sun = result.lights().sun)
         json["sun"] = {{"direction", toJson(sun->direction)},
                        {"irradiance", toJson(sun->irradiance)},

@@ -162,6 +162,7 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
                                                tempered(found.tempering, settled.irradiance))),
                        .linearization = found.linearization};
     solution.lights = lightsOf(found);
+    solution.openings = openingsOf(found);
     prove(witnesses, settled.irradiance, solution);
     solution.fixtureOf = fixturesOfSurfels(found);
     solution.merged = solution.lights.points;

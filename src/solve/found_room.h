@@ -60,6 +60,9 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
 /// Lamps and the sun as people see and edit them.
 Lights lightsOf(const FoundRoom& room);
 
+/// The large holes of the scan, with the light that comes in.
+std::vector<Opening> openingsOf(const FoundRoom& room);
+
 /// Marks the surfels whose burnt-out texels belong to a lamp that shines, or are a patch of sun.
 std::vector<uint8_t> shinesOf(const FoundRoom& room);
 

@@ -39,6 +39,7 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightO
                        albedoOf(texels, found.radiance, tempered(found.tempering, irradiance))),
         .linearization = found.linearization};
     solution.lights = lightsOf(found);
+    solution.openings = openingsOf(found);
     prove(room.witnesses, room.lighting.irradiance, solution);
     solution.fixtureOf = fixturesOfSurfels(found);
     solution.merged = solution.lights.points;
