@@ -433,11 +433,11 @@ FoundLamps LampSearch::result()
 {
     FoundLamps found{.outside = outside_,
                      .residual = static_cast<float>(estimate_.residual),
-                     .changeUnseen =
-                         changeUnseen({model_, evidence_.pairs(LampEvidence::kPairsFirst),
-                                       kin_.alike, noise_, emits_, estimate_.log, camera_,
-                                       evidence_.texturePlaces(), evidence_.told()},
-                                      texels_.surfels.seed),
+                     .changeUnseen = changeUnseen(
+                         {model_, evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, noise_,
+                          emits_, estimate_.log, camera_, evidence_.texturePlaces(),
+                          evidence_.told(), !isResponseSought_},
+                         texels_.surfels.seed),
                      .white = std::move(told_.white),
                      .warnings = std::move(warnings_)};
     std::vector<Piece> lamps = this->lamps();

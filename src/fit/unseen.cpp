@@ -13,17 +13,18 @@ namespace relamp
 namespace
 {
 
-CameraColumns columnsOf(const CameraModel& camera, const TexturePlaces& places)
+CameraColumns columnsSought(const FittedLight& light)
 {
-    if (!camera.gain.isOne()) return columnsOf(camera.gain, places);
-    if (!camera.response.isStraight()) return columnsOf(camera.response, places);
-    return {};
+    const CameraModel& camera = light.camera;
+    if (!camera.gain.isOne()) return columnsOf(camera.gain, light.texture);
+    if (camera.response.isStraight() || light.isResponseKnown) return {};
+    return columnsOf(camera.response, light.texture);
 }
 
 /// The same with a sun's rim behind the places, which has no camera of its own.
 CameraColumns columnsOf(const FittedLight& light)
 {
-    CameraColumns columns = columnsOf(light.camera, light.texture);
+    CameraColumns columns = columnsSought(light);
     const size_t places = light.model.places();
     columns.bend.resize(places * columns.count(), 0.0f);
     if (columns.slope.empty()) return columns;
