@@ -28,6 +28,7 @@ public:
     FoundLamps run();
 
 private:
+    void takeResponse(const Response& known);
     void takeCandidates(const GatherOptions& options, const SurfelRadiance& radiance);
     void addPieces(LampGroup group);
     void observe();

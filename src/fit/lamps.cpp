@@ -75,8 +75,17 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
       told_(toldPaintOf(options, texels.surfels, radiance, warnings_)),
       evidence_(texels, scene, hits, radiance, options.quality, told_.same), noise_(kFirstNoise)
 {
-    if (options.response && isByCamera(*texels.scan)) camera_.response = *options.response;
+    if (options.response) takeResponse(*options.response);
     callAll([&] { takeCandidates(options, radiance); }, [&] { evidence_.drawAllPairs(); });
+}
+
+void LampSearch::takeResponse(const Response& known)
+{
+    if (isByCamera(*texels_.scan))
+        camera_.response = known;
+    else if (!known.isStraight())
+        warnings_.emplace_back("a texture is of floats, which are light by themselves: what was "
+                               "said of the camera's response was passed over");
 }
 
 void LampSearch::takeCandidates(const GatherOptions& options, const SurfelRadiance& radiance)

@@ -86,6 +86,16 @@ TEST(Lamps, ResponseThatAPersonKnowsIsTakenAndNotSought)
     EXPECT_TRUE(found({.response = Response{}}).camera.response.isStraight());
 }
 
+TEST(Lamps, TexturesOfFloatsAreOfNoCamera)
+{
+    Scan scan = LitRoom().scan;
+    for (Page& page : scan.pages) page.image.clipsAtWhite = false;
+    const FoundLamps lamps =
+        lampsOf(scenes::Surfaces(std::move(scan)), {.response = Response{{2, 2, 2, 2, 2}}});
+    EXPECT_TRUE(lamps.camera.response.isStraight());
+    EXPECT_THAT(lamps.warnings, testing::Contains(testing::HasSubstr("a texture is of floats")));
+}
+
 TEST(Lamps, RoomWithoutAnythingBurntOutHasNone)
 {
     const scenes::Surfaces room(scenes::room({2, 2, 2}, 32, scenes::plain(glm::vec3(0.4f))));
