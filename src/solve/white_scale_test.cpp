@@ -5,6 +5,9 @@
 #include "relamp/delight.h"
 #include "scenes/lit_room.h"
 
+#include <filesystem>
+#include <utility>
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -22,31 +25,30 @@ struct ToldRoom
     PageLayers layers;
     PageGeometry geometry;
 
-    explicit ToldRoom(std::vector<glm::vec3> white, std::optional<Lights> lights = {})
-        : result(delight(scenes::copyOf(LitRoom().scan),
+    explicit ToldRoom(std::vector<glm::vec3> white, std::optional<Lights> lights = {},
+                      Scan scan = LitRoom().scan)
+        : result(delight(std::move(scan),
                          {.gather = {.quality = Quality::draft, .white = std::move(white)},
                           .lights = std::move(lights)})),
           layers(result.layers(0)), geometry(result.geometry(0))
     {}
 
-    /// Of the texel nearest to it.
+    /// Mean of what is within a hand's breadth.
     [[nodiscard]] glm::vec3 albedoAt(glm::vec3 place) const
     {
-        size_t nearest = 0;
-        float least = 1e9f;
+        glm::vec3 sum(0.0f);
+        float count = 0.0f;
         for (size_t i = 0; i < geometry.positions.size(); i += 3) {
             const float* n = &geometry.normals[i];
             const float* p = &geometry.positions[i];
-            if (glm::vec3(n[0], n[1], n[2]) == glm::vec3(0.0f)) continue;
-            if (const float way = glm::distance(place, {p[0], p[1], p[2]}); way < least) {
-                least = way;
-                nearest = i;
-            }
+            if (glm::vec3(n[0], n[1], n[2]) == glm::vec3(0.0f) ||
+                glm::distance(place, {p[0], p[1], p[2]}) > 0.1f)
+                continue;
+            const uint16_t* rgb = &layers.albedo[i];
+            sum += glm::vec3(floatFromHalf(rgb[0]), floatFromHalf(rgb[1]), floatFromHalf(rgb[2]));
+            count += 1.0f;
         }
-        glm::vec3 albedo;
-        for (size_t c = 0; c < 3; ++c)
-            albedo[static_cast<int>(c)] = floatFromHalf(layers.albedo[nearest + c]);
-        return albedo;
+        return sum / count;
     }
 };
 
@@ -68,6 +70,23 @@ TEST(WhiteScale, WhatAPersonCallsWhiteIsAsPaperAndAllElseFollows)
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(floor[c] / scale[c], 1.0f, 0.04f);
     EXPECT_NE(told.result.lights().tempering.scale, glm::vec3(1.0f));
     EXPECT_EQ(found.result.lights().tempering.scale, glm::vec3(1.0f));
+}
+
+// Its ceiling has an albedo of 0.81. Whoever calls it white gets 0.9 there, and elsewhere as far as
+// a draft makes it even.
+TEST(WhiteScale, IsThatOfTheWholeSample)
+{
+    constexpr glm::vec3 kOnCeiling{1.156f, 2.594f, -1.763f};
+    constexpr glm::vec3 kElsewhereOnIt{2.604f, 2.602f, -3.204f};
+    const ToldRoom told(
+        {kOnCeiling}, {},
+        coarsened(readScan(std::filesystem::path(RELAMP_SAMPLES) / "bedroom/scan.glb"), 512));
+    const glm::vec3 there = told.albedoAt(kOnCeiling);
+    const glm::vec3 elsewhere = told.albedoAt(kElsewhereOnIt);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(there[c], 0.9f, 0.04f);
+        EXPECT_NEAR(elsewhere[c], 0.9f, 0.08f);
+    }
 }
 
 // The file of lights has the scale, so that they give the same albedo again.
