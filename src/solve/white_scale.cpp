@@ -16,6 +16,7 @@ void scaleToWhite(std::span<const glm::vec3> irradiance, FoundRoom& room)
     const std::vector<uint32_t>& white = room.found.white;
     if (white.empty()) return;
     std::vector<glm::vec3> light;
+    light.reserve(white.size());
     for (const uint32_t s : white) light.push_back(irradiance[s]);
     light = tempered(room.tempering, std::move(light));
     glm::vec3 log(0.0f);
