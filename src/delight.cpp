@@ -45,6 +45,11 @@ const std::vector<PointLight>& Decomposition::mergedLights() const
     return state_->solution.merged;
 }
 
+const std::vector<Opening>& Decomposition::openings() const
+{
+    return state_->solution.openings;
+}
+
 DelightOptions Decomposition::optionsInForce() const
 {
     const Solution& solution = state_->solution;

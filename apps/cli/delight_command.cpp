@@ -1,5 +1,8 @@
+#include "camera_words.h"
 #include "command.h"
+#include "draft.h"
 #include "interrupt.h"
+#include "place_arguments.h"
 #include "scan_arguments.h"
 #include "terminal.h"
 
@@ -16,13 +19,12 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace
 {
 
-constexpr int kDraftSide = 512;    // pixels of a draft's textures, at most
-constexpr size_t kMostListed = 12; // lamps in the summary
+constexpr size_t kMostListed = 12;            // lamps in the summary
+constexpr const char* kStraight = "straight"; // --response of a camera that applied no curve
 constexpr const char* kGatherGroup = "Parameters of the gather solver (it needs none)";
 
 struct DelightArguments
@@ -31,9 +33,8 @@ struct DelightArguments
     relamp::DelightOptions options;
     std::filesystem::path folder;
     std::filesystem::path lights;
+    std::string response;
     std::vector<float> attenuation;
-    std::vector<float> lightsAt;
-    std::vector<float> notLightsAt;
     bool quiet = false;
     bool json = false;
     bool force = false;
@@ -119,18 +120,6 @@ void addThesisParameters(CLI::App& command, DelightArguments& arguments)
         ->group(group);
 }
 
-void addPlaces(CLI::App& command, const char* name, std::vector<float>& numbers, const char* what)
-{
-    command.add_option(name, numbers, what)
-        ->delimiter(',')
-        ->type_size(3)
-        ->expected(1)
-        ->take_all()
-        ->type_name("X,Y,Z")
-        ->check(between(-1e6, 1e6))
-        ->group(kGatherGroup);
-}
-
 void addGatherParameters(CLI::App& command, DelightArguments& arguments)
 {
     relamp::GatherOptions& gather = arguments.options.gather;
@@ -142,18 +131,28 @@ void addGatherParameters(CLI::App& command, DelightArguments& arguments)
         ->transform(oneOf<relamp::Quality>())
         ->type_name("NAME")
         ->group(kGatherGroup);
-    addPlaces(command, "--light", arguments.lightsAt,
-              "What is burnt out at this place, in metres, is a lamp (repeatable)");
-    addPlaces(command, "--not-a-light", arguments.notLightsAt,
-              "What is burnt out at this place is no lamp (repeatable)");
+    addPlaces(command, "--light", gather.lights,
+              "What is burnt out at this place, in metres, is a lamp (repeatable)")
+        .group(kGatherGroup);
+    addPlaces(command, "--not-a-light", gather.notLights,
+              "What is burnt out at this place is no lamp (repeatable)")
+        .group(kGatherGroup);
+    addSamePaint(command, "--same", gather.same,
+                 "The surfaces at these two places are of one paint (repeatable)")
+        .group(kGatherGroup);
+    addPlaces(command, "--white", gather.white,
+              "The surface at this place is white, as paper is: the scale of albedo (repeatable)")
+        .group(kGatherGroup);
     command
         .add_flag_callback(
             "--no-sun", [&gather] { gather.sun = false; }, "Look for no sun")
         ->group(kGatherGroup);
     command
-        .add_flag_callback(
-            "--no-response", [&gather] { gather.response = false; },
-            "Look for no contrast curve of the camera: the texture is proportional to light")
+        .add_option("--response", arguments.response,
+                    "The camera's contrast curve, where it is known: straight, if the texture is "
+                    "proportional to light, or that of a lights.json or report.json of another "
+                    "scan by it [looked for]")
+        ->type_name("straight|FILE")
         ->group(kGatherGroup);
     command
         .add_flag_callback(
@@ -194,27 +193,11 @@ void addPathtraceParameters(CLI::App& command, relamp::PathtraceOptions& pathtra
         ->group(group);
 }
 
-std::vector<glm::vec3> placesFrom(const std::vector<float>& numbers)
-{
-    std::vector<glm::vec3> places;
-    for (size_t i = 0; i + 2 < numbers.size(); i += 3)
-        places.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
-    return places;
-}
-
 /// What the camera did, as far as anything was found.
 std::string cameraLine(const relamp::CameraModel& camera)
 {
-    std::vector<std::string> parts;
-    if (!camera.response.isStraight())
-        parts.push_back(fmt::format("contrast {:.2f}", camera.response.contrast()));
-    if (!camera.tone.gain.isOne())
-        parts.push_back(
-            fmt::format("local tone mapping to the power {:.2f}", camera.tone.exponent));
-    if (!camera.gain.isOne())
-        parts.push_back(fmt::format("exposure drifts over {:.2f} stops", camera.gain.stops()));
-    if (parts.empty()) return {};
-    return fmt::format("  camera: {}; taken out of the albedo\n", fmt::join(parts, ", "));
+    const std::string did = deedsOf(camera);
+    return did.empty() ? did : fmt::format("  camera: {}; taken out of the albedo\n", did);
 }
 
 /// What can be told without the truth.
@@ -270,12 +253,13 @@ int run(DelightArguments& arguments)
     std::vector<std::string> notes;
     if (!arguments.lights.empty())
         arguments.options.lights = relamp::readLights(arguments.lights, notes);
+    if (arguments.response == kStraight)
+        arguments.options.gather.response = relamp::Response{};
+    else if (!arguments.response.empty())
+        arguments.options.gather.response = relamp::readResponse(arguments.response, notes);
     if (arguments.attenuation.size() == 3)
         arguments.options.thesis.attenuation = {arguments.attenuation[0], arguments.attenuation[1],
                                                 arguments.attenuation[2]};
-
-    arguments.options.gather.lights = placesFrom(arguments.lightsAt);
-    arguments.options.gather.notLights = placesFrom(arguments.notLightsAt);
 
     if (arguments.options.gather.quality == relamp::Quality::draft)
         arguments.scan.options.longestSide = kDraftSide;
@@ -339,5 +323,14 @@ void addDelightCommand(CLI::App& app, Run& run)
                    "  relamp delight kitchen.glb -o kitchen\n"
                    "  relamp delight scan.obj --up z --scale 0.01 -o out\n"
                    "  relamp delight kitchen.glb -o again --lights kitchen/lights.json");
-    command.callback([arguments, &run] { run = [arguments] { return ::run(*arguments); }; });
+    command.callback([arguments, &run] {
+        const relamp::GatherOptions& gather = arguments->options.gather;
+        const bool isTold = !gather.same.empty() || !gather.white.empty();
+        if (!arguments->lights.empty() && (isTold || !arguments->response.empty()))
+            throw CLI::ValidationError(
+                "--lights", "nothing is estimated where the lights are given, so that --same, "
+                            "--white and --response would change nothing; leave them out, or "
+                            "--lights");
+        run = [arguments] { return ::run(*arguments); };
+    });
 }

@@ -1,12 +1,19 @@
+#include "camera_words.h"
 #include "command.h"
+#include "draft.h"
 #include "interrupt.h"
 #include "scan_arguments.h"
 #include "terminal.h"
 
+#include "relamp/delight.h"
+#include "relamp/error.h"
 #include "relamp/inspect.h"
 #include "relamp/threads.h"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -20,7 +27,68 @@ struct InfoArguments
     bool json = false;
 };
 
-nlohmann::ordered_json asJson(const relamp::Inspection& found)
+/// What a draft tells of how the scan was taken.
+struct FirstLook
+{
+    relamp::CameraModel camera;
+    std::vector<relamp::Opening> openings;
+};
+
+/// None of a scan that delight refuses; inspect() has said why.
+std::optional<FirstLook> firstLookAt(const relamp::Scan& scan, relamp::Progress& progress)
+{
+    try {
+        const relamp::Decomposition draft = draftOf(scan, progress);
+        return FirstLook{draft.lights().camera, draft.openings()};
+    } catch (const relamp::Error& error) {
+        if (error.code() != relamp::ErrorCode::unsupported) throw;
+        return std::nullopt;
+    }
+}
+
+/// Of all texels.
+double burntOut(const relamp::Inspection& found)
+{
+    double sum = 0.0;
+    double all = 0.0;
+    for (const relamp::PageInspection& page : found.pages) {
+        const double texels = page.coverage * page.width * page.height;
+        sum += texels * page.clipped;
+        all += texels;
+    }
+    return all > 0.0 ? sum / all : 0.0;
+}
+
+std::string facing(glm::vec3 normal)
+{
+    if (normal.y < -0.5f) return "above";
+    return normal.y > 0.5f ? "below" : "upright";
+}
+
+nlohmann::ordered_json vectorAsJson(glm::vec3 v)
+{
+    return {v.x, v.y, v.z};
+}
+
+nlohmann::ordered_json cameraAsJson(const relamp::CameraModel& camera)
+{
+    return {{"contrast", camera.response.contrast()},
+            {"response", camera.response.slope},
+            {"localExponent", camera.tone.exponent},
+            {"gainStops", camera.gain.stops()}};
+}
+
+nlohmann::ordered_json openingsAsJson(const std::vector<relamp::Opening>& openings)
+{
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const relamp::Opening& opening : openings)
+        list.push_back({{"centre", vectorAsJson(opening.centre)},
+                        {"normal", vectorAsJson(opening.normal)},
+                        {"area", opening.area}});
+    return list;
+}
+
+nlohmann::ordered_json asJson(const relamp::Inspection& found, const std::optional<FirstLook>& look)
 {
     using nlohmann::ordered_json;
     ordered_json pages = ordered_json::array();
@@ -48,10 +116,32 @@ nlohmann::ordered_json asJson(const relamp::Inspection& found)
               {"alike", found.overlap.alike},
               {"meshes", found.overlap.meshes}}},
             {"pages", std::move(pages)},
+            {"burntOut", burntOut(found)},
+            {"camera", look ? cameraAsJson(look->camera) : ordered_json()},
+            {"openings", look ? openingsAsJson(look->openings) : ordered_json()},
             {"problems", found.problems}};
 }
 
-void print(const std::string& file, const relamp::Inspection& found)
+std::string jsonText(const nlohmann::ordered_json& json)
+{
+    return json.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+/// It seems so, for a draft is no proof.
+void print(const FirstLook& look)
+{
+    const std::string did = deedsOf(look.camera);
+    printOut("  camera    seems {}\n",
+             did.empty() ? "to have left light as it is: no contrast curve, no drift of exposure"
+                         : "to have changed light: " + did);
+    for (const relamp::Opening& opening : look.openings)
+        printOut("  opening   {:.1f} m^2 around {:.2f}, {:.2f}, {:.2f} ({})\n", opening.area,
+                 opening.centre.x, opening.centre.y, opening.centre.z, facing(opening.normal));
+    if (look.openings.empty()) printOut("  openings  none that are large\n");
+}
+
+void print(const std::string& file, const relamp::Inspection& found,
+           const std::optional<FirstLook>& look)
 {
     const glm::vec3 extent = found.bounds.extent();
     printOut("{}\n", file);
@@ -70,6 +160,9 @@ void print(const std::string& file, const relamp::Inspection& found)
                 i, page.width, page.height, relamp::printableName(page.name), 100.0 * page.coverage,
                 page.charts, 100.0 * page.clipped);
     }
+    if (found.pages.size() > 1)
+        printOut("  burnt out {:.1f} % of all texels\n", 100.0 * burntOut(found));
+    if (look) print(*look);
     for (const std::string& problem : found.problems) printOut("  note      {}\n", problem);
     if (found.problems.empty()) printOut("  fine      nothing stands in the way of delight\n");
 }
@@ -83,12 +176,12 @@ int run(const InfoArguments& arguments)
     const relamp::Scan scan =
         relamp::readScan(arguments.scan.file, arguments.scan.options, progress);
     const relamp::Inspection found = relamp::inspect(scan, progress);
+    const std::optional<FirstLook> look = firstLookAt(scan, progress);
     endProgressDisplay(talk);
     if (arguments.json)
-        printExactly(asJson(found).dump(1, '\t', false, nlohmann::json::error_handler_t::replace) +
-                     "\n");
+        printExactly(jsonText(asJson(found, look)));
     else
-        print(arguments.scan.file.string(), found);
+        print(arguments.scan.file.string(), found, look);
     return 0;
 }
 
@@ -96,8 +189,9 @@ int run(const InfoArguments& arguments)
 
 void addInfoCommand(CLI::App& app, Run& run)
 {
-    CLI::App& command =
-        *app.add_subcommand("info", "Tell what a scan is and what will be a problem");
+    CLI::App& command = *app.add_subcommand(
+        "info", "Tell what a scan is, what its camera seems to have done, where "
+                "it has openings, and what will be a problem");
     const auto arguments = std::make_shared<InfoArguments>();
     addScanArguments(command, arguments->scan);
     command.add_flag("--json", arguments->json, "Print JSON and nothing else");

@@ -141,6 +141,30 @@ void judge(Viewer& viewer)
     studio.settle();
 }
 
+/// The place that was clicked on is of one paint with the next that this is said of.
+void judgePaint(Viewer& viewer)
+{
+    Studio& studio = viewer.studio;
+    if (!viewer.place) return studio.say("Click on the place that you mean first.");
+    if (!viewer.paint || *viewer.paint == *viewer.place) {
+        viewer.paint = viewer.place;
+        return studio.say("Click on another place of this paint, and say so again.");
+    }
+    studio.edit.parameters.gather.same.push_back({*viewer.paint, *viewer.place});
+    viewer.paint.reset();
+    studio.commit("Is one paint");
+    studio.settle();
+}
+
+void judgeWhite(Viewer& viewer)
+{
+    Studio& studio = viewer.studio;
+    if (!viewer.place) return studio.say("Click on the place that you mean first.");
+    studio.edit.parameters.gather.white.push_back(*viewer.place);
+    studio.commit("Is white");
+    studio.settle();
+}
+
 void frameSelected(Viewer& viewer)
 {
     Studio& studio = viewer.studio;
@@ -207,7 +231,7 @@ void saveBaked(Viewer& viewer)
         std::filesystem::absolute(viewer.studio.path().stem().string() + "_relit.glb"));
 }
 
-constexpr std::array<Action, 46> kActions{{
+constexpr std::array<Action, 48> kActions{{
     {"layer-texture", "1", "the texture, as scanned", showLayer<0>},
     {"layer-flattened", "2", "its flattened colours", showLayer<1>},
     {"layer-direct", "3", "direct light", showLayer<2>},
@@ -251,6 +275,8 @@ constexpr std::array<Action, 46> kActions{{
     {"remove", "delete", "remove the light", removeSelected},
     {"is-light", "l", "the place that was clicked on is a lamp", judge<true>},
     {"not-light", "n", "this is no lamp", judge<false>},
+    {"one-paint", "o", "this place and the next one are of one paint", judgePaint},
+    {"is-white", "i", "this place is white", judgeWhite},
     {"deselect", "escape", "let go",
      [](Viewer& v) {
          if (v.shown.inPanels || v.shown.help) {
@@ -259,6 +285,7 @@ constexpr std::array<Action, 46> kActions{{
          }
          v.select({});
          v.place.reset();
+         v.paint.reset();
      }},
     {"undo", "ctrl+z", "undo", [](Viewer& v) { v.studio.undo(); }},
     {"redo", "ctrl+y", "redo", [](Viewer& v) { v.studio.redo(); }},

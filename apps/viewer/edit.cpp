@@ -11,6 +11,14 @@ relamp::DelightOptions SolverParameters::options() const
     return options;
 }
 
+void SolverParameters::forgetPlaces()
+{
+    gather.lights.clear();
+    gather.notLights.clear();
+    gather.same.clear();
+    gather.white.clear();
+}
+
 bool Edit::operator==(const Edit& other) const
 {
     return light == other.light && scanned == other.scanned && parameters == other.parameters &&

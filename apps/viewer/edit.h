@@ -18,6 +18,8 @@ struct SolverParameters
 
     bool operator==(const SolverParameters& other) const = default;
     [[nodiscard]] relamp::DelightOptions options() const;
+    /// Places in a room that is open no more.
+    void forgetPlaces();
 };
 
 /// What a person may change and take back.

@@ -200,6 +200,21 @@ void drawLights(const Pen& pen, const Viewer& viewer)
     }
 }
 
+/// What was said of paint: pairs with a line between, white as rings.
+void drawPaint(const Pen& pen, const Viewer& viewer)
+{
+    const relamp::GatherOptions& gather = viewer.studio.edit.parameters.gather;
+    for (const auto& [a, b] : gather.same) {
+        pen.line(a, b, kOff, 1.0f);
+        pen.dot(a, kOff, 3.0f);
+        pen.dot(b, kOff, 3.0f);
+    }
+    for (const glm::vec3 place : gather.white) pen.dot(place, kWhite, 3.0f);
+    if (!viewer.paint) return;
+    pen.dot(*viewer.paint, kOff, 4.0f);
+    if (viewer.place) pen.line(*viewer.paint, *viewer.place, kOff, 1.0f);
+}
+
 } // namespace
 
 void drawOverlay(const Viewer& viewer)
@@ -209,6 +224,7 @@ void drawOverlay(const Viewer& viewer)
     if (!viewer.shown.marks || viewer.shown.atlas) return;
     const Pen pen(viewer);
     drawLights(pen, viewer);
+    drawPaint(pen, viewer);
     if (viewer.place) pen.ring(*viewer.place, kWhite, 4.0f);
     if (const auto light = viewer.selectedLight()) drawGizmo(pen, viewer, *light);
 }

@@ -205,6 +205,9 @@ void drawPlace(Viewer& viewer)
     ImGui::TextDisabled("Place %.2f, %.2f, %.2f", viewer.place->x, viewer.place->y,
                         viewer.place->z);
     button("This is a light (L)", "is-light", viewer);
+    button(viewer.paint ? "And this is of that paint (O)" : "Of one paint with ... (O)",
+           "one-paint", viewer);
+    button("This is white (I)", "is-white", viewer);
 }
 
 /// Lights that rooms often have, to begin with.

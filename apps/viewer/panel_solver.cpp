@@ -25,15 +25,24 @@ void drawGather(relamp::GatherOptions& gather)
     ImGui::SliderInt("Shadow rays", &gather.shadowRays, 0, 1024,
                      gather.shadowRays == 0 ? "by quality" : "%d", ImGuiSliderFlags_AlwaysClamp);
     ImGui::Checkbox("Look for the sun", &gather.sun);
-    if (!gather.lights.empty() || !gather.notLights.empty()) {
-        ImGui::TextDisabled("Lamps by hand: %d, none: %d", static_cast<int>(gather.lights.size()),
-                            static_cast<int>(gather.notLights.size()));
-        ImGui::SameLine();
-        if (ImGui::SmallButton("Forget")) {
-            gather.lights.clear();
-            gather.notLights.clear();
-        }
-    }
+}
+
+/// What a person said of places, and a way to take it all back.
+void drawTold(SolverParameters& parameters)
+{
+    const relamp::GatherOptions& gather = parameters.gather;
+    const auto count = [](const auto& list) { return static_cast<int>(list.size()); };
+    const bool isOfLamps = !gather.lights.empty() || !gather.notLights.empty();
+    const bool isOfPaint = !gather.same.empty() || !gather.white.empty();
+    if (isOfLamps)
+        ImGui::TextDisabled("Lamps by hand: %d, none: %d", count(gather.lights),
+                            count(gather.notLights));
+    if (isOfPaint)
+        ImGui::TextDisabled("Of one paint: %d pairs, white: %d", count(gather.same),
+                            count(gather.white));
+    if (!isOfLamps && !isOfPaint) return;
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Forget")) parameters.forgetPlaces();
 }
 
 void drawPathtrace(relamp::PathtraceOptions& pathtrace)
@@ -112,8 +121,10 @@ void drawSolverPanel(Viewer& viewer)
         parameters.solver = static_cast<relamp::Solver>(solver);
     if (parameters.solver == relamp::Solver::thesis)
         drawThesis(parameters.thesis);
-    else
+    else {
         drawGather(parameters.gather);
+        drawTold(parameters);
+    }
     if (parameters.solver == relamp::Solver::pathtrace) drawPathtrace(parameters.pathtrace);
     ImGui::SliderFloat("Darkest", &parameters.albedo.darkest, 0.001f, 1.0f, "%.3f",
                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);

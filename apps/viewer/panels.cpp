@@ -84,6 +84,7 @@ void drawSide(Viewer& viewer)
     if (ImGui::CollapsingHeader("View", kOpen)) drawView(viewer);
     if (ImGui::CollapsingHeader("Lights", kOpen)) drawLightPanel(viewer);
     if (ImGui::CollapsingHeader("Sky and time")) drawSkyPanel(viewer);
+    if (ImGui::CollapsingHeader("Camera and proof")) drawFoundPanel(viewer);
     if (ImGui::CollapsingHeader("Solver")) drawSolverPanel(viewer);
     if (ImGui::CollapsingHeader("Save and open")) drawFilePanel(viewer);
     ImGui::PopItemWidth();

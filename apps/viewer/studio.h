@@ -70,6 +70,12 @@ public:
         return room_.mesh ? room_.mesh->bounds : relamp::Bounds{};
     }
     [[nodiscard]] const std::optional<relamp::Closure>& closure() const { return room_.closure; }
+    /// Of what was solved here; none of a folder.
+    [[nodiscard]] std::optional<relamp::CrossValidation> crossValidation() const
+    {
+        if (!room_.decomposition) return std::nullopt;
+        return room_.decomposition->crossValidation();
+    }
     [[nodiscard]] const RoomLight& light() const { return light_; }
     /// Of the last time that albedo followed, until it was there to be drawn.
     [[nodiscard]] std::optional<double> reevaluateMilliseconds() const

@@ -13,8 +13,7 @@ constexpr auto kPatience = std::chrono::seconds(1);
 void Studio::open(const std::filesystem::path& path, const relamp::ScanOptions& options)
 {
     opening_ = Opening{++openings_, edit.parameters, reevaluating_.has_value()};
-    opening_->parameters.gather.lights.clear(); // places in another room
-    opening_->parameters.gather.notLights.clear();
+    opening_->parameters.forgetPlaces();
     hasFailed_ = false;
     reevaluating_.reset();
     isCameraUntouched = true;
@@ -51,8 +50,7 @@ void Studio::adopt(const ReadRoom& read)
              .lightsFolder = folderOf(read.path)};
     edit.light = {};
     edit.scanned = {};
-    edit.parameters.gather.lights.clear();
-    edit.parameters.gather.notLights.clear();
+    edit.parameters.forgetPlaces();
     selection = {}; // may be of the room before
     applied_ = edit;
     history_ = History<Edit>(edit);

@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 namespace relamp
 {
 
@@ -115,6 +117,16 @@ struct CrossValidation
     [[nodiscard]] RELAMP_API float gain() const; // dB, 20 log10 of `scan` over `albedo`
 };
 
+/// A large hole of a scan, which light comes through that is not in it: a window, a door, a ceiling
+/// that was not scanned.
+struct Opening
+{
+    glm::vec3 centre{0.0f};   // world, m: of where rays leave the box around the scan
+    glm::vec3 normal{0.0f};   // unit, into the room
+    float area = 0.0f;        // m^2, of the hole across the rays that leave through it
+    glm::vec3 radiance{0.0f}; // RGB, 1 = the texture's white: mean of what lies behind it
+};
+
 /// A room taken apart: its lights, and a shading that every page can be divided by.
 class RELAMP_API Decomposition
 {
@@ -130,6 +142,8 @@ public:
     [[nodiscard]] const Lights& lights() const;
     /// The lights as few as they can be shown with: those closer than the merge distance are one.
     [[nodiscard]] const std::vector<PointLight>& mergedLights() const;
+    /// By falling area. Of the thesis solver none are known.
+    [[nodiscard]] const std::vector<Opening>& openings() const;
     /// The options, with all that was derived from the scan filled in. The engine, and what
     /// warnings() say of it, are those of now: one that nobody asked for may hand over to the CPU
     /// while it makes layers.

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "relamp/response.h"
+
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -14,6 +17,15 @@ enum class Quality {
     high      // four times the rays
 };
 
+/// Two places, m, that are of one paint.
+struct SamePaint
+{
+    glm::vec3 a{0.0f};
+    glm::vec3 b{0.0f};
+
+    bool operator==(const SamePaint&) const = default;
+};
+
 /// What a person may tell the default solver; it needs none of it.
 struct GatherOptions
 {
@@ -23,8 +35,10 @@ struct GatherOptions
     int shadowRays = 0;            // of a place in a penumbra, to each lamp, 1..1024; 0: by quality
     std::vector<glm::vec3> lights; // places, m, whose burnt-out surface shines
     std::vector<glm::vec3> notLights; // places, m, whose burnt-out surface does not
+    std::vector<SamePaint> same;      // the surfaces nearest to these have one albedo
+    std::vector<glm::vec3> white;     // places, m, whose albedo is about 0.9: the scale of all
     bool sun = true;                  // false: no sun is looked for
-    bool response = true;             // false: the camera applied no contrast curve
+    std::optional<Response> response; // what the camera applied, if it is known; none: looked for
     bool gain = true;                 // false: its exposure was the same everywhere
     uint32_t seed = 1; // of where rays start and go and of which places are compared; the same seed
                        // gives the same result

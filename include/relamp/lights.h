@@ -67,13 +67,14 @@ struct Sun
     bool determined = true; // false: irradiance is a lower bound
 };
 
-/// How far the shading of a room is believed: as `kept` (shading / kept)^power
-/// (docs/method/cross_validation.md).
+/// How far the shading of a room is believed: as `scale` `kept` (shading / kept)^power
+/// (docs/method/cross_validation.md, told_paint.md).
 struct Tempering
 {
     glm::vec3 kept{1.0f}; // shading that stays as it is, > 0
     float power = 1.0f; // 0..1; 1: all of it is believed; 0: nothing is, and where `kept` is 1 the
                         // texture is the albedo
+    glm::vec3 scale{1.0f}; // of all shading, > 0; other than 1 where a person said what is white
 
     bool operator==(const Tempering&) const = default;
 };

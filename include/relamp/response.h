@@ -4,6 +4,9 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 namespace relamp
 {
@@ -30,5 +33,12 @@ struct RELAMP_API Response
     /// Radiance, 1 = white, of a texture's linear value >= 0. What is burnt out stays as it is.
     [[nodiscard]] float operator()(float texture) const;
 };
+
+/// The response in a lights.json or a report.json, of another scan by the same camera perhaps, or
+/// in a file of its own (docs/guide/scans.md). One that has a camera without a curve is straight.
+/// `warnings` receives a sentence a key of the camera that is not known. Throws
+/// Error(cannotRead | malformed) naming the file, the line and the key.
+RELAMP_API Response readResponse(const std::filesystem::path& file,
+                                 std::vector<std::string>& warnings);
 
 } // namespace relamp

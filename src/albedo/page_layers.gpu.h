@@ -26,7 +26,7 @@ struct PageLayersArguments
     Uints ratingOut; // of pixels: confidence 0..255 and 256 times the doubt
     float darkest;   // shading
     float threshold; // luminance from which a texel of a lamp shines
-    vec4 tempering;  // kept, power
+    vec4 tempering;  // factor, power
     uint flags;      // the sum of what is so:
     uint count;      // of texels
 };

@@ -124,7 +124,7 @@ void PageLayersGpu::setSurfels(const SolvedTexels& solved)
     rims_.upload(rims);
     trust_.upload(trust);
     around_.upload(around);
-    tempering_ = glm::vec4(solved.tempering.kept, solved.tempering.power);
+    tempering_ = glm::vec4(factorOf(solved.tempering), solved.tempering.power);
     threshold_ = solved.shining.threshold;
     fills_ = !solved.fill.empty();
 }

@@ -62,7 +62,7 @@ struct Lit
     /// Something of everything, of some surfels.
     void sayAll()
     {
-        said.tempering = {{0.9f, 1.0f, 1.1f}, 0.6f};
+        said.tempering = {{0.9f, 1.0f, 1.1f}, 0.6f, {0.8f, 0.9f, 1.2f}};
         for (size_t s = 0; s < texels.surfels.count(); ++s) {
             said.shining.surfels[s] = drawn(s, 31) < 0.2f ? 1 : 0;
             said.rims.push_back({3.0f * drawnColor(s, 41), drawn(s, 44) < 0.5f ? 0.4f : 0.0f});

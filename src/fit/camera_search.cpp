@@ -124,7 +124,7 @@ void LampSearch::findGain()
     }
     const TexturePlaces places = evidence_.texturePlaces();
     camera_.gain = withWhiteBalance(std::move(camera_.gain), places.position, albedo(),
-                                    evidence_.pairs(LampEvidence::kPairsFirst));
+                                    evidence_.pairs(LampEvidence::kPairsFirst), evidence_.told());
     seeByCamera(estimate_.log);
 }
 

@@ -72,16 +72,23 @@ std::vector<uint32_t> placesToLookAt(const Surfels& surfels, const SurfelRadianc
 }
 
 LampEvidence::LampEvidence(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                           SurfelRadiance radiance, Quality quality)
+                           SurfelRadiance radiance, Quality quality,
+                           std::span<const MaterialPair> told)
     : texels_(texels), scene_(scene), hits_(hits), radiance_(std::move(radiance)),
       textureOfAll_(radiance_.plain), field_(fieldOf(radiance_))
 {
-    for (const uint32_t place : placesToLookAt(texels.surfels, radiance_, quality)) {
-        places_.push_back(place);
-        texture_.push_back(radiance_.plain[place]);
-        positions_.push_back(texels.surfels.position[place]);
-    }
+    for (const uint32_t place : placesToLookAt(texels.surfels, radiance_, quality)) addPlace(place);
+    drawn_ = places_.size();
+    for (const auto& [p, q] : told) told_.push_back({addPlace(p), addPlace(q)});
     findAround();
+}
+
+uint32_t LampEvidence::addPlace(uint32_t surfel)
+{
+    places_.push_back(surfel);
+    texture_.push_back(radiance_.plain[surfel]);
+    positions_.push_back(texels_.surfels.position[surfel]);
+    return static_cast<uint32_t>(places_.size() - 1);
 }
 
 void LampEvidence::findAround()
@@ -142,7 +149,8 @@ Gain LampEvidence::brightnessAround(const Response& response) const
 void LampEvidence::drawAllPairs()
 {
     for (const size_t perPlace : {kPairsFirst, kPairs})
-        pairs_[perPlace] = drawPairs(texture_, places_, texels_.surfels, perPlace);
+        pairs_[perPlace] = drawPairs(std::span(texture_).first(drawn_),
+                                     std::span(places_).first(drawn_), texels_.surfels, perPlace);
 }
 
 std::span<const MaterialPair> LampEvidence::pairs(size_t perPlace) const

@@ -31,11 +31,13 @@ std::vector<uint32_t> placesToLookAt(const Surfels& surfels, const SurfelRadianc
 class LampEvidence
 {
 public:
+    /// `told`: surfels that a person called one paint; they are places, too, behind those that
+    /// pairs are drawn of.
     LampEvidence(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                 SurfelRadiance radiance, Quality quality);
+                 SurfelRadiance radiance, Quality quality, std::span<const MaterialPair> told = {});
 
     /// Whether there are pairs to be had.
-    [[nodiscard]] bool tells() const { return places_.size() > 1; }
+    [[nodiscard]] bool tells() const { return drawn_ > 1; }
     /// Draws the pairs; once, for what places show of their material does not change with the
     /// lamps.
     void drawAllPairs();
@@ -49,6 +51,8 @@ public:
     /// undone; their mean over the scan is 0.
     [[nodiscard]] Gain brightnessAround(const Response& response) const;
     [[nodiscard]] const SurfelRadiance& radiance() const { return radiance_; } // so far
+    /// The pairs of places that a person called one paint.
+    [[nodiscard]] std::span<const MaterialPair> told() const { return told_; }
     /// What places show in the file.
     [[nodiscard]] TexturePlaces texturePlaces() const { return {texture_, positions_}; }
 
@@ -74,6 +78,7 @@ public:
     static constexpr size_t kPairs = 6;      // likewise, for how bright they are
 
 private:
+    uint32_t addPlace(uint32_t surfel);
     [[nodiscard]] double meanLogOfPlaces() const;
     void findAround();
     void addLightOnPieces(std::span<const Piece> pieces, LightModel& model) const;
@@ -83,6 +88,8 @@ private:
     const HitLists& hits_;
     SurfelRadiance radiance_;             // linear
     std::vector<uint32_t> places_;        // surfels, which are also the lists of their fronts
+    size_t drawn_ = 0;                    // places that pairs are drawn of, the first
+    std::vector<MaterialPair> told_;      // of places
     std::vector<glm::vec3> texture_;      // of places
     std::vector<glm::vec3> positions_;    // of places, m
     std::vector<glm::vec3> textureOfAll_; // of surfels

@@ -6,6 +6,7 @@
 #include "fit/light_fit.h"
 #include "fit/pieces.h"
 #include "fit/sun_trial.h"
+#include "fit/told_paint.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +28,7 @@ public:
     FoundLamps run();
 
 private:
+    void takeResponse(const Response& known);
     void takeCandidates(const GatherOptions& options, const SurfelRadiance& radiance);
     void addPieces(LampGroup group);
     void observe();
@@ -68,9 +70,11 @@ private:
     const RayScene& scene_;
     const HitLists& hits_;
     bool isSunSought_;
-    bool isResponseSought_;
+    bool isResponseSought_; // else it is what `camera_` begins with
     bool isGainSought_;
     Progress::Stage stage_;
+    std::vector<std::string> warnings_;
+    ToldPaint told_; // of surfels
     LampEvidence evidence_;
     std::vector<Piece> pieces_;
     std::vector<uint8_t> emits_; // of pieces
@@ -79,7 +83,6 @@ private:
     LightEstimate estimate_;
     double noise_; // log: between places of one paint
     OutsideLight outside_;
-    std::vector<std::string> warnings_;
     std::shared_ptr<const RayScene> beforeSun_; // what stands before it
     CameraModel camera_;
     double curved_ = 0.0; // how likely its response is not straight; 0: it is taken for that

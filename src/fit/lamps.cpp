@@ -30,7 +30,6 @@ constexpr double kLampNats = 2.0; // that it takes to believe in a lamp
 // Where one of its model emits: the log odds in rooms with ground truth, where 357 of 361 pieces
 // that looked like a lamp were one.
 constexpr double kModelNats = -4.0;
-constexpr double kFirstNoise = 0.08;  // log: between places of one paint, before it is measured
 constexpr double kNoiseOfPairs = 0.7; // of the median difference of pairs: half are of two paints
 constexpr double kLeastNoise = 0.02;  // log; what a byte and a few rays tell
 constexpr double kUnknown = 0.7;      // standard error of log radiance: about a factor of two
@@ -68,12 +67,23 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
                        const SurfelRadiance& radiance, const GatherOptions& options,
                        Progress& progress)
     : texels_(texels), scene_(scene), hits_(hits), isSunSought_(options.sun),
-      isResponseSought_(options.response && isByCamera(*texels.scan)),
+      isResponseSought_(!options.response && isByCamera(*texels.scan)),
       isGainSought_(options.gain && isByCamera(*texels.scan)),
       stage_(progress, "lamps", kSearchSteps),
-      evidence_(texels, scene, hits, radiance, options.quality), noise_(kFirstNoise)
+      told_(toldPaintOf(options, texels.surfels, radiance, warnings_)),
+      evidence_(texels, scene, hits, radiance, options.quality, told_.same), noise_(kFirstNoise)
 {
+    if (options.response) takeResponse(*options.response);
     callAll([&] { takeCandidates(options, radiance); }, [&] { evidence_.drawAllPairs(); });
+}
+
+void LampSearch::takeResponse(const Response& known)
+{
+    if (isByCamera(*texels_.scan))
+        camera_.response = known;
+    else if (!known.isStraight())
+        warnings_.emplace_back("a texture is of floats, which are light by themselves: what was "
+                               "said of the camera's response was passed over");
 }
 
 void LampSearch::takeCandidates(const GatherOptions& options, const SurfelRadiance& radiance)
@@ -135,7 +145,9 @@ void LampSearch::observe()
 
 LightFit LampSearch::fitOf(size_t pairs) const
 {
-    return {model_, evidence_.pairs(pairs), kin_.alike, noise_};
+    LightFit fit(model_, evidence_.pairs(pairs), kin_.alike, noise_);
+    fit.believe(evidence_.told());
+    return fit;
 }
 
 /// Nats that it takes to believe that a piece emits; none where one does that it is a part of. One
@@ -348,6 +360,7 @@ void LampSearch::findColors()
                 sun_ ? std::optional(sun_->channelOf(static_cast<int>(c))) : std::nullopt;
             LightFit channel(sunny ? *sunny : model_, evidence_.pairs(LampEvidence::kPairs),
                              kin_.alike, noise_, static_cast<int>(c));
+            channel.believe(evidence_.told());
             channel.expectLeaks(estimate_.log);
             colors[c] =
                 channel.solve(emits_, estimate_.log, kFirstWidth, {estimate_.log, kColorSpread});
@@ -390,7 +403,8 @@ void LampSearch::letSunIn(const LitSides& sides)
     std::optional<SunFit> fit =
         findSun(texels_, *outside, hits_, evidence_.radiance(),
                 {sides, pieces_, emits_, cost, estimate_.log, model_, evidence_.places(),
-                 evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, noise_, kLampNats});
+                 evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, evidence_.told(), noise_,
+                 kLampNats});
     if (!fit) return;
     for (const size_t perPlace : {LampEvidence::kPairsFirst, LampEvidence::kPairs})
         evidence_.addPairs(perPlace, fit->trial.pairs(evidence_.pairs(perPlace).size()));
@@ -437,8 +451,10 @@ FoundLamps LampSearch::result()
                      .residual = static_cast<float>(estimate_.residual),
                      .changeUnseen = changeUnseen(
                          {model_, evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, noise_,
-                          emits_, estimate_.log, camera_, evidence_.texturePlaces()},
+                          emits_, estimate_.log, camera_, evidence_.texturePlaces(),
+                          evidence_.told(), !isResponseSought_},
                          texels_.surfels.seed),
+                     .white = std::move(told_.white),
                      .warnings = std::move(warnings_)};
     std::vector<Piece> lamps = this->lamps();
     const auto power = [](const Piece& lamp) {
@@ -467,7 +483,9 @@ double LampSearch::noiseOf(const LightEstimate& estimate)
 
 FoundLamps LampSearch::run()
 {
-    if (!evidence_.tells()) return {.warnings = std::move(warnings_)};
+    if (!evidence_.tells())
+        return {.white = std::move(told_.white), .warnings = std::move(warnings_)};
+    if (!camera_.isNeutral()) evidence_.linearize(camera_);
     observe();
     const LightFit all = fitOf(LampEvidence::kPairsFirst);
     estimate_ = all.solve(emits_, all.beginning(), kFirstWidth);

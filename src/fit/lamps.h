@@ -12,6 +12,7 @@
 #include "shading/lamp_powers.h"
 #include "shading/lit_sides.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -50,9 +51,10 @@ struct FoundLamps
     float residual = 0.0f;        // of the fit, in log radiance
     std::optional<FoundSun> sun{};
     CameraModel camera{}; // what it made of the light
-    // By how much the log albedo of each of placesToLookAt() is another where no fit looks at it:
-    // fit/unseen.h. Empty: nothing was fitted.
+    // By how much the log albedo of each of placesToLookAt(), and then of those that a person spoke
+    // of, is another where no fit looks at it: fit/unseen.h. Empty: nothing was fitted.
     std::vector<float> changeUnseen{};
+    std::vector<uint32_t> white{}; // surfels that a person called so
     std::vector<std::string> warnings;
 };
 
@@ -62,7 +64,8 @@ struct FoundLamps
 /// nothing: it is a wall. One whose brightness the others explain, within the error of its own, is
 /// a wall too. What remains is fitted again, until nothing changes; pieces that touch and are about
 /// equally bright become one lamp. What a person says of a place in `options` is not doubted;
-/// where such a lamp lights too little to tell how bright it is, a warning says so. Beyond 96
+/// where such a lamp lights too little to tell how bright it is, a warning says so; pairs of
+/// places that are called one paint count as data. Beyond 96
 /// candidates, alike neighbours are one unknown and come out as one FoundLamp.
 FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists& hits,
                      const SurfelRadiance& radiance, const GatherOptions& options,

@@ -79,6 +79,23 @@ TEST(Lamps, PlaceWithoutAnythingBurntOutIsNamed)
                 testing::ElementsAre(testing::HasSubstr("nothing is burnt out near 2, 0, 2.5")));
 }
 
+TEST(Lamps, ResponseThatAPersonKnowsIsTakenAndNotSought)
+{
+    constexpr Response kKnown{{1.1f, 1.05f, 1.0f, 0.95f, 0.9f}};
+    EXPECT_EQ(found({.response = kKnown}).camera.response, kKnown);
+    EXPECT_TRUE(found({.response = Response{}}).camera.response.isStraight());
+}
+
+TEST(Lamps, TexturesOfFloatsAreOfNoCamera)
+{
+    Scan scan = LitRoom().scan;
+    for (Page& page : scan.pages) page.image.clipsAtWhite = false;
+    const FoundLamps lamps =
+        lampsOf(scenes::Surfaces(std::move(scan)), {.response = Response{{2, 2, 2, 2, 2}}});
+    EXPECT_TRUE(lamps.camera.response.isStraight());
+    EXPECT_THAT(lamps.warnings, testing::Contains(testing::HasSubstr("a texture is of floats")));
+}
+
 TEST(Lamps, RoomWithoutAnythingBurntOutHasNone)
 {
     const scenes::Surfaces room(scenes::room({2, 2, 2}, 32, scenes::plain(glm::vec3(0.4f))));

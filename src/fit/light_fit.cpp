@@ -165,7 +165,9 @@ double LightFit::gain(const LightEstimate& estimate, size_t piece, double& best)
             const double off = r2 / noiseOf(k, r2);
             sum += std::log1p(off * off);
         }
-        return perPair() * sum;
+        double told = 0.0;
+        for (const auto& [p, q] : told_) told += natsOfTold(logAlbedo[p] - logAlbedo[q]);
+        return perPair() * sum + told;
     };
     const double without = nats(was);
     double most = 0.0;

@@ -14,6 +14,10 @@ namespace relamp
 // Numerics.
 inline constexpr double kFirstWidth = 4.0; // times the noise: what a first loss forgives
 
+// Log albedo, between places of one paint, before it is measured; and between those that a person
+// calls so. No more where much is wrong with the light, for there it is needed.
+inline constexpr double kFirstNoise = 0.08;
+
 /// How bright everything is that the light of a room comes from, in luminance or in one channel: in
 /// logarithms of radiance, 1 = the texture's white.
 struct LightEstimate
@@ -62,6 +66,8 @@ public:
     void expectLeaks(std::span<const double> log);
     /// The same of what is shown once these coefficients of the camera are undone.
     void expectLeaks(const LightEstimate& estimate, const CameraColumns& camera);
+    /// From now on these pairs count as well, which a person said to be of one paint.
+    void believe(std::span<const MaterialPair> same) { told_ = same; }
     /// `emits`: one flag a piece. `start`: as LightEstimate::log. `widest`: how many times wider
     /// than its noise the first loss is: the more, the farther off the start may be.
     [[nodiscard]] LightEstimate solve(std::span<const uint8_t> emits, std::vector<double> start,
@@ -109,6 +115,7 @@ private:
     const LightModel& model_;
     std::span<const MaterialPair> pairs_;
     std::span<const AlikePieces> alike_;
+    std::span<const MaterialPair> told_;
     int channel_;
     double noise_;
     std::vector<double> logShown_;   // of places, and then of pieces

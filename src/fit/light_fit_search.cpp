@@ -216,15 +216,13 @@ double LightFitSearch::level(const Point& at) const
 
 double LightFitSearch::costOf(const Point& at) const
 {
-    // Numerics.
-    constexpr size_t kChunk = 2048; // pairs that one thread sums
     const size_t pairs = fit_.pairs_.size();
-    std::vector<double> sums((pairs + kChunk - 1) / kChunk, 0.0);
-    forEachChunk(pairs, kChunk, [&](size_t begin, size_t end) {
+    std::vector<double> sums((pairs + kPairsOfChunk - 1) / kPairsOfChunk, 0.0);
+    forEachChunk(pairs, kPairsOfChunk, [&](size_t begin, size_t end) {
         for (size_t k = begin; k < end; ++k) {
             const double r = residual(at, fit_.pairs_[k]);
             const double off = r / (wider_ * fit_.noiseOf(k, r));
-            sums[begin / kChunk] += std::log1p(off * off);
+            sums[begin / kPairsOfChunk] += std::log1p(off * off);
         }
     });
     const double nats = std::accumulate(sums.begin(), sums.end(), fit_.normalization_);
@@ -237,6 +235,7 @@ double LightFitSearch::costOfPriors(const Point& at) const
     for (size_t f = 0; f < model_.pieces; ++f)
         if (isBounded(f)) nats += fit_.boundCost(f, at.logIrradiance[model_.placeOf(f)]);
     for (size_t u = 0; u < lights(); ++u) nats += priorOf(u, at).cost;
+    for (const MaterialPair pair : fit_.told_) nats += natsOfTold(residual(at, pair));
     if (camera_.count() > 0) nats += costOfCamera(at);
     for (const auto& [a, b] : fit_.alike_) {
         if (emits_[a] == 0 || emits_[b] == 0) continue;
@@ -297,6 +296,9 @@ LightFitSearch::Normal LightFitSearch::normalOfData(const Point& at) const
                            static_cast<float>(slope),
                            static_cast<float>(slope * lack)});
     }
+    for (const MaterialPair pair : fit_.told_)
+        weighed.push_back({pair, static_cast<float>(1.0 / kFirstNoise),
+                           static_cast<float>(residual(at, pair) / kFirstNoise)});
     const auto n = static_cast<Eigen::Index>(count());
     const std::vector<double> squares = squaresOf(shares, weighed);
     const Eigen::Map<const RowMajor> all(squares.data(), n + 1, n + 1);

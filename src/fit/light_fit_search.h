@@ -119,5 +119,11 @@ private:
 /// 0 of none.
 double medianOfAll(std::vector<double> values);
 std::vector<double> exponentials(std::span<const double> log);
+/// Against a residual of places that a person called one paint. Such a pair is no one of many that
+/// err alike, and none that is thrown away.
+inline double natsOfTold(double residual)
+{
+    return 0.5 * residual * residual / (kFirstNoise * kFirstNoise);
+}
 
 } // namespace relamp

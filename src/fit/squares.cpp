@@ -10,7 +10,6 @@ namespace
 {
 
 // Numerics.
-constexpr size_t kChunk = 2048; // residuals that one thread sums
 constexpr size_t kTogether = 8; // residuals, so that a sum is loaded and stored once for all
 
 struct SquaresArgs
@@ -67,10 +66,10 @@ std::vector<double> squaresOf(const PlaceTable& table, std::span<const PairResid
                               InstructionSet set)
 {
     const size_t stride = table.stride();
-    std::vector<std::vector<float>> ofChunk((residuals.size() + kChunk - 1) / kChunk);
-    forEachChunk(residuals.size(), kChunk, [&](size_t begin, size_t end) {
+    std::vector<std::vector<float>> ofChunk((residuals.size() + kPairsOfChunk - 1) / kPairsOfChunk);
+    forEachChunk(residuals.size(), kPairsOfChunk, [&](size_t begin, size_t end) {
         std::vector<float> rows(kTogether * stride);
-        std::vector<float>& sums = ofChunk[begin / kChunk];
+        std::vector<float>& sums = ofChunk[begin / kPairsOfChunk];
         sums.assign(stride * stride, 0.0f);
         const SquaresArgs args{&table, &residuals[begin], end - begin, rows.data(), sums.data()};
         runKernel<squaresKernel>(set, args);

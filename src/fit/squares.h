@@ -30,6 +30,9 @@ private:
     std::vector<float> values_;
 };
 
+// Numerics.
+inline constexpr size_t kPairsOfChunk = 2048; // that one thread sums
+
 /// The residual of two places; its Jacobian is slope * (row of q - row of p).
 struct PairResidual
 {

@@ -43,12 +43,14 @@ std::optional<SunFit> fitOf(SunTrial trial, const LightSoFar& light, double trie
     emits.push_back(0);
     std::vector<double> start(light.log.begin(), light.log.end());
     start.insert(start.end() - static_cast<ptrdiff_t>(light.model.outsides), 0.0);
-    const LightFit sunny(trial.with, pairs, light.alike, light.noise);
+    LightFit sunny(trial.with, pairs, light.alike, light.noise);
+    sunny.believe(light.told);
     const size_t sun = trial.sun();
     double log = 0.0;
     if (sunny.gain({.log = start}, sun, log) < tries) return std::nullopt; // saves two fits
 
-    const LightFit shade(trial.without, pairs, light.alike, light.noise);
+    LightFit shade(trial.without, pairs, light.alike, light.noise);
+    shade.believe(light.told);
     const LightEstimate without = shade.solve(emits, start, 1.0);
     double saved = 0.0;
     for (const SunPatch& patch : trial.patches) {

@@ -32,8 +32,9 @@ struct LightSoFar
     std::span<const uint32_t> places;    // surfels
     std::span<const MaterialPair> pairs; // of these
     std::span<const AlikePieces> alike;
-    double noise;     // log: between places of one paint
-    double costOfSun; // nats that it takes to believe in one, wherever it stands
+    std::span<const MaterialPair> told; // that a person called one paint
+    double noise;                       // log: between places of one paint
+    double costOfSun;                   // nats that it takes to believe in one, wherever it stands
 };
 
 /// A burnt-out piece that is a patch of sun: paint, whose colour is that of what lies beside it.

@@ -13,17 +13,18 @@ namespace relamp
 namespace
 {
 
-CameraColumns columnsOf(const CameraModel& camera, const TexturePlaces& places)
+CameraColumns columnsSought(const FittedLight& light)
 {
-    if (!camera.gain.isOne()) return columnsOf(camera.gain, places);
-    if (!camera.response.isStraight()) return columnsOf(camera.response, places);
-    return {};
+    const CameraModel& camera = light.camera;
+    if (!camera.gain.isOne()) return columnsOf(camera.gain, light.texture);
+    if (camera.response.isStraight() || light.isResponseKnown) return {};
+    return columnsOf(camera.response, light.texture);
 }
 
 /// The same with a sun's rim behind the places, which has no camera of its own.
 CameraColumns columnsOf(const FittedLight& light)
 {
-    CameraColumns columns = columnsOf(light.camera, light.texture);
+    CameraColumns columns = columnsSought(light);
     const size_t places = light.model.places();
     columns.bend.resize(places * columns.count(), 0.0f);
     if (columns.slope.empty()) return columns;
@@ -32,11 +33,13 @@ CameraColumns columnsOf(const FittedLight& light)
     return columns;
 }
 
-/// Of all places, as these pairs tell it.
+/// Of all places, as these pairs tell it, and those that a person told of.
 std::vector<double> logAlbedoBy(const FittedLight& light, const CameraColumns& camera,
-                                std::span<const MaterialPair> pairs)
+                                std::span<const MaterialPair> pairs,
+                                std::span<const MaterialPair> told)
 {
     LightFit fit(light.model, pairs, light.alike, light.noise);
+    fit.believe(told);
     fit.expectLeaks(light.log);
     return fit.logAlbedo(fit.solve(light.emits, {light.log.begin(), light.log.end()}, camera),
                          camera);
@@ -53,12 +56,15 @@ std::vector<float> changeUnseen(const FittedLight& light, uint32_t seed)
     const CameraColumns camera = columnsOf(light);
     std::array<std::vector<double>, kFolds + 1> logAlbedo;
     forEach(logAlbedo.size(), [&](size_t k) {
-        std::vector<MaterialPair> seen;
-        std::copy_if(light.pairs.begin(), light.pairs.end(), std::back_inserter(seen),
-                     [&](MaterialPair pair) {
-                         return k == kFolds || (fold[pair.p] != k && fold[pair.q] != k);
-                     });
-        logAlbedo[k] = logAlbedoBy(light, camera, seen);
+        const auto seenOf = [&](std::span<const MaterialPair> pairs) {
+            std::vector<MaterialPair> seen;
+            std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(seen),
+                         [&](MaterialPair pair) {
+                             return k == kFolds || (fold[pair.p] != k && fold[pair.q] != k);
+                         });
+            return seen;
+        };
+        logAlbedo[k] = logAlbedoBy(light, camera, seenOf(light.pairs), seenOf(light.told));
     });
     std::vector<float> change;
     for (size_t i = 0; i < light.texture.position.size(); ++i)

@@ -22,6 +22,8 @@ struct FittedLight
     std::span<const double> log; // as LightEstimate has it
     const CameraModel& camera;
     TexturePlaces texture;
+    std::span<const MaterialPair> told{}; // that a person called one paint
+    bool isResponseKnown = false;         // a person knows it
 };
 
 /// By how much the log albedo of places is another where the fit does not look at them: one a
@@ -29,7 +31,8 @@ struct FittedLight
 ///
 /// Five fits from the one that is given leave out the pairs of a fold each (scan/held_out.h), and a
 /// sixth leaves out none, to compare with. The same pieces emit in the same gathered light; what
-/// they emit, outside and the camera's gain, or else its response, are found anew.
+/// they emit, outside and the camera's gain, or else its response where it is not known, are found
+/// anew.
 std::vector<float> changeUnseen(const FittedLight& light, uint32_t seed);
 
 } // namespace relamp

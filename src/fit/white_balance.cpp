@@ -2,6 +2,7 @@
 
 #include "base/radiometry.shared.h"
 #include "fit/camera_columns.h"
+#include "fit/light_fit.h"
 #include "scan/gain.h"
 
 #include <algorithm>
@@ -57,19 +58,22 @@ double medianSize(std::vector<double> values)
 }
 
 /// Knots that explain the differences of pairs best, by Cauchy's loss and the prior. Each pair is
-/// `worth` an independent one.
+/// `worth` an independent one, but for those from `told` on, which a person named: one each.
 Eigen::VectorXd knotsOf(const std::vector<Row>& rows, const std::vector<double>& difference,
-                        const Eigen::MatrixXd& prior, double worth)
+                        const Eigen::MatrixXd& prior, double worth, size_t told)
 {
     Eigen::VectorXd knots = Eigen::VectorXd::Zero(prior.rows());
     std::vector<double> left = difference;
     for (int round = 0; round < kRounds; ++round) {
-        const double noise = std::max(medianSize(left), kLeastTintNoise);
+        const double noise =
+            std::max(medianSize({left.begin(), left.begin() + static_cast<ptrdiff_t>(told)}),
+                     kLeastTintNoise);
         Eigen::MatrixXd matrix = prior;
         Eigen::VectorXd slope = Eigen::VectorXd::Zero(prior.rows());
         for (size_t i = 0; i < rows.size(); ++i) {
             const Row& row = rows[i];
-            const double weight = 2.0 * worth / (noise * noise + left[i] * left[i]);
+            const double weight = i < told ? 2.0 * worth / (noise * noise + left[i] * left[i])
+                                           : 1.0 / (kFirstNoise * kFirstNoise);
             for (size_t a = 0; a < row.knot.size(); ++a) {
                 slope[row.knot[a]] += weight * row.part[a] * difference[i];
                 for (size_t b = 0; b < row.knot.size(); ++b)
@@ -89,9 +93,12 @@ Eigen::VectorXd knotsOf(const std::vector<Row>& rows, const std::vector<double>&
 } // namespace
 
 Gain withWhiteBalance(Gain gain, std::span<const glm::vec3> position,
-                      std::span<const glm::vec3> albedo, std::span<const MaterialPair> pairs)
+                      std::span<const glm::vec3> albedo, std::span<const MaterialPair> pairs,
+                      std::span<const MaterialPair> told)
 {
-    const std::vector<Row> rows = rowsOf(gain, position, pairs);
+    std::vector<Row> rows = rowsOf(gain, position, pairs);
+    const std::vector<Row> rowsOfTold = rowsOf(gain, position, told);
+    rows.insert(rows.end(), rowsOfTold.begin(), rowsOfTold.end());
     const std::vector<double> precision = precisionOf(gain, kTintSpread, kTintStep);
     const auto knotCount = static_cast<Eigen::Index>(gain.log.size());
     const Eigen::MatrixXd prior =
@@ -105,9 +112,10 @@ Gain withWhiteBalance(Gain gain, std::span<const glm::vec3> position,
                                        logOfLight(albedo[place].g));
         };
         std::vector<double> difference;
-        for (const MaterialPair pair : pairs)
-            difference.push_back(overGreen(pair.p) - overGreen(pair.q));
-        const Eigen::VectorXd knots = knotsOf(rows, difference, prior, worth);
+        for (const auto some : {pairs, told})
+            for (const MaterialPair pair : some)
+                difference.push_back(overGreen(pair.p) - overGreen(pair.q));
+        const Eigen::VectorXd knots = knotsOf(rows, difference, prior, worth, pairs.size());
         glm::vec3 tint(0.0f);
         tint[channel] = 1.0f;
         tint -= glm::vec3(luminance(tint));

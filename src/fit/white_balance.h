@@ -14,8 +14,9 @@ namespace relamp
 /// stays.
 ///
 /// `albedo`: of places, as that gain and the light that was found make it, > 0; places of one paint
-/// have one colour.
+/// have one colour. `told`: pairs that a person called one paint.
 Gain withWhiteBalance(Gain gain, std::span<const glm::vec3> position,
-                      std::span<const glm::vec3> albedo, std::span<const MaterialPair> pairs);
+                      std::span<const glm::vec3> albedo, std::span<const MaterialPair> pairs,
+                      std::span<const MaterialPair> told = {});
 
 } // namespace relamp

@@ -107,19 +107,18 @@ ordered_json cameraAsJson(const CameraModel& camera)
     object["gain"] = gainAsJson(camera.gain);
     return object;
 }
-CameraModel cameraOf(const JsonItem& top, std::vector<std::string>& warnings)
+
+CameraModel cameraOf(const JsonItem& item, std::vector<std::string>& warnings)
 {
     CameraModel camera;
-    const std::optional<JsonItem> item = top.objectIn("camera");
-    if (!item) return camera;
-    item->warnOfUnknown({"response", "localTone", "gain"}, warnings);
-    if (item->has("response")) camera.response = responseFrom(*item);
-    if (const std::optional<JsonItem> tone = item->objectIn("localTone")) {
+    item.warnOfUnknown({"response", "localTone", "gain"}, warnings);
+    if (item.has("response")) camera.response = responseFrom(item);
+    if (const std::optional<JsonItem> tone = item.objectIn("localTone")) {
         tone->warnOfUnknown({"exponent", "origin", "spacing", "count", "stops"}, warnings);
         camera.tone = {static_cast<float>(tone->numberAt("exponent", kLeastExponent, 1.0)),
                        gainFrom(*tone)};
     }
-    if (const std::optional<JsonItem> gain = item->objectIn("gain")) {
+    if (const std::optional<JsonItem> gain = item.objectIn("gain")) {
         gain->warnOfUnknown({"origin", "spacing", "count", "stops"}, warnings);
         camera.gain = gainFrom(*gain);
     }

@@ -14,8 +14,7 @@ namespace relamp
 /// A camera's model as lights.json and report.json have it; empty where it is neutral.
 nlohmann::ordered_json cameraAsJson(const CameraModel& camera);
 
-/// The "camera" of a lights file; neutral where it has none. Throws Error(malformed) naming the
-/// line and the key.
-CameraModel cameraOf(const JsonItem& top, std::vector<std::string>& warnings);
+/// The "camera" of a lights file. Throws Error(malformed) naming the line and the key.
+CameraModel cameraOf(const JsonItem& item, std::vector<std::string>& warnings);
 
 } // namespace relamp

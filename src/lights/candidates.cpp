@@ -19,7 +19,6 @@ constexpr float kLargePlane = 0.5f;   // m^2; smaller ones may be parts of lamps
 constexpr float kWallAround = 0.4f;   // of a square's rim that is wall
 constexpr float kNearlyWhite = 0.75f; // of what burns out: what shows as much nearly did
 constexpr float kFlat = 0.9f;         // length of a mean normal; more faces one way
-constexpr float kPointedAt = 0.3f;    // m around a place that a person names
 
 // Numerics.
 constexpr size_t kMostPlanes = 4; // of one blob

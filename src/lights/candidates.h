@@ -48,7 +48,9 @@ bool fades(const Texels& texels, const SurfelRadiance& radiance, const Candidate
 /// Share of its area that some channel is not burnt out in: that channel was seen as it is.
 float colouredShare(const Candidate& candidate);
 
-/// The candidate that a person points at: the one with the patch nearest to `place`, within 0.3 m;
+inline constexpr float kPointedAt = 0.3f; // m around a place that a person names
+
+/// The candidate that a person points at: the one with the patch nearest to `place`, within that;
 /// candidates.size() where there is none.
 size_t nearestTo(std::span<const Candidate> candidates, glm::vec3 place);
 

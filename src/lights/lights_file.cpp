@@ -118,11 +118,16 @@ Tempering temperingOf(const JsonItem& top, std::vector<std::string>& warnings)
 {
     const std::optional<JsonItem> item = top.objectIn("tempering");
     if (!item) return {};
-    item->warnOfUnknown({"power", "kept"}, warnings);
-    const Tempering tempering{.kept = item->lightAt("kept"),
-                              .power = static_cast<float>(item->numberAt("power", 0.0, 1.0))};
-    if (std::min({tempering.kept.r, tempering.kept.g, tempering.kept.b}) <= 0.0f)
-        item->refuse("\"kept\" must be above 0", "kept");
+    item->warnOfUnknown({"power", "kept", "scale"}, warnings);
+    Tempering tempering{.kept = item->lightAt("kept"),
+                        .power = static_cast<float>(item->numberAt("power", 0.0, 1.0))};
+    if (item->has("scale")) tempering.scale = item->lightAt("scale");
+    const auto mustBeAbove0 = [&](glm::vec3 light, const char* key) {
+        if (std::min({light.r, light.g, light.b}) <= 0.0f)
+            item->refuse(fmt::format("\"{}\" must be above 0", key), key);
+    };
+    mustBeAbove0(tempering.kept, "kept");
+    mustBeAbove0(tempering.scale, "scale");
     return tempering;
 }
 
@@ -260,6 +265,8 @@ std::string lightsAsJson(const Lights& lights)
     if (lights.tempering != Tempering{})
         document["tempering"] = {{"power", shortest(lights.tempering.power)},
                                  {"kept", toJson(lights.tempering.kept)}};
+    if (lights.tempering.scale != glm::vec3(1.0f))
+        document["tempering"]["scale"] = toJson(lights.tempering.scale);
     return textOf(document);
 }
 
@@ -291,7 +298,7 @@ Lights lightsFrom(const JsonDocument& document, std::vector<std::string>& warnin
         lights.openings.push_back(item.lightAt("timesAmbient"));
     });
     lights.sun = sunOf(top, warnings);
-    lights.camera = cameraOf(top, warnings);
+    if (const auto camera = top.objectIn("camera")) lights.camera = cameraOf(*camera, warnings);
     lights.tempering = temperingOf(top, warnings);
     if (lights.points.empty() && lights.ambient == glm::vec3(0.0f) && !lights.sun)
         malformed(top.what, "holds no light: it needs \"lights\", \"fixtures\", \"ambient\" or "

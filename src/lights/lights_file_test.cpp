@@ -154,7 +154,7 @@ TEST(LightsFile, WhatWasWrittenIsReadAgain)
     for (const float log : {0.1f, 0.0f, -0.2f, 0.3f, 0.0f, 0.0f})
         lights.camera.gain.log.emplace_back(log, log, 2.0f * log);
     lights.camera.tone = {0.625f, {{0, 1, 0}, 0.5f, {1, 1, 2}, {glm::vec3(0.5f), glm::vec3(-1)}}};
-    lights.tempering = {.kept = {0.5f, 0.4f, 0.3f}, .power = 0.8f};
+    lights.tempering = {.kept = {0.5f, 0.4f, 0.3f}, .power = 0.8f, .scale = {0.75f, 0.8f, 0.9f}};
     const Lights again = read(lightsAsJson(lights));
     ASSERT_THAT(again.fixtures, SizeIs(1));
     EXPECT_EQ(again.fixtures[0].centre, lights.fixtures[0].centre);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace relamp
 {
@@ -74,6 +75,22 @@ ordered_json placesAsJson(const std::vector<glm::vec3>& places)
     return list;
 }
 
+ordered_json pairsAsJson(const std::vector<SamePaint>& same)
+{
+    ordered_json list = ordered_json::array();
+    for (const auto& [a, b] : same) list.push_back(placesAsJson({a, b}));
+    return list;
+}
+
+/// Null where it is looked for.
+ordered_json responseAsJson(const std::optional<Response>& response)
+{
+    ordered_json slopes;
+    if (response)
+        for (const float slope : response->slope) slopes.push_back(shortest(slope));
+    return slopes;
+}
+
 ordered_json optionsAsJson(const GatherOptions& gather)
 {
     return {{"quality", nameOf(gather.quality)},
@@ -81,8 +98,10 @@ ordered_json optionsAsJson(const GatherOptions& gather)
             {"shadowRays", gather.shadowRays},
             {"lights", placesAsJson(gather.lights)},
             {"notLights", placesAsJson(gather.notLights)},
+            {"same", pairsAsJson(gather.same)},
+            {"white", placesAsJson(gather.white)},
             {"sun", gather.sun},
-            {"response", gather.response},
+            {"response", responseAsJson(gather.response)},
             {"gain", gather.gain},
             {"raySeed", gather.seed}};
 }
@@ -164,6 +183,12 @@ ordered_json lightsAsReport(const Decomposition& result)
                       {"pointLights", result.lights().points.size()},
                       {"mergedLights", result.mergedLights().size()},
                       {"ambient", toJson(result.lights().ambient)}};
+    json["openings"] = ordered_json::array();
+    for (const Opening& opening : result.openings())
+        json["openings"].push_back({{"centre", toJson(opening.centre)},
+                                    {"normal", toJson(opening.normal)},
+                                    {"area", shortest(opening.area)},
+                                    {"radiance", toJson(opening.radiance)}});
     if (const auto& sun = result.lights().sun)
         json["sun"] = {{"direction", toJson(sun->direction)},
                        {"irradiance", toJson(sun->irradiance)},

@@ -8,6 +8,7 @@
 #include "decomposition_state.h"
 #include "image/transfer.h"
 #include "image/write_image.h"
+#include "output/camera_plot.h"
 #include "output/fixtures_file.h"
 #include "output/lights_in_the_open.h"
 #include "output/preview.h"
@@ -162,7 +163,10 @@ PreviewPicture ResultWriter::drawPreview() const
     const bool isDraft = result_.optionsInForce().gather.quality == Quality::draft;
     const std::vector<Camera> cameras =
         chooseViewpoints(scan_, *state.scene, isDraft ? kViewpointsOfDraft : kViewpoints);
-    return renderPreview(*state.texels, *state.scene, previews_, cameras, progress_);
+    PreviewPicture preview =
+        renderPreview(*state.texels, *state.scene, previews_, cameras, progress_);
+    drawCamera(result_.lights().camera, preview);
+    return preview;
 }
 
 void ResultWriter::writePreview(const PreviewPicture& picture)

@@ -46,6 +46,16 @@ private:
     uint32_t bits_;
 };
 
+/// A large hole of a scan: a window, a door, a ceiling that is not there.
+struct Hole
+{
+    uint32_t part = 0;      // the first of those that lie behind it
+    uint32_t parts = 1;     // of a hole in an upright side two: above and below the horizon
+    glm::vec3 centre{0.0f}; // world, m: the middle of where rays leave the box around the scan
+    glm::vec3 normal{0.0f}; // unit, into the room
+    float area = 0.0f;      // m^2
+};
+
 /// Cosine-distributed rays of the sides of surfels and what they met. Cast once per scan: light
 /// that changes needs no new rays.
 struct HitLists
@@ -57,6 +67,7 @@ struct HitLists
     std::vector<uint32_t> firstTarget{0}; // of lists, and one more
     std::vector<HitTarget> targets;
     std::vector<float> shareOfPart{0.0f}; // of parts outside: of all light that could reach fronts
+    std::vector<Hole> holes;              // by falling area
 
     [[nodiscard]] std::span<const HitTarget> targetsOf(size_t list) const
     {

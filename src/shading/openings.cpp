@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -226,6 +227,34 @@ Parts partsOf(const Squares& squares, std::span<const double> shares)
     return parts;
 }
 
+/// Where openings lie, and how large they are: every line out through a hole begins at some front,
+/// so that the area of fronts times the share of their rays which leave through it is its area.
+std::vector<Hole> holesOf(const Squares& squares, std::span<const double> shares,
+                          const Parts& parts, std::span<const float> areaOfPart)
+{
+    std::map<uint32_t, std::pair<Hole, double>> holes; // by their first part, with their share
+    for (size_t square = 0; square < squares.count(); ++square) {
+        const uint32_t part = parts.ofSquare[square];
+        if (part == 0) continue;
+        auto& [hole, share] = holes[part];
+        const Candidate at = squares[square];
+        hole.part = part;
+        hole.parts = Squares::isUpright(squares.sideOf(square)) ? 2 : 1;
+        hole.normal = at.normal;
+        hole.centre += static_cast<float>(shares[square]) * at.centre;
+        share += shares[square];
+    }
+    std::vector<Hole> list;
+    for (auto& [part, found] : holes) {
+        Hole& hole = list.emplace_back(found.first);
+        hole.centre /= static_cast<float>(found.second);
+        for (uint32_t p = part; p < part + hole.parts; ++p) hole.area += areaOfPart[p];
+    }
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Hole& a, const Hole& b) { return a.area > b.area; });
+    return list;
+}
+
 } // namespace
 
 void tellPartsApart(const Texels& texels, HitLists& hits)
@@ -251,6 +280,7 @@ void tellPartsApart(const Texels& texels, HitLists& hits)
         for (const HitTarget target : hits.targetsOf(s))
             if (target.isNothing()) hits.shareOfPart[target.part()] += perRay;
     }
+    hits.holes = holesOf(squares, shares, parts, hits.shareOfPart);
 }
 
 std::vector<Candidate> openingsOf(const Texels& texels, const HitLists& hits)

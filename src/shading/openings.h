@@ -12,7 +12,8 @@ namespace relamp
 /// Tells what lies outside a scan apart, by where rays leave the box around it. Every large hole in
 /// one of its sides is an opening; those in upright sides, windows mostly, have two parts, above
 /// and below the horizon, for what is seen there is far. Part 0 is the rest, all small holes
-/// together. Fills in the parts of targets that are nothing and HitLists::shareOfPart.
+/// together. Fills in the parts of targets that are nothing,
+/// HitLists::shareOfPart and HitLists::holes.
 void tellPartsApart(const Texels& texels, HitLists& hits);
 
 /// Where lamps can be that the scan has no surface for: squares just beyond the holes in its top

@@ -75,6 +75,26 @@ TEST(Openings, CeilingThatIsMissingIsOnePartUnderSquaresThatFaceDown)
     EXPECT_NEAR(area, kOpenRoom.x * kOpenRoom.z, 0.3f * kOpenRoom.x * kOpenRoom.z);
 }
 
+// Every line out through a hole begins at a surface that is there: so many of their rays leave.
+TEST(Openings, HolesAreAsLargeAsTheyAreAndWhereTheyAre)
+{
+    const scenes::Surfaces top(withoutWall(kMissingCeiling));
+    const HitLists hits = scenes::hitListsOf(top, 32);
+    ASSERT_EQ(hits.holes.size(), 1u);
+    const float ceiling = kOpenRoom.x * kOpenRoom.z;
+    EXPECT_NEAR(hits.holes[0].area, ceiling, 0.1f * ceiling);
+    EXPECT_EQ(hits.holes[0].normal, scenes::kDown);
+    EXPECT_NEAR(hits.holes[0].centre.x, 0.5f * kOpenRoom.x, 0.1f);
+    EXPECT_NEAR(hits.holes[0].centre.z, 0.5f * kOpenRoom.z, 0.1f);
+    EXPECT_EQ(hits.holes[0].parts, 1u);
+
+    const scenes::Surfaces side(withoutWall(kMissingSide));
+    const HitLists ofSide = scenes::hitListsOf(side, 32);
+    ASSERT_EQ(ofSide.holes.size(), 1u);
+    EXPECT_EQ(ofSide.holes[0].parts, 2u);
+    EXPECT_NEAR(ofSide.holes[0].normal.y, 0.0f, 1e-6f);
+}
+
 // What a floor sees through a window is sky, what a ceiling sees is ground.
 TEST(Openings, WindowShowsTheFloorTheSkyAndTheCeilingTheGround)
 {

@@ -17,6 +17,9 @@ inline bool isOfScan(const Tempering& tempering)
     return tempering.power == 0.0f;
 }
 
+/// That temperedBy() takes.
+glm::vec3 factorOf(const Tempering& tempering);
+
 /// Direct and indirect alike.
 void temper(const Tempering& tempering, size_t count, ShadingBlock& shading);
 /// The same of irradiance.

@@ -12,6 +12,11 @@ namespace
 
 const glm::vec3 kKept(0.5f, 0.4f, 0.3f);
 
+glm::vec3 by(glm::vec3 shading, float power)
+{
+    return temperedBy(shading, factorOf({.kept = kKept, .power = power}), power);
+}
+
 } // namespace
 
 // A geometric mean between what was found and what is kept.
@@ -19,7 +24,7 @@ TEST(Tempering, OfOneHalfTakesTheRoot)
 {
     for (const float light : {0.01f, 0.3f, 2.0f}) {
         const glm::vec3 shading(light, 2.0f * light, 3.0f * light);
-        const glm::vec3 tempered = shading * temperedBy(shading, kKept, 0.5f);
+        const glm::vec3 tempered = shading * by(shading, 0.5f);
         for (int c = 0; c < 3; ++c)
             EXPECT_NEAR(tempered[c], std::sqrt(shading[c] * kKept[c]), 1e-5f);
     }
@@ -28,15 +33,28 @@ TEST(Tempering, OfOneHalfTakesTheRoot)
 TEST(Tempering, LeavesAllOfAShadingThatIsBelievedAndNothingOfOneThatIsNot)
 {
     const glm::vec3 shading(0.07f, 0.9f, 3.0f);
-    EXPECT_EQ(temperedBy(shading, kKept, 1.0f), glm::vec3(1.0f)); // to the bit
-    const glm::vec3 none = shading * temperedBy(shading, kKept, 0.0f);
+    EXPECT_EQ(by(shading, 1.0f), glm::vec3(1.0f)); // to the bit
+    const glm::vec3 none = shading * by(shading, 0.0f);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(none[c], kKept[c], 1e-6f);
 }
 
 TEST(Tempering, OfWhatIsBlackIsBlack)
 {
-    const glm::vec3 black = glm::vec3(0.0f) * temperedBy(glm::vec3(0.0f), kKept, 0.3f);
+    const glm::vec3 black = glm::vec3(0.0f) * by(glm::vec3(0.0f), 0.3f);
     EXPECT_EQ(black, glm::vec3(0.0f));
+}
+
+TEST(Tempering, ScalesWhatIsBelievedAsWell)
+{
+    ShadingBlock shading;
+    for (float* light : {shading.direct.r, shading.direct.g, shading.direct.b}) light[0] = 0.5f;
+    for (float* light : {shading.indirect.r, shading.indirect.g, shading.indirect.b})
+        light[0] = 0.25f;
+    const glm::vec3 scale(0.5f, 0.8f, 2.0f);
+    temper({.scale = scale}, 1, shading);
+    EXPECT_FLOAT_EQ(shading.direct.r[0], 0.25f);
+    EXPECT_FLOAT_EQ(shading.indirect.b[0], 0.5f);
+    EXPECT_EQ(tempered({.scale = scale}, {glm::vec3(1.0f)})[0], scale);
 }
 
 // How much of the light comes straight is another matter.
@@ -61,7 +79,7 @@ TEST(Tempering, IsTheSameOfIrradiance)
 {
     const glm::vec3 shading(0.07f, 0.9f, 3.0f);
     const std::vector<glm::vec3> irradiance = tempered({kKept, 0.6f}, {kPi * shading});
-    const glm::vec3 expected = kPi * shading * temperedBy(shading, kKept, 0.6f);
+    const glm::vec3 expected = kPi * shading * by(shading, 0.6f);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(irradiance[0][c], expected[c], 1e-4f);
 }
 

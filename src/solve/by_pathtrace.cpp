@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "solve/proof.h"
+#include "solve/white_scale.h"
 
 #include <algorithm>
 #include <memory>
@@ -149,6 +150,7 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
     solution.closure = settled.closure;
     const Witnesses witnesses = witnessesOf(texels, found);
     temper(texels, witnesses, settled.irradiance, found);
+    scaleToWhite(settled.irradiance, found);
     solution.texels = {.shade = shadingOf(texels, scene, room, options.pathtrace),
                        .tempering = found.tempering,
                        .shining = shiningOf(found),
@@ -158,6 +160,7 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
                                                tempered(found.tempering, settled.irradiance))),
                        .linearization = found.linearization};
     solution.lights = lightsOf(found);
+    solution.openings = openingsOf(found);
     prove(witnesses, settled.irradiance, solution);
     solution.fixtureOf = fixturesOfSurfels(found);
     solution.merged = solution.lights.points;

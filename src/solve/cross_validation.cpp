@@ -66,9 +66,10 @@ std::vector<glm::vec3> albedoUnder(const Witnesses& witnesses, std::span<const g
 {
     if (isOfScan(tempering)) return witnesses.texture;
     std::vector<glm::vec3> albedo;
+    const glm::vec3 factor = factorOf(tempering);
     for (size_t i = 0; i < shading.size(); ++i)
         albedo.push_back(witnesses.radiance[i] /
-                         (shading[i] * temperedBy(shading[i], tempering.kept, tempering.power)));
+                         (shading[i] * temperedBy(shading[i], factor, tempering.power)));
     return albedo;
 }
 

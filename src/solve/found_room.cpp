@@ -241,6 +241,19 @@ Lights lightsOf(const FoundRoom& room)
     return lights;
 }
 
+std::vector<Opening> openingsOf(const FoundRoom& room)
+{
+    std::vector<Opening> openings;
+    for (const Hole& hole : room.hits.holes) {
+        glm::vec3 flux(0.0f);
+        for (uint32_t part = hole.part; part < hole.part + hole.parts; ++part)
+            flux += room.hits.shareOfPart[part] * room.found.powers.outside[part];
+        openings.push_back(
+            {hole.centre, hole.normal, hole.area, flux / std::max(hole.area, 1e-9f)});
+    }
+    return openings;
+}
+
 std::vector<int32_t> fixturesOfSurfels(const FoundRoom& room)
 {
     std::vector<int32_t> fixtureOf(room.radiance.plain.size(), FixtureMap::kWall);

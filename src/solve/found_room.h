@@ -48,6 +48,9 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
 /// Lamps and the sun as people see and edit them.
 Lights lightsOf(const FoundRoom& room);
 
+/// The large holes of the scan, with the light that comes in.
+std::vector<Opening> openingsOf(const FoundRoom& room);
+
 /// What a lamp does at radiance 1, one a hit list; the sun comes behind all lamps.
 std::span<const AreaSample> onSidesOf(const FoundRoom& room, size_t lamp);
 

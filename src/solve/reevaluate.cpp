@@ -6,6 +6,7 @@
 #include "fit/lamp_groups.h"
 #include "fit/light_correction.h"
 #include "solve/proof.h"
+#include "solve/white_scale.h"
 
 #include <algorithm>
 #include <utility>
@@ -91,7 +92,15 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
         },
         [&] { meanwhile(room); });
     room.lit = std::move(lit);
+    scaleToWhite(irradianceOf(room), room.found);
     return room;
+}
+
+std::vector<glm::vec3> irradianceOf(const SolvedRoom& room)
+{
+    std::vector<glm::vec3> irradiance = room.lighting.irradiance;
+    for (size_t s = 0; s < irradiance.size(); ++s) irradiance[s] *= room.lit[s];
+    return irradiance;
 }
 
 void reevaluate(const Texels& texels, SolvedRoom& room, const LampPowers& powers)

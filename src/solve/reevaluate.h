@@ -48,6 +48,9 @@ struct SettledLight
 void reevaluate(const Texels& texels, SolvedRoom& room, const LampPowers& powers,
                 SettledLight light);
 
+/// On surfels, corrected.
+std::vector<glm::vec3> irradianceOf(const SolvedRoom& room);
+
 /// Shading of the room's texels, but for the light that the texture shows at the rims of what is
 /// enclosed; it follows reevaluate().
 TexelShading shadingOf(const Texels& texels, const SolvedRoom& room);

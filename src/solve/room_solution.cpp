@@ -9,19 +9,6 @@
 
 namespace relamp
 {
-namespace
-{
-
-/// On surfels, corrected.
-std::vector<glm::vec3> irradianceOf(const SolvedRoom& room)
-{
-    std::vector<glm::vec3> irradiance = room.lighting.irradiance;
-    for (size_t s = 0; s < irradiance.size(); ++s) irradiance[s] *= room.lit[s];
-    return irradiance;
-}
-
-} // namespace
-
 Closure closureOf(const SolvedRoom& room)
 {
     return closeLoop(room.found.hits, room.found.radiance, room.found.sides);
@@ -46,6 +33,7 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightO
                        albedoOf(texels, found.radiance, tempered(found.tempering, irradiance))),
         .linearization = found.linearization};
     solution.lights = lightsOf(found);
+    solution.openings = openingsOf(found);
     prove(room.witnesses, room.lighting.irradiance, solution);
     solution.fixtureOf = fixturesOfSurfels(found);
     solution.merged = solution.lights.points;

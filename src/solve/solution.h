@@ -15,6 +15,7 @@ namespace relamp
 struct Solution
 {
     Lights lights;
+    std::vector<Opening> openings;
     std::vector<PointLight> merged; // the same light, for formats that know points alone
     SolvedTexels texels;
     std::vector<int32_t> fixtureOf;       // of surfels, as fixtureMapOf() takes it

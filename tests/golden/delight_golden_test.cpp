@@ -188,8 +188,14 @@ TEST(InfoProgram, TellsWhatTheSampleIs)
     EXPECT_EQ(info["pages"][0]["width"], 1024);
     EXPECT_NEAR(info["pages"][0]["coverage"].get<double>(), 0.52, 0.01);
     EXPECT_GT(info["pages"][0]["charts"], 500);
+    EXPECT_NEAR(info["burntOut"].get<double>(), 0.076, 0.002);
+    EXPECT_NEAR(info["camera"]["contrast"].get<double>(), 1.0, 0.2);
+    EXPECT_LT(info["camera"]["gainStops"], 0.5);
+    EXPECT_EQ(info["camera"]["response"].size(), 5u);
+    EXPECT_TRUE(info["openings"].is_array());
     EXPECT_THAT(runRelamp({"info", kSampleScan}).out,
-                AllOf(HasSubstr("39855 triangles"), HasSubstr("texture 0 1024 x 1024")));
+                AllOf(HasSubstr("39855 triangles"), HasSubstr("texture 0 1024 x 1024"),
+                      HasSubstr("camera    seems"), HasSubstr("opening")));
 }
 
 TEST(Program, HelpHasExamplesAndMistakesExitWithTwo)

@@ -18,6 +18,7 @@ using testing::StartsWith;
 using Scan = RunInFolder;
 using Output = RunInFolder;
 using LightsFile = RunInFolder;
+using ResponseFile = RunInFolder;
 
 /// As if the disk were full: no file of this process, or of one that it starts, grows beyond.
 class FileSizeLimit
@@ -127,6 +128,33 @@ TEST_F(FullDisk, LeavesTheFormerResultAlone)
     EXPECT_EQ(delightWithin(1300).exitCode, 1);
     EXPECT_EQ(std::filesystem::last_write_time(folder / "out/report.json"), before);
     EXPECT_THAT(names(), testing::ElementsAre("out", "room.ply"));
+}
+
+TEST_F(ResponseFile, ThatIsNoneIsNamed)
+{
+    write(smallTextPly());
+    const std::string file = folder / "camera.json";
+    const std::vector<std::pair<std::string, std::string>> files{
+        {"", "is empty"},
+        {"{", "camera.json"},
+        {"[]", "camera.json"},
+        {R"({"lights": []})", "tells no camera; name the lights.json or report.json"},
+        {R"({"camera": {"response": [1, 1, 1]}})", "must be 5 slopes"},
+        {R"({"camera": {"response": [1, 1, 1, 1, 99]}})", "its numbers are 0.1 to 10"},
+        {R"({"camera": {"response": [1, 1, 1, 1, "x"]}})", "\"response\" has"},
+        {R"({"camera": {"response": 1}})", "needs \"response\", a list of numbers"},
+        {R"({"lights": {"camera": {"model": {"response": [0]}}}})", "line 1"}};
+    for (const auto& [text, words] : files) {
+        SCOPED_TRACE(text);
+        write("camera.json", text);
+        const golden::Outcome run = delight("room.ply", {"-q", "--response", file});
+        EXPECT_EQ(run.exitCode, 1);
+        EXPECT_THAT(run.err, StartsWith("relamp: " + file));
+        EXPECT_THAT(run.err, HasSubstr(words));
+        EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+    }
+    EXPECT_THAT(delight("room.ply", {"-q", "--response", folder / "gone.json"}).err,
+                HasSubstr("no such file"));
 }
 
 TEST_F(LightsFile, ThatIsBrokenIsNamed)

@@ -62,6 +62,25 @@ TEST_F(Usage, WhatIsMissingIsNamed)
                      "--attenuation");
 }
 
+TEST_F(Usage, PlacesAreThreeNumbers)
+{
+    expectUsageError("--light", {"1,2", "1,2,x", "1,2,3,4", "nan,0,0", "1e9,0,0", ",,"});
+    expectUsageError("--white", {"here", "1;2;3"});
+    expectUsageError("--same", {"1,2,3", "1,2,3:4,5", "1,2,3:4,5,6:7,8,9", "1,2,3,4,5,6"});
+    expectUsageError({"delight", folder / "room.ply", "-o", folder / "out", "--same", "1,2,3"},
+                     "\"1,2,3\" is not X,Y,Z:X,Y,Z");
+}
+
+// Nothing is estimated there, and what was said would be lost without a word.
+TEST_F(Usage, WhatIsSaidOfPaintDoesNotGoWithLightsThatAreGiven)
+{
+    for (const std::vector<std::string>& said :
+         std::vector<std::vector<std::string>>{{"--white", "1,2,3"}, {"--same", "1,2,3:4,5,6"}})
+        expectUsageError({"delight", folder / "room.ply", "-o", folder / "out", "--lights",
+                          "lights.json", said[0], said[1]},
+                         "nothing is estimated where the lights are given");
+}
+
 // A script whose variable is empty must not delight a scan without the lights that it meant.
 TEST_F(Usage, EmptyNamesAreNoNames)
 {

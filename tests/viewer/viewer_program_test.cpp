@@ -316,6 +316,36 @@ TEST(ViewerProgram, ParametersSolveAgain)
     }
 }
 
+// Two places of the ceiling, and one of them white: what was said reaches the solver, and comes
+// back.
+TEST(ViewerProgram, APersonSaysWhatIsOnePaintAndWhatIsWhite)
+{
+    const scenes::TemporaryFolder out;
+    const std::string script =
+        "set panels off\nset marks off\nset quality draft\nopen " +
+        (kBedroom / "scan.glb").string() + "\nwait solve\n" + kCamera + "press 6\nscreenshot " +
+        (out / "found.exr").string() +
+        " view\nset place 2.604 2.602 -3.204\npress o\nset place 1.156 2.594 -1.763\npress o\n"
+        "wait solve\npress i\nwait solve\nset panels on\nset marks on\nscreenshot " +
+        (out / "window.png").string() + "\nset panels off\nset marks off\nscreenshot " +
+        (out / "told.exr").string() + " view\nsave result " + (out / "told").string() +
+        "\npress ctrl+z\npress ctrl+z\nwait solve\nscreenshot " + (out / "undone.exr").string() +
+        " view\n";
+    const Outcome outcome = view({}, script);
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+
+    const auto report = nlohmann::json::parse(textOf(out / "told/report.json"));
+    ASSERT_EQ(report["options"]["same"].size(), 1u);
+    EXPECT_NEAR(report["options"]["same"][0][0][0].get<double>(), 2.604, 1e-4);
+    EXPECT_NEAR(report["options"]["same"][0][1][2].get<double>(), -1.763, 1e-4);
+    ASSERT_EQ(report["options"]["white"].size(), 1u);
+    const Image found = readImage(out / "found.exr");
+    EXPECT_LT(likeness(readImage(out / "told.exr"), found, 1e-3f), 0.5);
+    EXPECT_EQ(likeness(readImage(out / "undone.exr"), found, 1e-6f), 1.0);
+    const auto lights = nlohmann::json::parse(textOf(out / "told/lights.json"));
+    EXPECT_LT(lights["tempering"]["scale"][1].get<double>(), 0.97); // the ceiling had 0.8
+}
+
 TEST(ViewerProgram, NamesTheDeviceThatDrawsAsRelampDevicesDoes)
 {
     // What draws is named by it where the processor computes, too: that is no way out here.

@@ -1,0 +1,101 @@
+#include "solve/white_scale.h"
+
+#include "base/half.h"
+#include "base/radiometry.shared.h"
+#include "relamp/delight.h"
+#include "scenes/lit_room.h"
+
+#include <filesystem>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace relamp
+{
+namespace
+{
+
+using scenes::LitRoom;
+
+/// Albedo of the room where its lamps come out by what a person said.
+struct ToldRoom
+{
+    Decomposition result;
+    PageLayers layers;
+    PageGeometry geometry;
+
+    explicit ToldRoom(std::vector<glm::vec3> white, std::optional<Lights> lights = {},
+                      Scan scan = LitRoom().scan)
+        : result(delight(std::move(scan),
+                         {.gather = {.quality = Quality::draft, .white = std::move(white)},
+                          .lights = std::move(lights)})),
+          layers(result.layers(0)), geometry(result.geometry(0))
+    {}
+
+    /// Mean of what is within a hand's breadth.
+    [[nodiscard]] glm::vec3 albedoAt(glm::vec3 place) const
+    {
+        glm::vec3 sum(0.0f);
+        float count = 0.0f;
+        for (size_t i = 0; i < geometry.positions.size(); i += 3) {
+            const float* n = &geometry.normals[i];
+            const float* p = &geometry.positions[i];
+            if (glm::vec3(n[0], n[1], n[2]) == glm::vec3(0.0f) ||
+                glm::distance(place, {p[0], p[1], p[2]}) > 0.1f)
+                continue;
+            const uint16_t* rgb = &layers.albedo[i];
+            sum += glm::vec3(floatFromHalf(rgb[0]), floatFromHalf(rgb[1]), floatFromHalf(rgb[2]));
+            count += 1.0f;
+        }
+        return sum / count;
+    }
+};
+
+constexpr glm::vec3 kOnWall{4.0f, 1.2f, 2.0f};
+constexpr glm::vec3 kOnFloor{2.25f, 0.0f, 3.5f}; // on a dark stripe, far from white
+
+} // namespace
+
+// A grey wall that is called white: all else gets brighter as it does, and loses the cast that it
+// had.
+TEST(WhiteScale, WhatAPersonCallsWhiteIsAsPaperAndAllElseFollows)
+{
+    const ToldRoom found({});
+    const ToldRoom told({kOnWall});
+    const glm::vec3 white = told.albedoAt(kOnWall);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(white[c], 0.9f, 0.04f);
+    const glm::vec3 scale = white / found.albedoAt(kOnWall);
+    const glm::vec3 floor = told.albedoAt(kOnFloor) / found.albedoAt(kOnFloor);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(floor[c] / scale[c], 1.0f, 0.04f);
+    EXPECT_NE(told.result.lights().tempering.scale, glm::vec3(1.0f));
+    EXPECT_EQ(found.result.lights().tempering.scale, glm::vec3(1.0f));
+}
+
+// Its ceiling has an albedo of 0.81. Whoever calls it white gets 0.9 there, and elsewhere as far as
+// a draft makes it even.
+TEST(WhiteScale, IsThatOfTheWholeSample)
+{
+    constexpr glm::vec3 kOnCeiling{1.156f, 2.594f, -1.763f};
+    constexpr glm::vec3 kElsewhereOnIt{2.604f, 2.602f, -3.204f};
+    const ToldRoom told(
+        {kOnCeiling}, {},
+        coarsened(readScan(std::filesystem::path(RELAMP_SAMPLES) / "bedroom/scan.glb"), 512));
+    const glm::vec3 there = told.albedoAt(kOnCeiling);
+    const glm::vec3 elsewhere = told.albedoAt(kElsewhereOnIt);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(there[c], 0.9f, 0.04f);
+        EXPECT_NEAR(elsewhere[c], 0.9f, 0.08f);
+    }
+}
+
+// The file of lights has the scale, so that they give the same albedo again.
+TEST(WhiteScale, GoesWithTheLights)
+{
+    const ToldRoom told({kOnWall});
+    const ToldRoom again({}, told.result.lights());
+    const glm::vec3 ratio = again.albedoAt(kOnFloor) / told.albedoAt(kOnFloor);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0f, 0.05f);
+}
+
+} // namespace relamp
