@@ -141,8 +141,8 @@ Response responseOf(std::span<const double> coefficients, double share)
 {
     Response response;
     for (size_t k = 0; k < Response::kKnots; ++k)
-        response.slope[k] =
-            static_cast<float>(std::clamp(1.0 + share * coefficients[k], kFlattest, kSteepest));
+        response.slope[k] = static_cast<float>(
+            std::clamp(1.0 + share * coefficients[k], kFlattestSlope, kSteepest));
     return response;
 }
 
@@ -164,7 +164,7 @@ CameraColumns columnsOf(const LocalTone& known, const Gain& around, const Textur
 LocalTone localToneOf(const Gain& around, double coefficient)
 {
     if (coefficient <= 0.0) return {};
-    const double least = std::max(1.0 / (1.0 + coefficient), kFlattest);
+    const double least = std::max(1.0 / (1.0 + coefficient), kFlattestSlope);
     LocalTone tone{.exponent = static_cast<float>(least), .gain = around};
     for (glm::vec3& log : tone.gain.log) log *= static_cast<float>(1.0 - 1.0 / least);
     return tone;

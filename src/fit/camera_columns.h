@@ -15,7 +15,7 @@ namespace relamp
 inline constexpr float kDarkestBase = 0.01f;
 
 /// Slope of an inverse response, and exponent of a tone, at least.
-inline constexpr double kFlattest = 0.4;
+inline constexpr double kFlattestSlope = 0.4;
 
 /// What places of a scan show in its file, and where they lie.
 struct TexturePlaces

@@ -154,7 +154,7 @@ double LightFitSearch::slopeOf(const Point& at, MaterialPair pair) const
     for (size_t k = 0; k < camera_.count(); ++k)
         slope += 0.5 * cameraAt(at, k) *
                  static_cast<double>(camera_.slopeAt(pair.p)[k] + camera_.slopeAt(pair.q)[k]);
-    return std::max(slope, kFlattest);
+    return std::max(slope, kFlattestSlope);
 }
 
 /// The texture is what was measured: a response that flattens it makes every pair agree, and pays

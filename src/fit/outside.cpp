@@ -17,7 +17,7 @@ constexpr float kUpright = 0.7f; // upward part of a pane's normal, less
 bool isPane(const FoundLamp& lamp)
 {
     const Candidate surface = candidateOf(lamp.patches);
-    return surface.area > kPane && isFlat(surface) && std::abs(surface.normal.y) < kUpright;
+    return surface.area > kPaneArea && isFlat(surface) && std::abs(surface.normal.y) < kUpright;
 }
 
 /// Which triangles mostly show a pane.

@@ -157,7 +157,7 @@ std::vector<Members> cutPlanes(const Texels& texels, const SurfelRadiance& radia
                                Members members)
 {
     std::vector<Members> pieces;
-    while (pieces.size() < kMostPlanes && areaOf(radiance, members) > kPane) {
+    while (pieces.size() < kMostPlanes && areaOf(radiance, members) > kPaneArea) {
         const Plane plane = largestPlane(radiance, members);
         Members on;
         Members off;
@@ -166,7 +166,7 @@ std::vector<Members> cutPlanes(const Texels& texels, const SurfelRadiance& radia
             (plane.holds(patch.position, patch.normal) ? on : off).push_back(i);
         }
         const float area = areaOf(radiance, on);
-        if (area < kPane) break;
+        if (area < kPaneArea) break;
         if (area < kLargePlane && !goesOn(texels, radiance, on, plane)) break;
         pieces.push_back(std::move(on));
         members = std::move(off);

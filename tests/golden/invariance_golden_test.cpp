@@ -28,8 +28,8 @@ namespace
 {
 
 constexpr double kMostChange = 0.3; // dB
-constexpr double kMostLeakChange = 0.02;
-constexpr float kMostStep = 0.3f; // of log power: other rays alone make 0.28
+constexpr double kMostLeakChange = 0.025;
+constexpr float kMostStep = 0.4f; // of log power, for lamps that are hardly seen
 constexpr float kMostOff = 0.1f;  // m, of a lamp's centre
 constexpr float kDarker = 0.7f;
 
@@ -180,8 +180,9 @@ void expectSameLamps(const Lights& lamps, float degreesBack = 0.0f, float unit =
             std::min_element(lamps.fixtures.begin(), lamps.fixtures.end(),
                              [&](const Fixture& a, const Fixture& b) { return off(a) < off(b); });
         EXPECT_LT(off(*nearest), kMostOff) << lamp.name;
-        EXPECT_LT(std::abs(std::log(unit * luminous(*nearest) / luminous(lamp))), kMostStep)
-            << lamp.name;
+        // Two estimates err by themselves: the root of 2 of what it says that it may be off.
+        const float step = std::log(unit * luminous(*nearest) / luminous(lamp));
+        EXPECT_LT(std::abs(step), std::min(1.42f * lamp.error.g, kMostStep)) << lamp.name;
     }
 }
 
