@@ -140,11 +140,12 @@ std::vector<float> closed(const Sheet& sheet, std::vector<float> values)
 float nearness(const Surfels& surfels, const HitLists& hits, size_t surfel)
 {
     const std::span<const HitTarget> targets = hits.targetsOf(surfel);
+    const float near = 5.0f * kScanError; // what throws so thin a shadow is about that near
     float sum = 0.0f;
     for (const HitTarget target : targets) {
         if (target.isNothing()) continue;
         const glm::vec3 way = surfels.position[target.side().surfel()] - surfels.position[surfel];
-        sum += kTouching * kTouching / (kTouching * kTouching + glm::dot(way, way));
+        sum += near * near / (near * near + glm::dot(way, way));
     }
     return targets.empty() ? 0.0f : sum / static_cast<float>(targets.size());
 }
