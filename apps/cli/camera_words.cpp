@@ -1,9 +1,21 @@
 #include "camera_words.h"
 
+#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+namespace
+{
+
+/// Whether two decimals show a difference.
+bool differs(double value, double neutral)
+{
+    return std::abs(value - neutral) >= 0.005;
+}
+
+} // namespace
 
 std::string deedsOf(const relamp::CameraModel& camera)
 {
@@ -13,7 +25,7 @@ std::string deedsOf(const relamp::CameraModel& camera)
     if (!camera.tone.gain.isOne())
         deeds.push_back(
             fmt::format("local tone mapping to the power {:.2f}", camera.tone.exponent));
-    if (!camera.gain.isOne())
+    if (differs(camera.gain.stops(), 0.0))
         deeds.push_back(fmt::format("exposure drifts over {:.2f} stops", camera.gain.stops()));
     return fmt::format("{}", fmt::join(deeds, ", "));
 }

@@ -131,18 +131,17 @@ void addGatherParameters(CLI::App& command, DelightArguments& arguments)
         ->transform(oneOf<relamp::Quality>())
         ->type_name("NAME")
         ->group(kGatherGroup);
-    addPlaces(command, "--light", gather.lights,
-              "What is burnt out at this place, in metres, is a lamp (repeatable)")
-        .group(kGatherGroup);
-    addPlaces(command, "--not-a-light", gather.notLights,
-              "What is burnt out at this place is no lamp (repeatable)")
-        .group(kGatherGroup);
-    addSamePaint(command, "--same", gather.same,
-                 "The surfaces at these two places are of one paint (repeatable)")
-        .group(kGatherGroup);
-    addPlaces(command, "--white", gather.white,
-              "The surface at this place is white, as paper is: the scale of albedo (repeatable)")
-        .group(kGatherGroup);
+    const auto addToGroup = [&](const char* name, auto& places, const char* what) {
+        addPlaces(command, name, places, what).group(kGatherGroup);
+    };
+    addToGroup("--light", gather.lights,
+               "What is burnt out at this place, in metres, is a lamp (repeatable)");
+    addToGroup("--not-a-light", gather.notLights,
+               "What is burnt out at this place is no lamp (repeatable)");
+    addToGroup("--same", gather.same,
+               "The surfaces at these two places are of one paint (repeatable)");
+    addToGroup("--white", gather.white,
+               "The surface at this place is white, as paper is: the scale of albedo (repeatable)");
     command
         .add_flag_callback(
             "--no-sun", [&gather] { gather.sun = false; }, "Look for no sun")

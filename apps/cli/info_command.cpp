@@ -10,8 +10,6 @@
 #include "relamp/inspect.h"
 #include "relamp/threads.h"
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 

@@ -64,8 +64,8 @@ CLI::Option& addPlaces(CLI::App& command, const char* name, std::vector<glm::vec
     return addEach(command, name, places, what, "X,Y,Z", placeIn);
 }
 
-CLI::Option& addSamePaint(CLI::App& command, const char* name, std::vector<relamp::SamePaint>& same,
-                          const char* what)
+CLI::Option& addPlaces(CLI::App& command, const char* name, std::vector<relamp::SamePaint>& same,
+                       const char* what)
 {
     return addEach(command, name, same, what, "X,Y,Z:X,Y,Z", samePaintIn);
 }

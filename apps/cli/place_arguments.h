@@ -11,5 +11,5 @@ CLI::Option& addPlaces(CLI::App& command, const char* name, std::vector<glm::vec
                        const char* what);
 
 /// An option that names two places at once, X,Y,Z:X,Y,Z, as often as a person likes.
-CLI::Option& addSamePaint(CLI::App& command, const char* name, std::vector<relamp::SamePaint>& same,
-                          const char* what);
+CLI::Option& addPlaces(CLI::App& command, const char* name, std::vector<relamp::SamePaint>& same,
+                       const char* what);

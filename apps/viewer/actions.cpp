@@ -31,8 +31,8 @@ void add(Viewer& viewer)
     if (studio.scan() == nullptr) return studio.say("Open a scan first.");
     LampItem lamp;
     lamp.type = type;
-    lamp.position = viewer.place ? *viewer.place + glm::vec3(0.0f, 0.8f, 0.0f)
-                                 : studio.camera.position() + 1.2f * studio.camera.forward();
+    lamp.position = viewer.studio.place ? *viewer.studio.place + glm::vec3(0.0f, 0.8f, 0.0f)
+                                        : studio.camera.position() + 1.2f * studio.camera.forward();
     if (type == LightType::disc || type == LightType::sphere) lamp.radius = 0.15f;
     if (type == LightType::spot) lamp.radius = 0.03f;
     if (type == LightType::sun) {
@@ -133,8 +133,8 @@ void judge(Viewer& viewer)
     relamp::GatherOptions& gather = studio.edit.parameters.gather;
     if (!isLight && studio.selection.kind == Selection::Kind::fixture)
         gather.notLights.push_back(studio.captured().fixtures[studio.selection.index].centre);
-    else if (viewer.place)
-        (isLight ? gather.lights : gather.notLights).push_back(*viewer.place);
+    else if (viewer.studio.place)
+        (isLight ? gather.lights : gather.notLights).push_back(*viewer.studio.place);
     else
         return studio.say("Click on the place that you mean first.");
     studio.commit(isLight ? "Is a light" : "Is no light");
@@ -145,13 +145,13 @@ void judge(Viewer& viewer)
 void judgePaint(Viewer& viewer)
 {
     Studio& studio = viewer.studio;
-    if (!viewer.place) return studio.say("Click on the place that you mean first.");
-    if (!viewer.paint || *viewer.paint == *viewer.place) {
-        viewer.paint = viewer.place;
+    if (!viewer.studio.place) return studio.say("Click on the place that you mean first.");
+    if (!viewer.studio.paint || *viewer.studio.paint == *viewer.studio.place) {
+        viewer.studio.paint = viewer.studio.place;
         return studio.say("Click on another place of this paint, and say so again.");
     }
-    studio.edit.parameters.gather.same.push_back({*viewer.paint, *viewer.place});
-    viewer.paint.reset();
+    studio.edit.parameters.gather.same.push_back({*viewer.studio.paint, *viewer.studio.place});
+    viewer.studio.paint.reset();
     studio.commit("Is one paint");
     studio.settle();
 }
@@ -159,8 +159,8 @@ void judgePaint(Viewer& viewer)
 void judgeWhite(Viewer& viewer)
 {
     Studio& studio = viewer.studio;
-    if (!viewer.place) return studio.say("Click on the place that you mean first.");
-    studio.edit.parameters.gather.white.push_back(*viewer.place);
+    if (!viewer.studio.place) return studio.say("Click on the place that you mean first.");
+    studio.edit.parameters.gather.white.push_back(*viewer.studio.place);
     studio.commit("Is white");
     studio.settle();
 }
@@ -284,8 +284,8 @@ constexpr std::array<Action, 48> kActions{{
              return;
          }
          v.select({});
-         v.place.reset();
-         v.paint.reset();
+         v.studio.place.reset();
+         v.studio.paint.reset();
      }},
     {"undo", "ctrl+z", "undo", [](Viewer& v) { v.studio.undo(); }},
     {"redo", "ctrl+y", "redo", [](Viewer& v) { v.studio.redo(); }},

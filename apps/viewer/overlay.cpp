@@ -200,7 +200,7 @@ void drawLights(const Pen& pen, const Viewer& viewer)
     }
 }
 
-/// What was said of paint: pairs with a line between, white as rings.
+/// What was said of paint: pairs with a line between, white as dots.
 void drawPaint(const Pen& pen, const Viewer& viewer)
 {
     const relamp::GatherOptions& gather = viewer.studio.edit.parameters.gather;
@@ -210,9 +210,9 @@ void drawPaint(const Pen& pen, const Viewer& viewer)
         pen.dot(b, kOff, 3.0f);
     }
     for (const glm::vec3 place : gather.white) pen.dot(place, kWhite, 3.0f);
-    if (!viewer.paint) return;
-    pen.dot(*viewer.paint, kOff, 4.0f);
-    if (viewer.place) pen.line(*viewer.paint, *viewer.place, kOff, 1.0f);
+    if (!viewer.studio.paint) return;
+    pen.dot(*viewer.studio.paint, kOff, 4.0f);
+    if (viewer.studio.place) pen.line(*viewer.studio.paint, *viewer.studio.place, kOff, 1.0f);
 }
 
 } // namespace
@@ -225,7 +225,7 @@ void drawOverlay(const Viewer& viewer)
     const Pen pen(viewer);
     drawLights(pen, viewer);
     drawPaint(pen, viewer);
-    if (viewer.place) pen.ring(*viewer.place, kWhite, 4.0f);
+    if (viewer.studio.place) pen.ring(*viewer.studio.place, kWhite, 4.0f);
     if (const auto light = viewer.selectedLight()) drawGizmo(pen, viewer, *light);
 }
 

@@ -201,11 +201,11 @@ void drawLamp(Viewer& viewer, size_t index)
 
 void drawPlace(Viewer& viewer)
 {
-    if (!viewer.place || viewer.studio.selection.kind != Selection::Kind::none) return;
-    ImGui::TextDisabled("Place %.2f, %.2f, %.2f", viewer.place->x, viewer.place->y,
-                        viewer.place->z);
+    if (!viewer.studio.place || viewer.studio.selection.kind != Selection::Kind::none) return;
+    ImGui::TextDisabled("Place %.2f, %.2f, %.2f", viewer.studio.place->x, viewer.studio.place->y,
+                        viewer.studio.place->z);
     button("This is a light (L)", "is-light", viewer);
-    button(viewer.paint ? "And this is of that paint (O)" : "Of one paint with ... (O)",
+    button(viewer.studio.paint ? "And this is of that paint (O)" : "Of one paint with ... (O)",
            "one-paint", viewer);
     button("This is white (I)", "is-white", viewer);
 }

@@ -178,7 +178,7 @@ const std::map<std::string, std::function<void(Viewer&, const Words&)>>& setting
              constexpr std::array<const char*, 2> kModes{"orbit", "walk"};
              v.studio.camera.mode = static_cast<CameraRig::Mode>(indexOf(w[1], kModes));
          }},
-        {"place", [](V& v, const W& w) { v.place = vector(w); }},
+        {"place", [](V& v, const W& w) { v.studio.place = vector(w); }},
         {"exposure", [](V& v, const W& w) { v.studio.edit.view.exposure = number(w); }},
         {"view", [](V& v, const W& w) { v.studio.edit.view.view = valueOf<relamp::View>(w[1]); }},
         {"solver",

@@ -95,6 +95,8 @@ public:
 
     Edit edit;
     Selection selection;
+    std::optional<glm::vec3> place; // on the surface, that was clicked on
+    std::optional<glm::vec3> paint; // a place that another is to be of one paint with
     CameraRig camera;
     bool isCameraUntouched = true;
 

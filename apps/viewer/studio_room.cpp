@@ -51,7 +51,9 @@ void Studio::adopt(const ReadRoom& read)
     edit.light = {};
     edit.scanned = {};
     edit.parameters.forgetPlaces();
-    selection = {}; // may be of the room before
+    selection = {}; // may be of the room before, as what was clicked on
+    place.reset();
+    paint.reset();
     applied_ = edit;
     history_ = History<Edit>(edit);
     light_.setRoom(nullptr, nullptr);

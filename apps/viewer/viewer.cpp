@@ -322,11 +322,11 @@ void Viewer::pick(glm::vec2 at)
     const glm::vec2 pixel = at + glm::vec2(view.offset.x, view.offset.y);
     const float depth =
         target_.depthAt(static_cast<uint32_t>(pixel.x), static_cast<uint32_t>(pixel.y));
-    place.reset();
+    studio.place.reset();
     if (depth >= 1.0f) return select({});
-    place = studio.camera.pointAt(at / eye().pixels, depth, aspect());
-    select(fixtureAt(*this, *place));
-    if (isDouble) studio.camera.lookAt(*place);
+    studio.place = studio.camera.pointAt(at / eye().pixels, depth, aspect());
+    select(fixtureAt(*this, *studio.place));
+    if (isDouble) studio.camera.lookAt(*studio.place);
 }
 
 void Viewer::takeKey(const InputEvent& event)

@@ -109,8 +109,6 @@ private:
 public:
     Studio studio;
     Shown shown;
-    std::optional<glm::vec3> place; // on the surface, that was clicked on
-    std::optional<glm::vec3> paint; // a place that another is to be of one paint with
     Gizmo gizmo;
 
 private:

@@ -27,7 +27,7 @@ std::vector<Members> familiesOf(std::span<const Candidate> candidates,
 {
     std::vector<Members> families;
     for (uint32_t c = 0; c < candidates.size(); ++c) {
-        if (isGiven[c] != 0 || candidates[c].area < kCrumb) continue;
+        if (isGiven[c] != 0 || candidates[c].area < kSpeck) continue;
         const auto family = std::find_if(families.begin(), families.end(), [&](const Members& f) {
             return areAlike(candidates[f.front()], candidates[c]);
         });
@@ -112,7 +112,7 @@ LampGroups groupLamps(std::vector<Candidate> candidates, std::span<const uint8_t
                       size_t most)
 {
     std::vector<Members> sets;
-    if (candidates.size() > most && candidates[most].area > kCrumb)
+    if (candidates.size() > most && candidates[most].area > kSpeck)
         sets = familiesOf(candidates, isGiven);
     divide(candidates, std::min(most / 2, kMostParts), sets);
     std::vector<uint8_t> isInSet(candidates.size(), 0);
@@ -134,7 +134,7 @@ LampGroups groupLamps(std::vector<Candidate> candidates, std::span<const uint8_t
     LampGroups result;
     while (sets.size() > most && isGiven[sets.back().front()] == 0) {
         for (const uint32_t c : sets.back())
-            if (candidates[c].area > kCrumb) {
+            if (candidates[c].area > kSpeck) {
                 ++result.leftOut;
                 result.areaLeftOut += candidates[c].area;
             }

@@ -20,7 +20,7 @@ struct LampGroup
 struct LampGroups
 {
     std::vector<LampGroup> groups; // in the order of their largest lamps
-    size_t leftOut = 0;            // candidates of at least kCrumb beyond the most
+    size_t leftOut = 0;            // candidates of at least kSpeck beyond the most
     float areaLeftOut = 0.0f;      // of these, m^2
 };
 

@@ -27,7 +27,7 @@ namespace relamp
 struct FoundLamp
 {
     std::vector<ClippedPatch> patches;
-    glm::vec3 logError{0.0f};          // standard error of log radiance
+    glm::vec3 logError{0.0f};          // standard error of log power
     std::vector<AreaSample> onSides{}; // at radiance 1, one a hit list; empty: not looked at
     bool isSunlit = false;        // no lamp but a burnt-out patch of sun, which lights the room
     bool isDetermined = true;     // false: it lights too little that is seen to tell how bright

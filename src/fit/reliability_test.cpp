@@ -75,7 +75,7 @@ TEST(Reliability, ShadowsEdgeTakesTheMostOfIt)
     }
 }
 
-// 0.03 of the usual light is as much as there is.
+// About as much as there is may have been lost or let in.
 TEST(Reliability, LittleLightIsLessSureThanMuch)
 {
     const scenes::Surfaces room = greyRoom();

@@ -15,7 +15,7 @@ constexpr float kSameFacing = 0.8f; // cosine between normals of one surface, wi
 constexpr float kTouching = 0.12f;  // m between pieces of one lamp
 constexpr float kSpeck = 0.02f;     // m^2; of less little hangs
 constexpr float kPaneArea = 0.1f;   // m^2; a plane from here on may be a pane
-constexpr float kCrumb = 0.01f;     // m^2; of less a scan does not tell the shape
+constexpr float kCrumb = 0.005f;    // m^2; of less a scan does not tell the shape
 constexpr float kScanError = 0.02f; // m; how far its worst 5 % lie off the room's surfaces
 
 /// A connected, burnt-out piece of surface that may be a lamp, or a wall that a lamp shines on.

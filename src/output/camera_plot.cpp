@@ -18,7 +18,6 @@ constexpr int kPlotMargin = 10;   // around it
 constexpr float kStops = 8.0f;    // along each side
 constexpr float kGrid = 2.0f;     // stops from line to line
 constexpr float kHalfLine = 1.2f; // pixels, half of a line's
-constexpr int kBelow = 400;       // pixels, where the first picture ends
 
 constexpr glm::vec3 kPaper(24.0f); // sRGB, 0..255
 constexpr glm::vec3 kLine(70.0f);
@@ -73,7 +72,7 @@ public:
         // Where the gain is above 1 the camera showed less light than elsewhere as so much.
         if (radiance <= curve - shift_.least && radiance >= curve - shift_.most)
             colour = glm::mix(colour, kAmber, 0.7f);
-        draw((radiance - texture) / kPerPixel * 0.7071f, kStraight, 0.4f);
+        draw((radiance - texture) / kPerPixel / std::sqrt(2.0f), kStraight, 0.4f);
         draw((radiance - curve) / kPerPixel / std::sqrt(1.0f + slope * slope), kCurve, kHalfLine);
         return colour;
     }
@@ -88,7 +87,7 @@ private:
 void drawCamera(const CameraModel& camera, PreviewPicture& picture)
 {
     if (camera.isNeutral()) return;
-    const int bottom = std::min(kBelow, picture.size.height) - kPlotMargin;
+    const int bottom = std::min(PreviewPicture::kRowHeight, picture.size.height) - kPlotMargin;
     if (picture.size.width < kPlotSide + 2 * kPlotMargin || bottom < kPlotSide + kPlotMargin)
         return;
     const Plot plot(camera);

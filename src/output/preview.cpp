@@ -18,7 +18,7 @@ namespace
 {
 
 constexpr int kWidth = 640; // of one picture
-constexpr int kHeight = 400;
+constexpr int kHeight = PreviewPicture::kRowHeight;
 constexpr int kColumns = 3;
 constexpr size_t kRow = size_t{kColumns} * kWidth;
 constexpr size_t kShadingColumn = kColumns - 1;

@@ -30,6 +30,8 @@ PreviewPage previewOf(const Page& page, const PageLayers& layers);
 
 struct PreviewPicture
 {
+    static constexpr int kRowHeight = 400; // pixels, of what one camera shows
+
     Size size;
     std::vector<uint8_t> rgb; // sRGB
 };

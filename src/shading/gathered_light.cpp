@@ -130,24 +130,6 @@ void interpolate(const Texels& texels, std::span<const glm::vec3> irradiance, si
 namespace
 {
 
-LampOnSurfels lampOnSurfels(const Surfels& surfels, const CastLamps& lamps, size_t lamp)
-{
-    LampOnSurfels on{std::vector<AreaSample>(surfels.count()), std::vector<float>(surfels.count())};
-    forEachChunk(surfels.count(), TexelBlock::kCapacity, [&](size_t begin, size_t end) {
-        TexelBlock block;
-        loadSurfels(surfels, begin, end, block);
-        float share[TexelBlock::kPadded];
-        float open[TexelBlock::kPadded];
-        openIrradiance(block, lamps.patches[lamp], Geometry::scanned, open);
-        for (size_t i = 0; i < block.count; ++i) {
-            lamps.visibility.at(lamp, static_cast<uint32_t>(begin + i), block, i, i + 1, share);
-            on.share[begin + i] = share[i];
-            on.seen[begin + i] = {open[i], open[i] * share[i]};
-        }
-    });
-    return on;
-}
-
 /// Variance of the values of a surfel and of those in the ring around it.
 float varianceAround(const Surfels& surfels, size_t s, std::span<const float> values)
 {
@@ -164,6 +146,32 @@ float varianceAround(const Surfels& surfels, size_t s, std::span<const float> va
     return std::max(squares / count - mean * mean, 0.0f);
 }
 
+LampOnSurfels lampOnSurfels(const Surfels& surfels, const CastLamps& lamps, size_t lamp)
+{
+    LampOnSurfels on{std::vector<float>(surfels.count()), std::vector<float>(surfels.count())};
+    std::vector<float> shares(surfels.count());
+    std::vector<float>& open = on.deviation; // until all shares are known
+    forEachChunk(surfels.count(), TexelBlock::kCapacity, [&](size_t begin, size_t end) {
+        TexelBlock block;
+        loadSurfels(surfels, begin, end, block);
+        float share[TexelBlock::kPadded];
+        float ofBlock[TexelBlock::kPadded];
+        openIrradiance(block, lamps.patches[lamp], Geometry::scanned, ofBlock);
+        for (size_t i = 0; i < block.count; ++i) {
+            lamps.visibility.at(lamp, static_cast<uint32_t>(begin + i), block, i, i + 1, share);
+            shares[begin + i] = share[i];
+            open[begin + i] = ofBlock[i];
+            on.visible[begin + i] = ofBlock[i] * share[i];
+        }
+    });
+    forEach(surfels.count(), [&](size_t s) {
+        const bool isPartial = lamps.visibility.isPartial(lamp, static_cast<uint32_t>(s));
+        on.deviation[s] =
+            isPartial ? open[s] * std::sqrt(varianceAround(surfels, s, shares)) : 0.0f;
+    });
+    return on;
+}
+
 } // namespace
 
 CastLamps::CastLamps(std::vector<LampPatches> lamps, Visibility seen, const Surfels& surfels)
@@ -178,13 +186,10 @@ SurfelLighting lightOnSurfels(const Surfels& surfels, const GatheredLight& light
     for (size_t l = 0; l < light.lamps->count(); ++l) {
         const LampOnSurfels& on = light.lamps->onSurfels[l];
         const glm::vec3 radiance = light.radiance[l];
-        addDirect(on.seen, radiance, result.irradiance);
-        forEachChunk(surfels.count(), 1024, [&](size_t begin, size_t end) {
-            for (size_t s = begin; s < end; ++s) {
-                if (!light.lamps->visibility.isPartial(l, static_cast<uint32_t>(s))) continue;
-                const float most = on.seen[s].open * luminance(radiance);
-                result.spread[s] += most * most * varianceAround(surfels, s, on.share);
-            }
+        addDirect(on.visible, radiance, result.irradiance);
+        forEach(surfels.count(), [&](size_t s) {
+            const float deviation = on.deviation[s] * luminance(radiance);
+            result.spread[s] += deviation * deviation;
         });
     }
     for (float& spread : result.spread) spread = std::sqrt(spread);

@@ -15,8 +15,9 @@ namespace relamp
 /// What surfels' middles get of a lamp at radiance 1, one entry a surfel.
 struct LampOnSurfels
 {
-    std::vector<AreaSample> seen;
-    std::vector<float> share; // that is visible
+    std::vector<float> visible;   // irradiance
+    std::vector<float> deviation; // standard, of irradiance over the surfels around, as far as they
+                                  // see other shares of it
 };
 
 /// What is fixed of the lamps of a room once rays are cast, whatever their power.

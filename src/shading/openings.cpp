@@ -17,6 +17,8 @@ namespace
 
 constexpr float kBeyond = 0.2f; // m behind the outermost surface that an unseen one may stand
 constexpr float kSquare = 0.5f; // m
+constexpr float kMostSquares =
+    256.0f; // along a side: in a landscape, or a scan in millimetres, they are larger
 constexpr size_t kMost = 128;
 constexpr int kAcross = 5;             // patches of a square
 constexpr double kLeastShare = 3e-4;   // of all light that could reach surfaces from there
@@ -58,8 +60,11 @@ Box boxAround(const Surfels& surfels)
 class Squares
 {
 public:
-    Squares(const Box& box, float size) : box_(box)
+    explicit Squares(const Box& box) : box_(box)
     {
+        const glm::vec3 extent = box.high - box.low;
+        const float longest = std::max({extent.x, extent.y, extent.z});
+        const float size = std::max(kSquare, longest / kMostSquares);
         size_t first = 0;
         for (int side = 0; side < 6; ++side) {
             const auto [u, v] = across(side);
@@ -227,8 +232,9 @@ Parts partsOf(const Squares& squares, std::span<const double> shares)
     return parts;
 }
 
-/// Where openings lie, and how large they are: every line out through a hole begins at some front,
-/// so that the area of fronts times the share of their rays which leave through it is its area.
+/// Where large openings lie, and how large they are: every line out through a hole begins at some
+/// front, so that the area of fronts times the share of their rays which leave through it is its
+/// area.
 std::vector<Hole> holesOf(const Squares& squares, std::span<const double> shares,
                           const Parts& parts, std::span<const float> areaOfPart)
 {
@@ -250,6 +256,7 @@ std::vector<Hole> holesOf(const Squares& squares, std::span<const double> shares
         hole.centre /= static_cast<float>(found.second);
         for (uint32_t p = part; p < part + hole.parts; ++p) hole.area += areaOfPart[p];
     }
+    std::erase_if(list, [](const Hole& hole) { return hole.area < kPaneArea; });
     std::stable_sort(list.begin(), list.end(),
                      [](const Hole& a, const Hole& b) { return a.area > b.area; });
     return list;
@@ -259,7 +266,7 @@ std::vector<Hole> holesOf(const Squares& squares, std::span<const double> shares
 
 void tellPartsApart(const Texels& texels, HitLists& hits)
 {
-    const Squares squares(boxAround(texels.surfels), kSquare);
+    const Squares squares(boxAround(texels.surfels));
     const std::vector<double> shares = sharesOf(squares, texels, hits);
     Parts parts = partsOf(squares, shares);
     parts.ofSquare.push_back(0); // of what lies outside the box
@@ -286,7 +293,7 @@ void tellPartsApart(const Texels& texels, HitLists& hits)
 std::vector<Candidate> openingsOf(const Texels& texels, const HitLists& hits)
 {
     if (hits.shareOfPart.size() == 1) return {};
-    const Squares squares(boxAround(texels.surfels), kSquare);
+    const Squares squares(boxAround(texels.surfels));
     const std::vector<double> shares = sharesOf(squares, texels, hits);
     if (std::accumulate(shares.begin(), shares.end(), 0.0) < kLeastOutside) return {};
     std::vector<size_t> order(shares.size());

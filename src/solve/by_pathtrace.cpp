@@ -142,7 +142,6 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
 {
     Solution solution{.options = options};
     FoundRoom found = findRoom(texels, scene, options, progress);
-    solution.warnings = found.warnings;
     solution.options.gather = found.options;
     const auto room = std::make_shared<TracedRoom>(
         tracedRoomOf(texels, found, found.sides.albedo)); // a good start
@@ -151,6 +150,7 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
     const Witnesses witnesses = witnessesOf(texels, found);
     temper(texels, witnesses, settled.irradiance, found);
     scaleToWhite(settled.irradiance, found);
+    solution.warnings = found.warnings;
     solution.texels = {.shade = shadingOf(texels, scene, room, options.pathtrace),
                        .tempering = found.tempering,
                        .shining = shiningOf(found),

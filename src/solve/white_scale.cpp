@@ -6,10 +6,18 @@
 
 #include <vector>
 
+#include <fmt/format.h>
 #include <glm/exponential.hpp>
 
 namespace relamp
 {
+
+namespace
+{
+
+constexpr float kMuch = 3.0f; // times: the paint of a room's usual surface is that far from white
+
+} // namespace
 
 void scaleToWhite(std::span<const glm::vec3> irradiance, FoundRoom& room)
 {
@@ -26,6 +34,12 @@ void scaleToWhite(std::span<const glm::vec3> irradiance, FoundRoom& room)
                glm::log(glm::max(light[i], glm::vec3(kFaintest)));
     }
     room.tempering.scale = glm::exp(log / static_cast<float>(white.size()));
+    const float brighter = 1.0f / luminance(room.tempering.scale);
+    if (brighter > kMuch || brighter < 1.0f / kMuch)
+        room.warnings.push_back(fmt::format(
+            "albedo where something was called white came to {:.2g}, and all of the room was made "
+            "{:.2g} times as bright: is it white?",
+            kWhitestPaper / brighter, brighter));
 }
 
 } // namespace relamp

@@ -5,7 +5,9 @@
 #include "relamp/delight.h"
 #include "scenes/lit_room.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <string>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -96,6 +98,19 @@ TEST(WhiteScale, GoesWithTheLights)
     const ToldRoom again({}, told.result.lights());
     const glm::vec3 ratio = again.albedoAt(kOnFloor) / told.albedoAt(kOnFloor);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0f, 0.05f);
+}
+
+// A word can be wrong; it is followed, and the person told what it did.
+TEST(WhiteScale, WhatIsFarFromWhiteIsAskedAbout)
+{
+    const auto asks = [](const ToldRoom& room) {
+        const std::vector<std::string> warnings = room.result.warnings();
+        return std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+            return warning.find("is it white?") != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(asks(ToldRoom({kOnFloor})));
+    EXPECT_FALSE(asks(ToldRoom({kOnWall})));
 }
 
 } // namespace relamp
