@@ -4,7 +4,7 @@
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "solve/proof.h"
-#include "solve/white_scale.h"
+#include "solve/albedo_scale.h"
 
 #include <algorithm>
 #include <memory>
@@ -149,7 +149,7 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
     solution.closure = settled.closure;
     const Witnesses witnesses = witnessesOf(texels, found);
     temper(texels, witnesses, settled.irradiance, found);
-    scaleToWhite(settled.irradiance, found);
+    scaleAlbedo(settled.irradiance, found);
     solution.warnings = found.warnings;
     solution.texels = {.shade = shadingOf(texels, scene, room, options.pathtrace),
                        .tempering = found.tempering,

@@ -6,7 +6,7 @@
 #include "fit/lamp_groups.h"
 #include "fit/light_correction.h"
 #include "solve/proof.h"
-#include "solve/white_scale.h"
+#include "solve/albedo_scale.h"
 
 #include <algorithm>
 #include <utility>
@@ -92,7 +92,7 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
         },
         [&] { meanwhile(room); });
     room.lit = std::move(lit);
-    scaleToWhite(irradianceOf(room), room.found);
+    scaleAlbedo(irradianceOf(room), room.found);
     return room;
 }
 

@@ -1,4 +1,4 @@
-#include "solve/white_scale.h"
+#include "solve/albedo_scale.h"
 
 #include "base/half.h"
 #include "base/radiometry.shared.h"
@@ -6,9 +6,11 @@
 #include "scenes/lit_room.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -61,7 +63,7 @@ constexpr glm::vec3 kOnFloor{2.25f, 0.0f, 3.5f}; // on a dark stripe, far from w
 
 // A grey wall that is called white: all else gets brighter as it does, and loses the cast that it
 // had.
-TEST(WhiteScale, WhatAPersonCallsWhiteIsAsPaperAndAllElseFollows)
+TEST(AlbedoScale, WhatAPersonCallsWhiteIsAsPaperAndAllElseFollows)
 {
     const ToldRoom found({});
     const ToldRoom told({kOnWall});
@@ -76,7 +78,7 @@ TEST(WhiteScale, WhatAPersonCallsWhiteIsAsPaperAndAllElseFollows)
 
 // Its ceiling has an albedo of 0.81. Whoever calls it white gets 0.9 there, and elsewhere as far as
 // a draft makes it even.
-TEST(WhiteScale, IsThatOfTheWholeSample)
+TEST(AlbedoScale, IsThatOfTheWholeSample)
 {
     constexpr glm::vec3 kOnCeiling{1.156f, 2.594f, -1.763f};
     constexpr glm::vec3 kElsewhereOnIt{2.604f, 2.602f, -3.204f};
@@ -92,7 +94,7 @@ TEST(WhiteScale, IsThatOfTheWholeSample)
 }
 
 // The file of lights has the scale, so that they give the same albedo again.
-TEST(WhiteScale, GoesWithTheLights)
+TEST(AlbedoScale, GoesWithTheLights)
 {
     const ToldRoom told({kOnWall});
     const ToldRoom again({}, told.result.lights());
@@ -101,7 +103,7 @@ TEST(WhiteScale, GoesWithTheLights)
 }
 
 // A word can be wrong; it is followed, and the person told what it did.
-TEST(WhiteScale, WhatIsFarFromWhiteIsAskedAbout)
+TEST(AlbedoScale, WhatIsFarFromWhiteIsAskedAbout)
 {
     const auto asks = [](const ToldRoom& room) {
         const std::vector<std::string> warnings = room.result.warnings();
@@ -111,6 +113,30 @@ TEST(WhiteScale, WhatIsFarFromWhiteIsAskedAbout)
     };
     EXPECT_TRUE(asks(ToldRoom({kOnFloor})));
     EXPECT_FALSE(asks(ToldRoom({kOnWall})));
+}
+
+// Half of a room's light falls on what seems half as white again as paper, the rest on grey.
+TEST(AlbedoScale, ARoomThatIsWhiterThanPaperLacksLight)
+{
+    const std::vector<float> light{1.0f, 1.0f};
+    const float lacks = logOfLackingLight(std::vector{1.5f * 0.9f, 0.4f}, light);
+    EXPECT_GT(lacks, 0.2f);
+    EXPECT_LT(lacks, std::log(1.5f));
+    EXPECT_GT(logOfLackingLight(std::vector{2.0f * 0.9f, 0.4f}, light), lacks);
+}
+
+TEST(AlbedoScale, ARoomOfPaintLacksNone)
+{
+    EXPECT_EQ(logOfLackingLight(std::vector{0.9f, 0.1f}, std::vector{1.0f, 1.0f}), 0.0f);
+    EXPECT_EQ(logOfLackingLight({}, {}), 0.0f);
+}
+
+// A gap that hardly any light was found in, and a window that is brighter than any paper, are no
+// reason to darken a room.
+TEST(AlbedoScale, FewPlacesTellLittle)
+{
+    const std::vector<float> albedo{5.0f, 5.0f, 0.8f};
+    EXPECT_LT(logOfLackingLight(albedo, std::vector{0.01f, 0.02f, 1.0f}), 0.03f);
 }
 
 } // namespace relamp

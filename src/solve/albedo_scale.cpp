@@ -1,0 +1,133 @@
+#include "solve/albedo_scale.h"
+
+#include "albedo/divide.shared.h"
+#include "base/radiometry.shared.h"
+#include "shading/tempering.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr float kMuch = 3.0f; // times: the paint of a room's usual surface is that far from white
+constexpr double kUnsureLevel = 0.3; // log: of a room's light as a whole
+constexpr double kUnsurePlace = 0.3; // log: of the light at one surface
+constexpr double kSurfaces = 5.0;    // that err by themselves, in a room
+
+// Numerics.
+constexpr double kBin = 0.02;    // log
+constexpr double kStep = 0.005;  // log: of the levels that are tried
+constexpr size_t kBins = 100;    // up to 7 times as white as paper
+constexpr double kHighest = 1.5; // log: of the levels that are tried
+
+/// The light that falls on surfaces which seem whiter than paper, by the logarithm of how much.
+struct TooWhite
+{
+    std::array<double, kBins> light{}; // share of all
+};
+
+TooWhite tooWhite(std::span<const float> albedo, std::span<const float> light)
+{
+    TooWhite found;
+    const double all = std::accumulate(light.begin(), light.end(), 0.0);
+    for (size_t s = 0; s < albedo.size(); ++s) {
+        if (light[s] <= 0.0f || albedo[s] <= kWhitestPaper) continue;
+        const double log = std::log(static_cast<double>(albedo[s] / kWhitestPaper));
+        const auto bin = std::min(static_cast<size_t>(log / kBin), kBins - 1);
+        found.light[bin] += static_cast<double>(light[s]) / all;
+    }
+    return found;
+}
+
+/// Of a room whose light was `log` more than what was found.
+double natsOf(const TooWhite& found, double log)
+{
+    const double level = log / kUnsureLevel;
+    double nats = 0.5 * level * level;
+    for (size_t b = 0; b < kBins; ++b) {
+        const double off = std::max((static_cast<double>(b) + 0.5) * kBin - log, 0.0);
+        nats += kSurfaces * found.light[b] * std::log1p(off * off / (kUnsurePlace * kUnsurePlace));
+    }
+    return nats;
+}
+
+/// In the mean of logarithms over what a person called white.
+glm::vec3 scaleToWhite(const FoundRoom& room, std::span<const glm::vec3> light)
+{
+    glm::vec3 log(0.0f);
+    for (const uint32_t s : room.found.white) {
+        const glm::vec3 paper = kPi * room.radiance.plain[s] / kWhitestPaper;
+        log += glm::log(glm::max(paper, glm::vec3(kFaintest))) -
+               glm::log(glm::max(light[s], glm::vec3(kFaintest)));
+    }
+    return glm::exp(log / static_cast<float>(room.found.white.size()));
+}
+
+/// As paint is no whiter than paper.
+float scaleToPaint(const FoundRoom& room, std::span<const glm::vec3> light)
+{
+    std::vector<float> albedo(light.size());
+    std::vector<float> received(light.size(), 0.0f);
+    for (size_t s = 0; s < light.size(); ++s) {
+        albedo[s] = brightestChannel(kPi * room.radiance.plain[s] /
+                                     glm::max(light[s], glm::vec3(kFaintest)));
+        if (isHardlyBurntOut(room.radiance, s))
+            received[s] = room.radiance.plainArea[s] * luminance(light[s]);
+    }
+    return std::exp(logOfLackingLight(albedo, received));
+}
+
+} // namespace
+
+float logOfLackingLight(std::span<const float> albedo, std::span<const float> light)
+{
+    const TooWhite found = tooWhite(albedo, light);
+    double best = 0.0;
+    double least = std::numeric_limits<double>::infinity();
+    for (double log = 0.0; log <= kHighest; log += kStep)
+        if (const double nats = natsOf(found, log); nats < least) {
+            least = nats;
+            best = log;
+        }
+    return static_cast<float>(best);
+}
+
+void scaleAlbedo(std::span<const glm::vec3> irradiance, FoundRoom& room)
+{
+    if (room.isGiven) return;
+    const bool isTold = !room.found.white.empty();
+    if (isOfScan(room.tempering) && !isTold) return;
+    const std::vector<glm::vec3> light =
+        tempered(room.tempering, {irradiance.begin(), irradiance.end()});
+    if (!isTold) {
+        const float times = scaleToPaint(room, light);
+        room.tempering.scale = glm::vec3(times);
+        if (std::log(static_cast<double>(times)) > kUnsureLevel)
+            room.warnings.push_back(fmt::format(
+                "much of the room came out whiter than paper, so its light was taken for {:.2g} "
+                "times what was found: a window or a lamp is missing that is not burnt out. Point "
+                "at something white with --white",
+                times));
+        return;
+    }
+    room.tempering.scale = scaleToWhite(room, light);
+    const float brighter = 1.0f / luminance(room.tempering.scale);
+    if (brighter > kMuch || brighter < 1.0f / kMuch)
+        room.warnings.push_back(fmt::format(
+            "albedo where something was called white came to {:.2g}, and all of the room was made "
+            "{:.2g} times as bright: is it white?",
+            kWhitestPaper / brighter, brighter));
+}
+
+} // namespace relamp
