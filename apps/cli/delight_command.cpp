@@ -11,6 +11,7 @@
 #include "relamp/threads.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <map>
@@ -26,6 +27,10 @@ namespace
 constexpr size_t kMostListed = 12;            // lamps in the summary
 constexpr const char* kStraight = "straight"; // --response of a camera that applied no curve
 constexpr const char* kGatherGroup = "Parameters of the gather solver (it needs none)";
+constexpr const char* kPathtraceGroup =
+    "Parameters of the pathtrace solver (and those of the gather solver)";
+constexpr const char* kThesisGroup =
+    "Parameters of the thesis solver (what is not given follows from the scan)";
 
 struct DelightArguments
 {
@@ -43,81 +48,79 @@ struct DelightArguments
 void addThesisParameters(CLI::App& command, DelightArguments& arguments)
 {
     relamp::ThesisOptions& parameters = arguments.options.thesis;
-    const std::string group =
-        "Parameters of the thesis solver (what is not given follows from the scan)";
     command
         .add_option("--emitter-threshold", parameters.emitterThreshold,
                     "Luminance from which a burnt-out texel is taken to shine [0.9]")
         ->check(between(0.0, 1.0))
         ->type_name("L")
-        ->group(group);
+        ->group(kThesisGroup);
     command
         .add_option("--expansion", parameters.expansion,
                     "Radiance of white once the range is expanded [8]")
         ->check(between(1.0, 1e4))
         ->type_name("L")
-        ->group(group);
+        ->group(kThesisGroup);
     command.add_option("--light-levels", parameters.lightLevels, "2^N lights by median cut [6]")
         ->check(between(0, 10))
         ->type_name("N")
-        ->group(group);
+        ->group(kThesisGroup);
     command
         .add_option("--attenuation", arguments.attenuation,
                     "k0 k1 k2 of 1 / (k0 + k1 d + k2 d^2), d in metres")
         ->expected(3)
         ->check(between(0.0, 1e6))
         ->type_name("K")
-        ->group(group);
+        ->group(kThesisGroup);
     command.add_option("--power", parameters.power, "Factor on all light")
         ->check(between(1e-6, 1e6))
         ->type_name("X")
-        ->group(group);
+        ->group(kThesisGroup);
     command.add_option("--ambient", parameters.ambient, "Ambient light, irradiance / pi")
         ->check(between(0.0, 1e6))
         ->type_name("L")
-        ->group(group);
+        ->group(kThesisGroup);
     command
         .add_option("--merge-distance", parameters.mergeDistance,
                     "Lights nearer than this share a shadow map")
         ->check(between(0.0, 1e6))
         ->type_name("M")
-        ->group(group);
+        ->group(kThesisGroup);
     command
         .add_option("--rsm-size", parameters.rsmSize,
                     "Pixels along a face of a reflective shadow map [32]")
         ->check(between(8, 512))
         ->type_name("N")
-        ->group(group);
+        ->group(kThesisGroup);
     command
         .add_option("--lpv-size", parameters.lpvSize,
                     "Cells of the light propagation volume along the room [32]")
         ->check(between(8, 128))
         ->type_name("N")
-        ->group(group);
+        ->group(kThesisGroup);
     command.add_option("--lpv-steps", parameters.lpvSteps, "Propagation steps [8]")
         ->check(between(1, 128))
         ->type_name("N")
-        ->group(group);
+        ->group(kThesisGroup);
     command
         .add_option("--flatten-reach", parameters.flattenReach,
                     "Reach of the bilateral filter, in pieces of surface [1.5]")
         ->check(between(1.0, 2.0))
         ->type_name("X")
-        ->group(group);
+        ->group(kThesisGroup);
     command
         .add_option("--flatten-range", parameters.flattenRange,
                     "Range of the bilateral filter in square roots of radiance [0.2]")
         ->check(between(0.01, 10.0))
         ->type_name("X")
-        ->group(group);
+        ->group(kThesisGroup);
     command
         .add_flag_callback(
             "--no-lpv", [&parameters] { parameters.useLpv = false; }, "No bounce light")
-        ->group(group);
+        ->group(kThesisGroup);
     command
         .add_flag_callback(
             "--no-ambient", [&parameters] { parameters.useAmbient = false; }, "No ambient light")
-        ->group(group);
+        ->group(kThesisGroup);
 }
 
 void addGatherParameters(CLI::App& command, DelightArguments& arguments)
@@ -185,11 +188,38 @@ void addGatherParameters(CLI::App& command, DelightArguments& arguments)
 
 void addPathtraceParameters(CLI::App& command, relamp::PathtraceOptions& pathtrace)
 {
-    const std::string group = "Parameters of the pathtrace solver (and those of the gather solver)";
     command.add_option("--samples", pathtrace.samples, "Paths from every texel [64]")
         ->check(between(1, 65536))
         ->type_name("N")
-        ->group(group);
+        ->group(kPathtraceGroup);
+}
+
+/// Refuses what would change nothing: a person means something by every option.
+void refuseWhatHasNoEffect(CLI::App& command, relamp::Solver solver, bool areLightsGiven)
+{
+    constexpr std::array kOfSearch{"--light",  "--not-a-light", "--same",   "--white",
+                                   "--no-sun", "--response",    "--no-gain"};
+    const bool isThesis = solver == relamp::Solver::thesis;
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->count() == 0) continue;
+        const std::string name = option->get_name();
+        const std::string& group = option->get_group();
+        const bool isOfOther = group == kGatherGroup   ? isThesis && name != "--quality"
+                               : group == kThesisGroup ? !isThesis
+                                                       : group == kPathtraceGroup &&
+                                                             solver != relamp::Solver::pathtrace;
+        if (isOfOther)
+            throw CLI::ValidationError(
+                name, fmt::format("the {} solver has no use for it, so that it would change "
+                                  "nothing; leave it out, or take another --solver",
+                                  relamp::nameOf(solver)));
+        if (areLightsGiven &&
+            std::find(kOfSearch.begin(), kOfSearch.end(), name) != kOfSearch.end())
+            throw CLI::ValidationError(
+                "--lights", fmt::format("nothing is estimated where the lights are given, so that "
+                                        "{} would change nothing; leave it out, or --lights",
+                                        name));
+    }
 }
 
 /// What the camera did, as far as anything was found.
@@ -322,14 +352,8 @@ void addDelightCommand(CLI::App& app, Run& run)
                    "  relamp delight kitchen.glb -o kitchen\n"
                    "  relamp delight scan.obj --up z --scale 0.01 -o out\n"
                    "  relamp delight kitchen.glb -o again --lights kitchen/lights.json");
-    command.callback([arguments, &run] {
-        const relamp::GatherOptions& gather = arguments->options.gather;
-        const bool isTold = !gather.same.empty() || !gather.white.empty();
-        if (!arguments->lights.empty() && (isTold || !arguments->response.empty()))
-            throw CLI::ValidationError(
-                "--lights", "nothing is estimated where the lights are given, so that --same, "
-                            "--white and --response would change nothing; leave them out, or "
-                            "--lights");
+    command.callback([arguments, &command, &run] {
+        refuseWhatHasNoEffect(command, arguments->options.solver, !arguments->lights.empty());
         run = [arguments] { return ::run(*arguments); };
     });
 }

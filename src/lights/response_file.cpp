@@ -21,6 +21,13 @@ std::optional<JsonItem> cameraIn(const JsonItem& top)
     return camera ? camera->objectIn("model") : std::nullopt;
 }
 
+/// A file that a person wrote for its curve; in a lights file or a report a camera without one is
+/// straight.
+bool isCurveAlone(const JsonItem& top)
+{
+    return top.has("camera") && !top.has("format");
+}
+
 } // namespace
 
 Response readResponse(const std::filesystem::path& file, std::vector<std::string>& warnings)
@@ -28,7 +35,12 @@ Response readResponse(const std::filesystem::path& file, std::vector<std::string
     const JsonDocument document(file, nullptr);
     const JsonItem top = document.top();
     const std::optional<JsonItem> camera = cameraIn(top);
-    if (camera) return cameraOf(*camera, warnings).response;
+    if (camera) {
+        if (isCurveAlone(top) && !camera->has("response"))
+            camera->refuse("lacks \"response\", the slopes of its curve from dark to bright; add "
+                           "it, like [1, 1, 1.1, 1.2, 1.4], or say straight");
+        return cameraOf(*camera, warnings).response;
+    }
     if (top.text("format", "") == kLightsFormat) return {}; // of a camera that did nothing
     top.refuse(
         "tells no camera; name the lights.json or report.json of a scan by it, or a file "

@@ -52,6 +52,9 @@ TEST(ResponseFile, TakesTheCurveAloneOfAllThatACameraDid)
 TEST(ResponseFile, OfACameraThatDidNothingIsStraight)
 {
     EXPECT_TRUE(responseIn(R"({"format": "relamp lights 1", "ambient": [1, 1, 1]})").isStraight());
+    EXPECT_TRUE(responseIn(R"({"format": "relamp lights 1", "ambient": [1, 1, 1],
+                               "camera": {}})")
+                    .isStraight());
     EXPECT_TRUE(responseIn(R"({"lights": {"camera": {"model": {}}}})").isStraight());
 }
 
@@ -64,6 +67,8 @@ TEST(ResponseFile, ThatTellsNoCameraIsRefused)
     EXPECT_THAT(refusal(R"({"format": "relamp camera 1", "position": [0, 0, 0]})"),
                 HasSubstr("tells no camera"));
     EXPECT_THAT(refusal(R"({"camera": {"response": [1, 1]}})"), HasSubstr("must be 5 slopes"));
+    EXPECT_THAT(refusal(R"({"camera": {"respons": [1, 1, 1, 1, 1]}})"),
+                HasSubstr("lacks \"response\""));
     EXPECT_THAT(refusal(R"({"camera": [1, 1, 1, 1, 1]})"), HasSubstr("must be an object"));
 }
 

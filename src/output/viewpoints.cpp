@@ -15,11 +15,16 @@ namespace relamp
 namespace
 {
 
-constexpr int kPlaces = 9; // along each side of the room's plan
+constexpr int kPlaces = 9;      // along each side of the plan, at least
+constexpr int kMostPlaces = 20; // of a house, whose rooms are a few metres long
+constexpr float kStride = 1.0f; // m between places in between
+constexpr int kMostLevels = 64; // above each other: storeys with what stands in them
 constexpr int kYaws = 16;
-constexpr float kPitch = -0.15f;    // radians; people look slightly down into a room
-constexpr float kEyeHeight = 1.55f; // m above the floor
-constexpr float kElbowRoom = 0.3f;  // m to the nearest thing
+constexpr float kPitch = -0.15f;     // radians; people look slightly down into a room
+constexpr float kEyeHeight = 1.55f;  // m above the floor
+constexpr float kMostHeight = 0.75f; // of what is free over a floor: eyes stay off a low ceiling
+constexpr float kElbowRoom = 0.3f;   // m to the nearest thing
+constexpr float kShown = 0.5f;       // what more of a room counts once a view shows some of it
 
 struct ScoredView
 {
@@ -41,33 +46,63 @@ std::array<glm::vec3, N> sphereDirections()
     return directions;
 }
 
-/// Share of all directions in which the inside of a surface is met; 0 where something is too near.
+/// Share of all directions in which a surface is seen from its front; 0 where something is too
+/// near, and where more backs are seen: between rooms, and in walls and furniture.
 float insideness(const RayScene& scene, glm::vec3 place)
 {
     static const auto directions = sphereDirections<96>();
     int fronts = 0;
+    int backs = 0;
     for (const glm::vec3& direction : directions) {
         const Hit hit = scene.intersect({.origin = place, .direction = direction});
-        if (!hit.missed() && hit.distance < kElbowRoom) return 0.0f;
-        if (!hit.missed() && hit.front) ++fronts;
+        if (hit.missed()) continue;
+        if (hit.distance < kElbowRoom) return 0.0f;
+        ++(hit.front ? fronts : backs);
     }
-    return static_cast<float>(fronts) / static_cast<float>(directions.size());
+    return fronts > backs ? static_cast<float>(fronts) / static_cast<float>(directions.size())
+                          : 0.0f;
 }
 
-/// Places at eye height over whatever floor there is, all over the plan.
+/// Adds a place at eye height over whatever floors there are at one spot of the plan, of all
+/// storeys; over the lowest height of the scan where there is none.
+void addPlacesOver(glm::vec3 spot, const Bounds& house, const RayScene& scene,
+                   std::vector<glm::vec3>& places)
+{
+    constexpr float kBehind = 1e-5f; // m, and of the way: past a surface
+    float above = house.high.y;
+    const auto stand = [&](float floor) {
+        places.emplace_back(spot.x, floor + std::min(kEyeHeight, kMostHeight * (above - floor)),
+                            spot.z);
+    };
+    Ray down{.origin = {spot.x, above, spot.z}, .direction = {0.0f, -1.0f, 0.0f}};
+    const size_t before = places.size();
+    for (int level = 0; level < kMostLevels; ++level) {
+        const Hit hit = scene.intersect(down);
+        if (hit.missed()) break;
+        const float height = down.origin.y - hit.distance;
+        if (hit.front) stand(height);
+        above = height;
+        down.nearest = hit.distance * (1.0f + kBehind) + kBehind;
+    }
+    if (places.size() == before) stand(house.low.y);
+}
+
+/// Places where one may stand, all over the plan.
 std::vector<glm::vec3> candidatePlaces(const Scan& scan, const RayScene& scene)
 {
-    const Bounds room = boundsOf(scan);
+    const Bounds house = boundsOf(scan);
+    const auto along = [&](int axis) {
+        const float strides = std::min(house.extent()[axis] / kStride, float{kMostPlaces});
+        return std::max(static_cast<int>(strides), kPlaces);
+    };
+    const int across = along(0);
+    const int deep = along(2);
     std::vector<glm::vec3> places;
-    for (int z = 0; z < kPlaces; ++z)
-        for (int x = 0; x < kPlaces; ++x) {
-            const glm::vec3 part((static_cast<float>(x) + 0.5f) / kPlaces, 0.6f,
-                                 (static_cast<float>(z) + 0.5f) / kPlaces);
-            glm::vec3 place = room.low + part * room.extent();
-            const Hit floor = scene.intersect({.origin = place, .direction = {0.0f, -1.0f, 0.0f}});
-            const float floorHeight = floor.missed() ? room.low.y : place.y - floor.distance;
-            place.y = std::min(floorHeight + kEyeHeight, room.low.y + 0.75f * room.extent().y);
-            places.push_back(place);
+    for (int z = 0; z < deep; ++z)
+        for (int x = 0; x < across; ++x) {
+            const glm::vec3 part((static_cast<float>(x) + 0.5f) / static_cast<float>(across), 0.0f,
+                                 (static_cast<float>(z) + 0.5f) / static_cast<float>(deep));
+            addPlacesOver(house.low + part * house.extent(), house, scene, places);
         }
     return places;
 }
@@ -89,10 +124,16 @@ float scoreOf(const RayScene& scene, const Camera& camera, float depth)
     return sum / (kAcross * kDown);
 }
 
-/// How much two views show of the same.
-float likeness(const Camera& a, const Camera& b)
+/// How much of what a view shows is left to show when there is the other one.
+float leftToShow(const RayScene& scene, const Camera& view, const Camera& other)
 {
-    return std::max(0.0f, glm::dot(a.forward, b.forward));
+    const glm::vec3 way = other.position - view.position;
+    const float distance = glm::length(way);
+    const float likeness = std::max(0.0f, glm::dot(view.forward, other.forward));
+    const bool isOfOneRoom = distance == 0.0f || !scene.occluded({.origin = view.position,
+                                                                  .direction = way / distance,
+                                                                  .farthest = distance});
+    return isOfOneRoom ? kShown * (1.0f - likeness) : 1.0f;
 }
 
 /// kYaws views from each of the places where one can stand; those from elsewhere score 0.
@@ -141,7 +182,9 @@ std::vector<Camera> chooseViewpoints(const Scan& scan, const RayScene& scene, in
         if (best->score <= 0.0f) break;
         const Camera camera = best->camera;
         chosen.push_back(camera);
-        for (ScoredView& view : views) view.score *= 1.0f - likeness(view.camera, camera);
+        forEach(views.size(), [&](size_t i) {
+            if (views[i].score > 0.0f) views[i].score *= leftToShow(scene, views[i].camera, camera);
+        });
     }
     if (chosen.empty()) chosen.push_back(fromOutside(scan));
     return chosen;

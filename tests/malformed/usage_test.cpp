@@ -72,13 +72,41 @@ TEST_F(Usage, PlacesAreThreeNumbers)
 }
 
 // Nothing is estimated there, and what was said would be lost without a word.
-TEST_F(Usage, WhatIsSaidOfPaintDoesNotGoWithLightsThatAreGiven)
+TEST_F(Usage, WhatIsSaidOfTheSearchDoesNotGoWithLightsThatAreGiven)
 {
     for (const std::vector<std::string>& said :
-         std::vector<std::vector<std::string>>{{"--white", "1,2,3"}, {"--same", "1,2,3:4,5,6"}})
-        expectUsageError({"delight", folder / "room.ply", "-o", folder / "out", "--lights",
-                          "lights.json", said[0], said[1]},
-                         "nothing is estimated where the lights are given");
+         std::vector<std::vector<std::string>>{{"--white", "1,2,3"},
+                                               {"--same", "1,2,3:4,5,6"},
+                                               {"--light", "1,2,3"},
+                                               {"--not-a-light", "1,2,3"},
+                                               {"--response", "straight"},
+                                               {"--no-gain"},
+                                               {"--no-sun"}}) {
+        std::vector<std::string> line{"delight",      folder / "room.ply", "-o",
+                                      folder / "out", "--lights",          "lights.json"};
+        line.insert(line.end(), said.begin(), said.end());
+        expectUsageError(line, "nothing is estimated where the lights are given, so that " +
+                                   said[0] + " would change nothing");
+    }
+}
+
+TEST_F(Usage, OptionsOfAnotherSolverAreRefused)
+{
+    const std::vector<std::vector<std::string>> lines{{"thesis", "--same", "1,2,3:4,5,6"},
+                                                      {"thesis", "--white", "1,2,3"},
+                                                      {"thesis", "--response", "straight"},
+                                                      {"thesis", "--no-gain"},
+                                                      {"thesis", "--seed", "2"},
+                                                      {"thesis", "--samples", "4"},
+                                                      {"gather", "--samples", "4"},
+                                                      {"gather", "--no-lpv"},
+                                                      {"pathtrace", "--power", "2"}};
+    for (const std::vector<std::string>& said : lines) {
+        std::vector<std::string> line{"delight", folder / "room.ply", "-o", folder / "out",
+                                      "--solver"};
+        line.insert(line.end(), said.begin(), said.end());
+        expectUsageError(line, "the " + said[0] + " solver has no use for it");
+    }
 }
 
 // A script whose variable is empty must not delight a scan without the lights that it meant.
