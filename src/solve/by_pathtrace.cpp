@@ -3,8 +3,8 @@
 #include "albedo/gather_closure.h"
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
-#include "solve/proof.h"
 #include "solve/albedo_scale.h"
+#include "solve/proof.h"
 
 #include <algorithm>
 #include <memory>

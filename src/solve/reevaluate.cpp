@@ -5,8 +5,8 @@
 #include "base/radiometry.shared.h"
 #include "fit/lamp_groups.h"
 #include "fit/light_correction.h"
-#include "solve/proof.h"
 #include "solve/albedo_scale.h"
+#include "solve/proof.h"
 
 #include <algorithm>
 #include <utility>
