@@ -20,6 +20,7 @@ Verification verify(const std::filesystem::path& folder, const VerifyOptions& op
     const std::vector<Image> albedo = readAlbedo(folder, scan);
     DelightOptions asThen{.gather = run.gather};
     asThen.lights = readLights(folder / "lights.json", result.warnings);
+    asThen.lights->tempering = {}; // of a shading, and here is none
     asThen.fixtures = readFixtureMaps(folder, scan.pages.size());
     for (size_t i = 0; i < asThen.lights->fixtures.size(); ++i)
         result.fixtures.push_back(asThen.lights->nameOf(i));

@@ -35,8 +35,8 @@ struct RELAMP_API Response
 };
 
 /// The response in a lights.json or a report.json, of another scan by the same camera perhaps, or
-/// in a file of its own (docs/guide/scans.md). A lights file or a report
-/// whose camera has no curve is straight.
+/// in a file of its own (docs/guide/scans.md). A lights file or a report whose camera has no curve
+/// is straight.
 /// `warnings` receives a sentence a key of the camera that is not known. Throws
 /// Error(cannotRead | malformed) naming the file, the line and the key.
 RELAMP_API Response readResponse(const std::filesystem::path& file,

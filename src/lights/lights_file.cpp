@@ -2,6 +2,7 @@
 
 #include "base/fail.h"
 #include "base/json.h"
+#include "base/radiometry.shared.h"
 #include "lights/camera_item.h"
 #include "lights/fixture_named.h"
 #include "lights/json_document.h"
@@ -122,12 +123,10 @@ Tempering temperingOf(const JsonItem& top, std::vector<std::string>& warnings)
     Tempering tempering{.kept = item->lightAt("kept"),
                         .power = static_cast<float>(item->numberAt("power", 0.0, 1.0))};
     if (item->has("scale")) tempering.scale = item->lightAt("scale");
-    const auto mustBeAbove0 = [&](glm::vec3 light, const char* key) {
-        if (std::min({light.r, light.g, light.b}) <= 0.0f)
-            item->refuse(fmt::format("\"{}\" must be above 0", key), key);
-    };
-    mustBeAbove0(tempering.kept, "kept");
-    mustBeAbove0(tempering.scale, "scale");
+    const auto leastOf = [](glm::vec3 rgb) { return std::min({rgb.r, rgb.g, rgb.b}); };
+    if (leastOf(tempering.kept) <= 0.0f) item->refuse("\"kept\" must be above 0", "kept");
+    if (leastOf(tempering.scale) < kFaintest)
+        item->refuse(fmt::format("\"scale\" must be {} at least", kFaintest), "scale");
     return tempering;
 }
 

@@ -120,6 +120,10 @@ TEST(LightsFile, SunWithoutASenseIsRefused)
         refusal(R"({"ambient": [1, 1, 1], "tempering": {"power": 0.5, "kept": [1, 0, 1]}})"),
         HasSubstr("\"kept\" must be above 0"));
     EXPECT_THAT(
+        refusal(
+            R"({"ambient": [1, 1, 1], "tempering": {"power": 1, "kept": [1, 1, 1], "scale": [1, 1e-9, 1]}})"),
+        HasSubstr("\"scale\" must be"));
+    EXPECT_THAT(
         refusal(R"({"ambient": [1, 1, 1], "tempering": {"power": 1.5, "kept": [1, 1, 1]}})"),
         HasSubstr("\"power\""));
     EXPECT_THAT(refusal(R"({"sun": {"irradiance": [1, 1, 1]}})"),

@@ -31,21 +31,19 @@ constexpr double kStep = 0.005;  // log: of the levels that are tried
 constexpr size_t kBins = 100;    // up to 7 times as white as paper
 constexpr double kHighest = 1.5; // log: of the levels that are tried
 
-/// The light that falls on surfaces which seem whiter than paper, by the logarithm of how much.
-struct TooWhite
-{
-    std::array<double, kBins> light{}; // share of all
-};
+/// Shares of all light that fall on surfaces which seem whiter than paper, by how much: a
+/// logarithm, kBin a bin.
+using TooWhite = std::array<double, kBins>;
 
 TooWhite tooWhite(std::span<const float> albedo, std::span<const float> light)
 {
-    TooWhite found;
+    TooWhite found{};
     const double all = std::accumulate(light.begin(), light.end(), 0.0);
     for (size_t s = 0; s < albedo.size(); ++s) {
         if (light[s] <= 0.0f || albedo[s] <= kWhitestPaper) continue;
         const double log = std::log(static_cast<double>(albedo[s] / kWhitestPaper));
         const auto bin = std::min(static_cast<size_t>(log / kBin), kBins - 1);
-        found.light[bin] += static_cast<double>(light[s]) / all;
+        found[bin] += static_cast<double>(light[s]) / all;
     }
     return found;
 }
@@ -57,7 +55,7 @@ double natsOf(const TooWhite& found, double log)
     double nats = 0.5 * level * level;
     for (size_t b = 0; b < kBins; ++b) {
         const double off = std::max((static_cast<double>(b) + 0.5) * kBin - log, 0.0);
-        nats += kSurfaces * found.light[b] * std::log1p(off * off / (kUnsurePlace * kUnsurePlace));
+        nats += kSurfaces * found[b] * std::log1p(off * off / (kUnsurePlace * kUnsurePlace));
     }
     return nats;
 }
@@ -71,7 +69,8 @@ glm::vec3 scaleToWhite(const FoundRoom& room, std::span<const glm::vec3> light)
         log += glm::log(glm::max(paper, glm::vec3(kFaintest))) -
                glm::log(glm::max(light[s], glm::vec3(kFaintest)));
     }
-    return glm::exp(log / static_cast<float>(room.found.white.size()));
+    return glm::max(glm::exp(log / static_cast<float>(room.found.white.size())),
+                    glm::vec3(kFaintest));
 }
 
 /// As paint is no whiter than paper.
@@ -105,29 +104,24 @@ float logOfLackingLight(std::span<const float> albedo, std::span<const float> li
 
 void scaleAlbedo(std::span<const glm::vec3> irradiance, FoundRoom& room)
 {
-    if (room.isGiven) return;
     const bool isTold = !room.found.white.empty();
-    if (isOfScan(room.tempering) && !isTold) return;
+    if (room.isGiven || (isOfScan(room.tempering) && !isTold)) return;
     const std::vector<glm::vec3> light =
         tempered(room.tempering, {irradiance.begin(), irradiance.end()});
-    if (!isTold) {
-        const float times = scaleToPaint(room, light);
-        room.tempering.scale = glm::vec3(times);
-        if (std::log(static_cast<double>(times)) > kUnsureLevel)
-            room.warnings.push_back(fmt::format(
-                "much of the room came out whiter than paper, so its light was taken for {:.2g} "
-                "times what was found: a window or a lamp is missing that is not burnt out. Point "
-                "at something white with --white",
-                times));
-        return;
-    }
-    room.tempering.scale = scaleToWhite(room, light);
-    const float brighter = 1.0f / luminance(room.tempering.scale);
-    if (brighter > kMuch || brighter < 1.0f / kMuch)
+    room.tempering.scale =
+        isTold ? scaleToWhite(room, light) : glm::vec3(scaleToPaint(room, light));
+    const float times = luminance(room.tempering.scale);
+    if (isTold && (times > kMuch || times < 1.0f / kMuch))
         room.warnings.push_back(fmt::format(
             "albedo where something was called white came to {:.2g}, and all of the room was made "
             "{:.2g} times as bright: is it white?",
-            kWhitestPaper / brighter, brighter));
+            kWhitestPaper * times, 1.0f / times));
+    if (!isTold && std::log(static_cast<double>(times)) > kUnsureLevel)
+        room.warnings.push_back(fmt::format(
+            "much of the room came out whiter than paper, so its light was taken for {:.2g} times "
+            "what was found: a window or a lamp is missing that is not burnt out. Point at "
+            "something white with --white",
+            times));
 }
 
 } // namespace relamp

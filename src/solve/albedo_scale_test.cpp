@@ -3,6 +3,7 @@
 #include "base/half.h"
 #include "base/radiometry.shared.h"
 #include "relamp/delight.h"
+#include "relamp/error.h"
 #include "scenes/lit_room.h"
 
 #include <algorithm>
@@ -100,6 +101,28 @@ TEST(AlbedoScale, GoesWithTheLights)
     const ToldRoom again({}, told.result.lights());
     const glm::vec3 ratio = again.albedoAt(kOnFloor) / told.albedoAt(kOnFloor);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0f, 0.05f);
+}
+
+// What a lamp sent is what the scaled shading says.
+TEST(AlbedoScale, LampsFollow)
+{
+    const Lights found = ToldRoom({}).result.lights();
+    const Lights told = ToldRoom({kOnWall}).result.lights();
+    ASSERT_FALSE(found.fixtures.empty());
+    ASSERT_EQ(told.fixtures.size(), found.fixtures.size());
+    for (int c = 0; c < 3; ++c) {
+        const float scale = told.tempering.scale[c];
+        EXPECT_NEAR(told.fixtures[0].radiance[c] / found.fixtures[0].radiance[c], scale, 1e-3f);
+        EXPECT_NEAR(told.ambient[c], scale * found.ambient[c], 1e-4f);
+    }
+}
+
+// Nobody's lights are divided by nothing.
+TEST(AlbedoScale, OfNothingIsRefused)
+{
+    Lights lights = ToldRoom({}).result.lights();
+    lights.tempering.scale.g = 0.0f;
+    EXPECT_THROW(ToldRoom({}, lights), Error);
 }
 
 // A word can be wrong; it is followed, and the person told what it did.

@@ -138,11 +138,12 @@ void GatherSolver::keep(SolvedRoom room, const DelightOptions& asked,
 LampPowers GatherSolver::setPowers(const Lights& lights)
 {
     FoundRoom& room = kept_->room.found;
+    const Lights found = beforeScale(kept_->found);
     LampPowers powers{.outside = {lights.ambient, kept_->powers.outside.ratios()}};
     glm::vec3 share(1.0f);
     if (auto& sun = room.found.sun) {
         sun->sun.irradiance = lights.sun ? lights.sun->irradiance : glm::vec3(0.0f);
-        share = shareOf(sun->sun.irradiance, kept_->found.sun->irradiance);
+        share = shareOf(sun->sun.irradiance, found.sun->irradiance);
     }
     for (size_t l = 0; l < room.found.lamps.size(); ++l) {
         FoundLamp& lamp = room.found.lamps[l];
@@ -150,7 +151,6 @@ LampPowers GatherSolver::setPowers(const Lights& lights)
             powers.lamps.push_back(share * kept_->powers.lamps[l]);
             continue;
         }
-        const Lights& found = kept_->found;
         powers.lamps.push_back(meanOf(namedBy(lamp.labels, lights)));
         setError(lamp, powers.lamps.back(), found.fixtures[found.placeOf(lamp.labels.front().id)]);
     }
@@ -164,7 +164,7 @@ Solution GatherSolver::reevaluate(const Lights& lights, const AlbedoOptions& alb
     checkPowers(lights, kept_->found);
     Progress::Stage stage(progress, "re-evaluation", 2);
     SolvedRoom& room = kept_->room;
-    const LampPowers powers = setPowers(lights);
+    const LampPowers powers = setPowers(beforeScale(lights));
     room.found.tempering = lights.tempering;
     const auto& engine = kept_->engine.of(kept_->asked.engine, [&] {
         return std::make_shared<ReevaluateEngine>(texels_, kept_->asked.engine);

@@ -9,6 +9,7 @@
 #include "lights/fixture_map.h"
 #include "lights/point_light.h"
 #include "lights/surfel_radiance.h"
+#include "relamp/error.h"
 #include "shading/direct_sum.h"
 #include "shading/lit_sides.shared.h"
 
@@ -17,6 +18,7 @@
 #include <utility>
 
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace relamp
 {
@@ -208,7 +210,7 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
                                  static_cast<size_t>(room.options.rays), progress);
     }
     if (options.lights)
-        take(*options.lights, options, texels, scene, progress, room);
+        take(beforeScale(*options.lights), options, texels, scene, progress, room);
     else
         search(texels, scene, progress, room);
     if (room.found.lamps.empty() && !room.found.sun)
@@ -217,20 +219,36 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
     return room;
 }
 
+Lights beforeScale(Lights lights)
+{
+    const glm::vec3 scale = lights.tempering.scale;
+    if (!glm::all(glm::greaterThan(scale, glm::vec3(0.0f))))
+        throw Error(ErrorCode::malformed, "the scale of the lights' tempering must be above 0");
+    lights.ambient /= scale;
+    for (Fixture& fixture : lights.fixtures) fixture.radiance /= scale;
+    for (PointLight& point : lights.points) point.intensity /= scale;
+    if (lights.sun) lights.sun->irradiance /= scale;
+    return lights;
+}
+
 Lights lightsOf(const FoundRoom& room)
 {
     Lights lights;
-    lights.ambient = room.found.powers.outside.even();
+    const glm::vec3 scale = room.tempering.scale;
+    lights.ambient = scale * room.found.powers.outside.even();
     lights.openings = room.found.powers.outside.ratios();
     lights.camera = room.found.camera;
     lights.tempering = room.tempering;
-    if (room.found.sun) lights.sun = room.found.sun->sun;
+    if (room.found.sun) {
+        lights.sun = room.found.sun->sun;
+        lights.sun->irradiance *= scale;
+    }
     for (size_t l = 0; l < room.found.lamps.size(); ++l) {
         const FoundLamp& lamp = room.found.lamps[l];
         if (lamp.isSunlit) continue;
         const auto singles = singlesOf(lamp);
         for (size_t i = 0; i < singles.size(); ++i) {
-            Fixture fixture = fixtureOf(lamp, room.found.powers.lamps[l], singles[i]);
+            Fixture fixture = fixtureOf(lamp, scale * room.found.powers.lamps[l], singles[i]);
             putLabel(lamp.labels[i], fixture);
             if (singles.size() > 1) fixture.group = lamp.labels.front().id;
             lights.points.push_back(
@@ -248,6 +266,7 @@ std::vector<Opening> openingsOf(const FoundRoom& room)
         glm::vec3 flux(0.0f);
         for (uint32_t part = hole.part; part < hole.part + hole.parts; ++part)
             flux += room.hits.shareOfPart[part] * room.found.powers.outside[part];
+        flux *= room.tempering.scale;
         openings.push_back(
             {hole.centre, hole.normal, hole.area, flux / std::max(hole.area, 1e-9f)});
     }

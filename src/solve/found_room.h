@@ -45,8 +45,11 @@ struct FoundRoom
 FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOptions& options,
                    Progress& progress, const FoundRoom* before = nullptr);
 
-/// Lamps and the sun as people see and edit them.
+/// Lamps and the sun as people see and edit them: as bright as the scaled shading says, where
+/// LampPowers are those before the scale.
 Lights lightsOf(const FoundRoom& room);
+/// The same as LampPowers has them. Throws Error(malformed) where the scale is not above 0.
+Lights beforeScale(Lights lights);
 
 /// The large holes of the scan, with the light that comes in.
 std::vector<Opening> openingsOf(const FoundRoom& room);
