@@ -92,6 +92,7 @@ private:
     std::vector<MaterialPair> told_;      // of places
     std::vector<glm::vec3> texture_;      // of places
     std::vector<glm::vec3> positions_;    // of places, m
+    double rooms_ = 1.0;                  // see LightModel
     std::vector<glm::vec3> textureOfAll_; // of surfels
     std::vector<uint32_t> around_; // surfels that light of places is averaged over, ascending
     std::vector<uint32_t> placeInAround_; // [surfel]: its number among those around places

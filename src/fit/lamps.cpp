@@ -140,7 +140,7 @@ void LampSearch::addPieces(LampGroup group)
 void LampSearch::observe()
 {
     model_ = evidence_.modelOf(pieces_);
-    kin_ = kinshipOf(pieces_);
+    kin_ = kinshipOf(pieces_, scene_);
 }
 
 LightFit LampSearch::fitOf(size_t pairs) const

@@ -14,9 +14,10 @@ namespace relamp
 namespace
 {
 
-// That all pairs are worth: what is wrong with the light at a place is wrong at all places near it.
-// So standard errors are right: in rooms with ground truth two thirds of the lamps lie within one.
-constexpr double kEffectivePairs = 75.0;
+// That all pairs of a room are worth: what is wrong with the light at a place is wrong at all
+// places near it. So standard errors are right: in rooms with ground truth two thirds of the lamps
+// lie within one.
+constexpr double kPairsOfRoom = 75.0;
 constexpr double kOutside = 0.3;        // of the median radiance: what scanners miss lies in shade
 constexpr double kBurntOutPaper = 0.75; // albedo of what burns out first
 
@@ -55,7 +56,7 @@ double LightFit::pick(glm::vec3 rgb) const
 
 double LightFit::perPair() const
 {
-    return kEffectivePairs / static_cast<double>(std::max<size_t>(pairs_.size(), 1));
+    return effectivePairs(model_) / static_cast<double>(std::max<size_t>(pairs_.size(), 1));
 }
 
 double LightFit::irradiance(size_t place, std::span<const double> radiance) const
@@ -211,9 +212,9 @@ std::vector<double> LightFit::logAlbedo(const LightEstimate& estimate,
     return logAlbedo;
 }
 
-double LightFit::effectivePairs()
+double LightFit::effectivePairs(const LightModel& model)
 {
-    return kEffectivePairs;
+    return model.rooms * kPairsOfRoom;
 }
 
 LightEstimate LightFit::solve(std::span<const uint8_t> emits, std::vector<double> start,

@@ -91,7 +91,8 @@ public:
     /// coefficients of the estimate.
     [[nodiscard]] std::vector<double> logAlbedo(const LightEstimate& estimate,
                                                 const CameraColumns& camera) const;
-    static double effectivePairs(); // how many independent ones all pairs are worth
+    /// How many independent ones all pairs are worth.
+    static double effectivePairs(const LightModel& model);
 
 private:
     friend class LightFitSearch;

@@ -214,6 +214,12 @@ double LightFitSearch::level(const Point& at) const
            std::log(static_cast<double>(kPi / kUsualPaper));
 }
 
+/// That of a mean over rooms, each of which has a level of its own.
+double LightFitSearch::spreadOfLevel() const
+{
+    return kAlbedoSpread / std::sqrt(model_.rooms);
+}
+
 double LightFitSearch::costOf(const Point& at) const
 {
     const size_t pairs = fit_.pairs_.size();
@@ -242,7 +248,7 @@ double LightFitSearch::costOfPriors(const Point& at) const
         const double off = (at.log[a] - at.log[b]) / kAlikeSpread;
         nats += 0.5 * off * off;
     }
-    const double off = level(at) / kAlbedoSpread;
+    const double off = level(at) / spreadOfLevel();
     return nats + 0.5 * off * off;
 }
 
@@ -349,9 +355,9 @@ void LightFitSearch::addLevel(const Point& at, const PlaceTable& shares, Normal&
     for (size_t i = 0; i < model_.places(); ++i)
         for (size_t u = 0; u < count(); ++u)
             row[static_cast<Eigen::Index>(u)] -= static_cast<double>(shares.row(i)[u]);
-    row /= static_cast<double>(model_.places()) * kAlbedoSpread;
+    row /= static_cast<double>(model_.places()) * spreadOfLevel();
     normal.matrix += row * row.transpose();
-    normal.slope += level(at) / kAlbedoSpread * row;
+    normal.slope += level(at) / spreadOfLevel() * row;
 }
 
 /// False where nothing near is better.

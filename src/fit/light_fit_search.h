@@ -57,6 +57,7 @@ private:
     void addAlike(const Point& at, Normal& normal) const;
     void addLevel(const Point& at, const PlaceTable& shares, Normal& normal) const;
     [[nodiscard]] double level(const Point& at) const;
+    [[nodiscard]] double spreadOfLevel() const;
     bool step();
 
     /// Burnt-out walls tell how bright the lamps are, and pairs alone of what colour: a wall of

@@ -2,6 +2,7 @@
 
 #include "base/radiometry.shared.h"
 #include "lights/candidates.h"
+#include "scan/one_room.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +71,7 @@ bool haveOneColor(glm::vec3 shownP, glm::vec3 shownQ)
 
 std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
                                     std::span<const uint32_t> surfels, const Surfels& all,
-                                    size_t perPlace)
+                                    const RayScene& scene, size_t perPlace)
 {
     std::vector<MaterialPair> pairs;
     const std::vector<PairPlace> places = placesOf(shown, surfels, all);
@@ -82,7 +83,10 @@ std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
         size_t found = 0;
         for (size_t attempt = 0; attempt < 32 * perPlace && found < perPlace; ++attempt) {
             const uint32_t q = static_cast<uint32_t>(random()) % count;
-            if (q == p || !couldBeOneMaterial(places[p], places[q])) continue;
+            if (q == p || !couldBeOneMaterial(places[p], places[q]) ||
+                !areInOneRoom(scene, {places[p].position, places[p].normal},
+                              {places[q].position, places[q].normal}))
+                continue;
             pairs.push_back({p, q});
             ++found;
         }

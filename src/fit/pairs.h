@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fit/light_model.h"
+#include "scan/rays.h"
 #include "scan/surfels.h"
 
 #include <span>
@@ -15,12 +16,13 @@ bool areOnOnePlane(const Surfels& surfels, uint32_t p, uint32_t q);
 bool haveOneColor(glm::vec3 shownP, glm::vec3 shownQ);
 
 /// Draws pairs of places that lie on one plane, as walls, floors and table tops do, near and far,
-/// and whose colours do not rule out one material under differently coloured light.
+/// in one room (scan/one_room.h), and whose colours do not rule out one material under differently
+/// coloured light.
 ///
 /// `shown` is the radiance of places, `surfels` their indices into `all`. Deterministic. At most
 /// `perPlace` pairs begin at each place.
 std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
                                     std::span<const uint32_t> surfels, const Surfels& all,
-                                    size_t perPlace);
+                                    const RayScene& scene, size_t perPlace);
 
 } // namespace relamp

@@ -1,6 +1,7 @@
 #include "fit/pairs.h"
 
 #include "scenes/axes.h"
+#include "scenes/scenes.h"
 
 #include <numeric>
 
@@ -26,11 +27,11 @@ struct Places
         shown.push_back(radiance);
     }
 
-    [[nodiscard]] std::vector<MaterialPair> pairs(size_t perPlace) const
+    [[nodiscard]] std::vector<MaterialPair> pairs(size_t perPlace, const Scan& around = {}) const
     {
         std::vector<uint32_t> all(surfels.count());
         std::iota(all.begin(), all.end(), 0u);
-        return drawPairs(shown, all, surfels, perPlace);
+        return drawPairs(shown, all, surfels, RayScene(around), perPlace);
     }
 };
 
@@ -71,6 +72,19 @@ TEST(Pairs, AreOfOneHueAtAnyBrightness)
         acrossBrightness |= pair.p % 4 != pair.q % 4;
     }
     EXPECT_TRUE(acrossBrightness);
+}
+
+// Each room is painted by itself.
+TEST(Pairs, LieInOneRoom)
+{
+    const Places places = hundred([](Places& room, float x, int) {
+        room.add({x, 0.0f, 0.0f}, kUp, glm::vec3(0.5f));
+    });
+    const scenes::Panel wall{{1.99f, 0, -1}, {0, 0, 2}, {0, 2.5f, 0}};
+    const Scan house = scenes::panels(std::span(&wall, 1), 8, scenes::plain(glm::vec3(0.5f)));
+    const auto pairs = places.pairs(4, house);
+    EXPECT_GT(pairs.size(), 390u);
+    for (const MaterialPair pair : pairs) EXPECT_EQ(pair.p < 50, pair.q < 50);
 }
 
 TEST(Pairs, BlackPlacesHaveNone)

@@ -3,6 +3,7 @@
 #include "base/disjoint_sets.h"
 #include "base/radiometry.shared.h"
 #include "fit/lamp_groups.h"
+#include "scan/one_room.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +64,20 @@ bool areOneModel(const Piece& a, const Piece& b)
            (colouredShare(p) > 0.5f) == (colouredShare(q) > 0.5f);
 }
 
+/// Whether some part of one is in a room with some part of the other.
+bool areInOneRoom(const RayScene& scene, const Candidate& a, const Candidate& b)
+{
+    constexpr size_t kParts = 4; // of each, evenly
+    const auto part = [](const Candidate& of, size_t k) {
+        const ClippedPatch& patch = of.patches[k * of.patches.size() / kParts];
+        return FacingPlace{patch.position, patch.normal};
+    };
+    for (size_t i = 0; i < kParts; ++i)
+        for (size_t j = 0; j < kParts; ++j)
+            if (areInOneRoom(scene, part(a, i), part(b, j))) return true;
+    return false;
+}
+
 } // namespace
 
 size_t Piece::rays() const
@@ -71,7 +86,7 @@ size_t Piece::rays() const
 }
 
 /// Pieces come by falling area, a far side right behind its near one.
-Kinship kinshipOf(const std::vector<Piece>& pieces)
+Kinship kinshipOf(const std::vector<Piece>& pieces, const RayScene& scene)
 {
     Kinship kin{.model = std::vector<std::vector<uint32_t>>(pieces.size()),
                 .leansOn = std::vector<std::vector<uint32_t>>(pieces.size())};
@@ -88,7 +103,8 @@ Kinship kinshipOf(const std::vector<Piece>& pieces)
             const bool areOneBody = pieces[a].body == pieces[b].body;
             const bool lean = areOneBody || areInOnePlane(pieces[a].candidate, pieces[b].candidate);
             const bool isModel = !areOneBody && !pieces[a].isUnseen && !pieces[b].isUnseen &&
-                                 areOneModel(pieces[a], pieces[b]);
+                                 areOneModel(pieces[a], pieces[b]) &&
+                                 areInOneRoom(scene, pieces[a].candidate, pieces[b].candidate);
             if (areOneBody || isModel) kin.alike.push_back({a, b});
             if (lean && pieces[a].candidate.area >= pieces[b].candidate.area)
                 kin.leansOn[b].push_back(a);

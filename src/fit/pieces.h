@@ -3,6 +3,7 @@
 #include "fit/light_model.h"
 #include "lights/area_light.h"
 #include "lights/candidates.h"
+#include "scan/rays.h"
 #include "shading/area_direct.h"
 
 #include <cstddef>
@@ -40,7 +41,7 @@ struct Kinship
                                                 // the near side of a far one, a pane beside a pane
 };
 
-Kinship kinshipOf(const std::vector<Piece>& pieces);
+Kinship kinshipOf(const std::vector<Piece>& pieces, const RayScene& scene);
 
 /// Makes one of pieces that touch and are about equally bright, of a lamp and a sliver beside it,
 /// and of two sides.

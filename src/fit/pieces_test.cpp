@@ -1,6 +1,7 @@
 #include "fit/pieces.h"
 
 #include "scenes/axes.h"
+#include "scenes/scenes.h"
 
 #include <gmock/gmock.h>
 
@@ -46,6 +47,12 @@ std::vector<Piece> panelWithFarSideAndAnother()
     std::vector<Piece> pieces{panelAt(0, 10, 0), panelAt(0, 10, 0), panelAt(2, 10, 2)};
     pieces[1].isUnseen = true;
     return pieces;
+}
+
+/// In a room of nothing else.
+Kinship kinOf(const std::vector<Piece>& pieces, const Scan& around = {})
+{
+    return kinshipOf(pieces, RayScene(around));
 }
 
 auto pairOf(uint32_t a, uint32_t b)
@@ -104,10 +111,19 @@ TEST(Pieces, GroupsStayAsTheyAre)
 
 TEST(Pieces, ThatLookAlikeAreOneModel)
 {
-    const Kinship kin = kinshipOf({panelAt(0, 10, 0), panelAt(2, 20, 1), panelAt(4, 10, 2)});
+    const Kinship kin = kinOf({panelAt(0, 10, 0), panelAt(2, 20, 1), panelAt(4, 10, 2)});
     EXPECT_THAT(kin.alike, ElementsAre(pairOf(0, 1), pairOf(0, 2), pairOf(1, 2)));
     EXPECT_THAT(kin.model, ElementsAre(ElementsAre(1, 2), ElementsAre(0, 2), ElementsAre(0, 1)));
     EXPECT_THAT(kin.leansOn, ElementsAre(IsEmpty(), IsEmpty(), IsEmpty()));
+}
+
+TEST(Pieces, OfTwoRoomsAreNoModel)
+{
+    const scenes::Panel wall{{1.25f, 0, -1}, {0, 0, 4}, {0, 2.5f, 0}};
+    const Scan house = scenes::panels(std::span(&wall, 1), 8, scenes::plain(glm::vec3(0.5f)));
+    const Kinship kin = kinOf({panelAt(0, 10, 0), panelAt(2, 10, 1), panelAt(4, 10, 2)}, house);
+    EXPECT_THAT(kin.alike, ElementsAre(pairOf(1, 2)));
+    EXPECT_THAT(kin.model, ElementsAre(IsEmpty(), ElementsAre(2), ElementsAre(1)));
 }
 
 // A panel is burnt out in all channels; what it lights on its ceiling is burnt out in red alone.
@@ -115,14 +131,14 @@ TEST(Pieces, OfTwoColoursAreNotOneModel)
 {
     std::vector<Piece> pieces{panelAt(0, 10, 0), panelAt(2, 10, 1)};
     for (ClippedPatch& patch : pieces[1].candidate.patches) patch.radiance = {1.0f, 0.9f, 0.6f};
-    EXPECT_THAT(kinshipOf(pieces).model, ElementsAre(IsEmpty(), IsEmpty()));
+    EXPECT_THAT(kinOf(pieces).model, ElementsAre(IsEmpty(), IsEmpty()));
 }
 
 // Every crumb is flat and small.
 TEST(Pieces, ShapeOfASpeckSaysNothing)
 {
-    const Kinship kin = kinshipOf(
-        {patchAt({0, 2.5f, 0}, kDown, 0.001f, 0), patchAt({2, 2.5f, 0}, kDown, 0.001f, 1)});
+    const Kinship kin =
+        kinOf({patchAt({0, 2.5f, 0}, kDown, 0.001f, 0), patchAt({2, 2.5f, 0}, kDown, 0.001f, 1)});
     EXPECT_THAT(kin.alike, IsEmpty());
     EXPECT_THAT(kin.model, ElementsAre(IsEmpty(), IsEmpty()));
 }
@@ -134,7 +150,7 @@ TEST(Pieces, GlobesOfOneSizeAreOneModelWhereverTheyHang)
                               patchAt({3, 1, 0}, {1, 0, 0}, 0.04f, 3)};
     for (ClippedPatch& patch : pieces[2].candidate.patches) patch.position.y -= 1.0f;
     pieces[2].candidate = candidateOf(pieces[2].candidate.patches);
-    const Kinship kin = kinshipOf(pieces);
+    const Kinship kin = kinOf(pieces);
     EXPECT_THAT(kin.alike, ElementsAre(pairOf(1, 2))); // the first is more than thrice as large
     EXPECT_THAT(kin.model, ElementsAre(IsEmpty(), ElementsAre(2), ElementsAre(1), IsEmpty()));
 }
@@ -142,7 +158,7 @@ TEST(Pieces, GlobesOfOneSizeAreOneModelWhereverTheyHang)
 // It has its near side's radiance, and does not speak for another lamp.
 TEST(Pieces, FarSideLeansOnItsNearOneAndIsNoModel)
 {
-    const Kinship kin = kinshipOf(panelWithFarSideAndAnother());
+    const Kinship kin = kinOf(panelWithFarSideAndAnother());
     EXPECT_THAT(kin.alike, ElementsAre(pairOf(0, 1), pairOf(0, 2)));
     EXPECT_THAT(kin.model, ElementsAre(ElementsAre(2), IsEmpty(), ElementsAre(0)));
     EXPECT_THAT(kin.leansOn, ElementsAre(IsEmpty(), ElementsAre(0), IsEmpty()));
@@ -153,7 +169,7 @@ TEST(Pieces, PaneLeansOnALargerOneBesideItInOnePlane)
 {
     const Piece pane = patchAt({0, 2.5f, 0}, kDown, 0.3f, 0);
     const auto leansOn = [&](glm::vec3 place, glm::vec3 normal) {
-        return kinshipOf({pane, patchAt(place, normal, 0.2f, 1)}).leansOn;
+        return kinOf({pane, patchAt(place, normal, 0.2f, 1)}).leansOn;
     };
     EXPECT_THAT(leansOn({0.08f, 2.5f, 0}, kDown), ElementsAre(IsEmpty(), ElementsAre(0)));
     EXPECT_THAT(leansOn({1, 2.5f, 0}, kDown), ElementsAre(IsEmpty(), IsEmpty()));     // far away
@@ -163,8 +179,8 @@ TEST(Pieces, PaneLeansOnALargerOneBesideItInOnePlane)
 
 TEST(Pieces, PanesThatLeanDoNotProveEachOther)
 {
-    const Kinship kin = kinshipOf(
-        {patchAt({0, 2.5f, 0}, kDown, 0.3f, 0), patchAt({0.08f, 2.5f, 0}, kDown, 0.3f, 1)});
+    const Kinship kin =
+        kinOf({patchAt({0, 2.5f, 0}, kDown, 0.3f, 0), patchAt({0.08f, 2.5f, 0}, kDown, 0.3f, 1)});
     EXPECT_THAT(kin.alike, ElementsAre(pairOf(0, 1)));
     EXPECT_THAT(kin.model, ElementsAre(IsEmpty(), IsEmpty()));
     EXPECT_THAT(kin.leansOn, ElementsAre(IsEmpty(), ElementsAre(0)));

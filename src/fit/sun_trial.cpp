@@ -172,7 +172,7 @@ void SunTrial::setChannel(LightModel& model, int channel) const
 
 std::vector<MaterialPair> SunTrial::pairs(size_t drawn) const
 {
-    const double perCell = static_cast<double>(drawn) / LightFit::effectivePairs();
+    const double perCell = static_cast<double>(drawn) / LightFit::effectivePairs(with);
     return rim.pairs(static_cast<size_t>(std::ceil(perCell)), static_cast<uint32_t>(firstOfRim_));
 }
 

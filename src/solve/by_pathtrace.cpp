@@ -147,7 +147,7 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
         tracedRoomOf(texels, found, found.sides.albedo)); // a good start
     Settled settled = settle(texels, scene, found.radiance, options.pathtrace, *room, progress);
     solution.closure = settled.closure;
-    const Witnesses witnesses = witnessesOf(texels, found);
+    const Witnesses witnesses = witnessesOf(texels, scene, found);
     temper(texels, witnesses, settled.irradiance, found);
     scaleAlbedo(settled.irradiance, found);
     solution.warnings = found.warnings;

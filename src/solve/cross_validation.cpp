@@ -150,9 +150,9 @@ float unevennessOfChroma(const Witnesses& witnesses, std::span<const glm::vec3> 
 
 } // namespace
 
-Witnesses witnessesOf(const Surfels& surfels, std::span<const glm::vec3> texture,
-                      const SurfelRadiance& radiance, std::span<const float> changeUnseen,
-                      Quality quality)
+Witnesses witnessesOf(const Surfels& surfels, const RayScene& scene,
+                      std::span<const glm::vec3> texture, const SurfelRadiance& radiance,
+                      std::span<const float> changeUnseen, Quality quality)
 {
     Witnesses found{.surfels = placesToLookAt(surfels, radiance, quality)};
     found.unseen.assign(changeUnseen.begin(), changeUnseen.end());
@@ -168,7 +168,7 @@ Witnesses witnessesOf(const Surfels& surfels, std::span<const glm::vec3> texture
             cubes.try_emplace({cube.x, cube.y, cube.z}, found.cubes).first->second);
         found.cubes = static_cast<uint32_t>(cubes.size());
     }
-    found.pairs = drawPairs(found.texture, found.surfels, surfels, LampEvidence::kPairs);
+    found.pairs = drawPairs(found.texture, found.surfels, surfels, scene, LampEvidence::kPairs);
     const auto place = [&](uint32_t i) { return surfels.position[found.surfels[i]]; };
     std::erase_if(found.pairs, [&](MaterialPair pair) {
         return fold[pair.p] != fold[pair.q] ||

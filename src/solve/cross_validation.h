@@ -17,8 +17,8 @@ namespace relamp
 {
 
 /// Places that the light was fitted to, and pairs of them that are likely of one paint: on one
-/// plane, of one hue as drawPairs() has it, more than half a metre apart, for what lies closer is
-/// lit alike and would praise any light, and of one fold (scan/held_out.h).
+/// plane of one room, of one hue as drawPairs() has it, more than half a metre apart, for what lies
+/// closer is lit alike and would praise any light, and of one fold (scan/held_out.h).
 ///
 /// Neither the scan nor an albedo is favoured by them: hue is compared as widely as lamps of two
 /// colours need, and brightness not at all.
@@ -35,9 +35,9 @@ struct Witnesses
 
 /// `texture` and `radiance`: with and without what the camera did. `changeUnseen`: one a place, or
 /// empty; as changeUnseen() has it, of the places that `quality` makes a fit look at.
-Witnesses witnessesOf(const Surfels& surfels, std::span<const glm::vec3> texture,
-                      const SurfelRadiance& radiance, std::span<const float> changeUnseen,
-                      Quality quality);
+Witnesses witnessesOf(const Surfels& surfels, const RayScene& scene,
+                      std::span<const glm::vec3> texture, const SurfelRadiance& radiance,
+                      std::span<const float> changeUnseen, Quality quality);
 
 /// How far a shading is to be believed that brings `irradiance` to surfels: to the power under
 /// which places of one paint agree best, in steps of a tenth; to all of it unless a smaller power

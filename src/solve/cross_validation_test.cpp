@@ -44,8 +44,8 @@ struct WitnessedFloor
     explicit WitnessedFloor(const scenes::Paint& albedo, float side = kFloorSide)
         : surfaces(scenes::square(
               side, 512, [&](glm::vec3 p, glm::vec3 n) { return albedo(p, n) * shadingAt(p); })),
-          witnesses(witnessesOf(surfaces.texels.surfels, surfaces.radiance.plain, surfaces.radiance,
-                                {}, Quality::standard))
+          witnesses(witnessesOf(surfaces.texels.surfels, surfaces.rays, surfaces.radiance.plain,
+                                surfaces.radiance, {}, Quality::standard))
     {}
 
     [[nodiscard]] glm::vec3 placeOf(uint32_t witness) const

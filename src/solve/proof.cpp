@@ -12,10 +12,10 @@ constexpr float kUnproven = 0.4f; // of confidence; so that all of it is low, be
 
 } // namespace
 
-Witnesses witnessesOf(const Texels& texels, const FoundRoom& room)
+Witnesses witnessesOf(const Texels& texels, const RayScene& scene, const FoundRoom& room)
 {
     const auto& texture = room.texture.empty() ? room.radiance.plain : room.texture;
-    return witnessesOf(texels.surfels, texture, room.radiance, room.found.changeUnseen,
+    return witnessesOf(texels.surfels, scene, texture, room.radiance, room.found.changeUnseen,
                        room.options.quality);
 }
 

@@ -12,7 +12,7 @@ namespace relamp
 {
 
 /// The places that a room's light was fitted to, or would have been.
-Witnesses witnessesOf(const Texels& texels, const FoundRoom& room);
+Witnesses witnessesOf(const Texels& texels, const RayScene& scene, const FoundRoom& room);
 
 /// Believes the light of a room, which brings `irradiance` to its surfels, as far as temperingFor()
 /// does; lights that a person gives as far as they say. Where the scan itself stands, the room has

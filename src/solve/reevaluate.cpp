@@ -81,7 +81,7 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
     SolvedRoom room{.found = std::move(found)};
     room.light = lightOf(texels, scene, room.found, indirectOf(texels, room));
     room.lighting = lightOnSurfels(texels.surfels, *room.light);
-    room.witnesses = witnessesOf(texels, room.found);
+    room.witnesses = witnessesOf(texels, scene, room.found);
     temper(texels, room.witnesses, room.lighting.irradiance, room.found);
     std::vector<float> lit;
     callAll(
