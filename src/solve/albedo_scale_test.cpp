@@ -167,6 +167,26 @@ TEST(AlbedoScale, IsAsUnsureAsTheSurfacesLeaveIt)
     EXPECT_EQ(lackingLight(std::vector{0.9f, 0.1f}, light).error, 0.0f);
 }
 
+// All of them are off by what the scale is off by. What the fit alone did not know of a lamp, it
+// still does not.
+TEST(AlbedoScale, ItsErrorIsInThatOfTheLampsAndTheSun)
+{
+    FoundRoom room;
+    room.radiance.plain = {glm::vec3(2.0f * 0.9f), glm::vec3(0.4f)};
+    room.radiance.plainArea = {1.0f, 1.0f};
+    room.radiance.clippedArea = {0.0f, 0.0f};
+    room.found.lamps.push_back({.logError = glm::vec3(0.1f)});
+    room.found.sun.emplace();
+    scaleAlbedo(std::vector<glm::vec3>(2, glm::vec3(kPi)), room);
+    const float log = std::log(room.tempering.scale.g);
+    EXPECT_GT(log, 0.1f);
+    const float error = room.found.sun->sun.error.g;
+    EXPECT_GT(error, 0.05f);
+    EXPECT_LE(error, log);
+    EXPECT_NEAR(room.found.lamps[0].logError.g, std::hypot(0.1f, error), 1e-6f);
+    EXPECT_TRUE(room.found.lamps[0].isDetermined);
+}
+
 // A gap that hardly any light was found in, and a window that is brighter than any paper, are no
 // reason to darken a room.
 TEST(AlbedoScale, FewPlacesTellLittle)
