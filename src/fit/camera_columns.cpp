@@ -146,6 +146,18 @@ Response responseOf(std::span<const double> coefficients, double share)
     return response;
 }
 
+SlopeCovariance doubtOfResponse(const LightEstimate& fit, double likely, double share)
+{
+    const double other = likely * (1.0 - share) * (1.0 - share) + (1.0 - likely) * share * share;
+    SlopeCovariance doubt{};
+    for (size_t i = 0; i < Response::kKnots; ++i)
+        for (size_t k = 0; k < Response::kKnots; ++k)
+            doubt[i * Response::kKnots + k] =
+                static_cast<float>(likely * fit.cameraCovariance[i * fit.camera.size() + k] +
+                                   other * fit.camera[i] * fit.camera[k]);
+    return doubt;
+}
+
 Gain toneLatticeOver(std::span<const glm::vec3> position)
 {
     return latticeOver(position, kToneSpacing, kMostToneKnots);

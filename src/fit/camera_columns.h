@@ -1,6 +1,7 @@
 #pragma once
 
-#include "fit/light_model.h"
+#include "fit/light_fit.h"
+#include "image/response.h"
 #include "relamp/camera_model.h"
 
 #include <span>
@@ -28,6 +29,10 @@ struct TexturePlaces
 CameraColumns columnsOf(const Response& known, const TexturePlaces& places);
 /// `share`, 0..1, of the way from a straight one.
 Response responseOf(std::span<const double> coefficients, double share = 1.0);
+/// By how much that may be wrong where a curve is `likely`, 0..1, and else it is straight: what the
+/// pairs leave open of a curve, and that it may be the other. The slopes come first in
+/// `fit.camera`.
+SlopeCovariance doubtOfResponse(const LightEstimate& fit, double likely, double share);
 
 /// What local tone mapping leaves of the brightness around each place, as one unknown beside the
 /// light: 1 / exponent - 1. `around`: logarithms of that brightness in the texture, without

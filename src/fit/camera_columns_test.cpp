@@ -166,4 +166,17 @@ TEST(CameraColumns, ACupboardHasNoLatticeAndAHallNoMoreKnotsThanARoom)
     EXPECT_LE(evenGainOver(hall).log.size(), 120u);
 }
 
+// Of a curve of slope 1.4 that is as likely as none, half is undone, and the truth lies 0.2 to
+// either side; where nothing of it is undone it lies at one end.
+TEST(CameraColumns, ACurveThatIsHalfLikelyIsInDoubtByHalf)
+{
+    LightEstimate fit{.camera = std::vector<double>(Response::kKnots, 0.4)};
+    fit.cameraCovariance.assign(Response::kKnots * Response::kKnots, 0.0);
+    EXPECT_NEAR(std::sqrt(doubtOfResponse(fit, 0.5, 0.5).front()), 0.2f, 1e-6f);
+    EXPECT_NEAR(std::sqrt(doubtOfResponse(fit, 0.25, 0.0).back()), 0.2f, 1e-6f);
+    EXPECT_EQ(doubtOfResponse(fit, 1.0, 1.0), SlopeCovariance{});
+    fit.cameraCovariance.assign(Response::kKnots * Response::kKnots, 0.01);
+    EXPECT_NEAR(std::sqrt(doubtOfResponse(fit, 1.0, 1.0)[1]), 0.1f, 1e-6f);
+}
+
 } // namespace relamp

@@ -34,8 +34,8 @@ CameraColumns LampSearch::contrastColumns(bool isCurved, const std::optional<Gai
     return around ? together(columns, columnsOf(camera_.tone, *around, places)) : columns;
 }
 
-/// Nats against a camera that did this, with the leaks that are likeliest then.
-double LampSearch::natsOfContrast(bool isCurved, const std::optional<Gain>& around) const
+/// By a camera that did this, with the leaks that are likeliest then; `nats` are those against it.
+LightEstimate LampSearch::fitOfContrast(bool isCurved, const std::optional<Gain>& around) const
 {
     const CameraColumns columns = contrastColumns(isCurved, around);
     LightEstimate light = estimate_;
@@ -45,21 +45,25 @@ double LampSearch::natsOfContrast(bool isCurved, const std::optional<Gain>& arou
         fit.expectLeaks(light, columns);
         light = fit.solve(emits_, std::move(light.log), columns);
     }
-    if (around && light.camera.back() <= 0.0) return INFINITY; // no camera deepens it
-    return light.nats + light.occam - (isCurved ? kCurvedNats : 0.0) - (around ? kTonedNats : 0.0);
+    light.nats += light.occam - (isCurved ? kCurvedNats : 0.0) - (around ? kTonedNats : 0.0);
+    if (around && light.camera.back() <= 0.0) light.nats = INFINITY; // no camera deepens it
+    return light;
 }
 
 /// How likely a response and local tone mapping are beside all pieces that may emit.
 void LampSearch::findContrast()
 {
-    std::array<double, 4> nats{}; // bit 0: curved, bit 1: toned
+    std::array<LightEstimate, 4> fits; // bit 0: curved, bit 1: toned
+    std::array<double, 4> nats{};
     std::optional<Gain> around;
     if (isGainSought_) around = evidence_.brightnessAround(camera_.response);
     forEach(nats.size(), [&](size_t k) {
         const bool isCurved = (k & 1u) != 0;
         const bool isToned = (k & 2u) != 0;
         const bool isSought = (isResponseSought_ || !isCurved) && (isGainSought_ || !isToned);
-        nats[k] = isSought ? natsOfContrast(isCurved, isToned ? around : std::nullopt) : INFINITY;
+        fits[k].nats = INFINITY;
+        if (isSought) fits[k] = fitOfContrast(isCurved, isToned ? around : std::nullopt);
+        nats[k] = fits[k].nats;
     });
     const double least = *std::min_element(nats.begin(), nats.end());
     double sum = 0.0;
@@ -68,7 +72,10 @@ void LampSearch::findContrast()
         sum += n;
     }
     const auto sought = [](double belief) { return belief > 0.5 ? belief : 0.0; };
-    curved_ = sought((nats[1] + nats[3]) / sum);
+    const double likely = (nats[1] + nats[3]) / sum;
+    curved_ = sought(likely);
+    if (likely > 0.0)
+        doubtOfResponse_ = doubtOfResponse(fits[nats[1] > nats[3] ? 1 : 3], likely, curved_);
     toned_ = sought((nats[2] + nats[3]) / sum);
     bend(LampEvidence::kPairsFirst);
 }
@@ -86,7 +93,10 @@ void LampSearch::bend(size_t pairs)
         light.camera = columns.known;
         fit.expectLeaks(light, columns);
         light = fit.solve(emits_, std::move(light.log), columns);
-        if (curved_ > 0.0) camera_.response = responseOf(light.camera, curved_);
+        if (curved_ > 0.0) {
+            camera_.response = responseOf(light.camera, curved_);
+            doubtOfResponse_ = doubtOfResponse(light, curved_, curved_);
+        }
         if (toned_ > 0.0)
             camera_.tone = localToneOf(evidence_.brightnessAround(camera_.response),
                                        toned_ * light.camera.back());

@@ -54,7 +54,8 @@ private:
     [[nodiscard]] bool isBent() const { return curved_ > 0.0 || toned_ > 0.0; }
     [[nodiscard]] CameraColumns contrastColumns(bool isCurved,
                                                 const std::optional<Gain>& around) const;
-    [[nodiscard]] double natsOfContrast(bool isCurved, const std::optional<Gain>& around) const;
+    [[nodiscard]] LightEstimate fitOfContrast(bool isCurved,
+                                              const std::optional<Gain>& around) const;
     void findContrast();
     void bend(size_t pairs);
     void findGain();
@@ -87,6 +88,7 @@ private:
     CameraModel camera_;
     double curved_ = 0.0; // how likely its response is not straight; 0: it is taken for that
     double toned_ = 0.0;  // likewise, that it mapped tones locally
+    SlopeCovariance doubtOfResponse_{};
     std::optional<SunTrial> sun_; // the last piece
 };
 

@@ -472,6 +472,7 @@ FoundLamps LampSearch::result()
     }
     takeSun(found);
     found.camera = std::move(camera_);
+    found.doubtOfResponse = doubtOfResponse_;
     stage_.advance();
     return found;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "image/response.h"
 #include "lights/candidates.h"
 #include "lights/fixture_labels.h"
 #include "relamp/camera_model.h"
@@ -50,7 +51,8 @@ struct FoundLamps
     LampPowers powers;            // of these, and of a sun once it is let in
     float residual = 0.0f;        // of the fit, in log radiance
     std::optional<FoundSun> sun{};
-    CameraModel camera{}; // what it made of the light
+    CameraModel camera{};              // what it made of the light
+    SlopeCovariance doubtOfResponse{}; // 0: it is known
     // By how much the log albedo of each of placesToLookAt(), and then of those that a person spoke
     // of, is another where no fit looks at it: fit/unseen.h. Empty: nothing was fitted.
     std::vector<float> changeUnseen{};

@@ -25,6 +25,7 @@ struct LightEstimate
     std::vector<double> log;    // of pieces, what they emit or reflect; then of what lies outside
     std::vector<double> error;  // standard errors of these; 0 of what reflects as it is expected to
     std::vector<double> camera; // coefficients of CameraColumns; empty where none are sought
+    std::vector<double> cameraCovariance; // of these, count * count
     double occam = 0.0;    // nats that the camera's coefficients cost by what the data narrow them
     double nats = 0.0;     // of data and priors: the less, the likelier
     double residual = 0.0; // median absolute deviation of a pair

@@ -414,6 +414,8 @@ LightEstimate LightFitSearch::result() const
         estimate.occam =
             0.5 * (logDeterminant(normal.matrix) -
                    logDeterminant(normal.matrix.topLeftCorner(l, l)) - logDeterminant(prior));
+        const Eigen::MatrixXd ofCamera = covariance.bottomRightCorner(n - l, n - l);
+        estimate.cameraCovariance.assign(ofCamera.data(), ofCamera.data() + ofCamera.size());
     }
     for (Eigen::Index u = 0; u < n; ++u)
         estimate.error[at(static_cast<size_t>(u))] = std::sqrt(covariance(u, u));

@@ -4,6 +4,7 @@
 #include "base/radiometry.shared.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace relamp
@@ -81,21 +82,48 @@ std::vector<LightVariance> varianceOf(const HitLists& hits, const SurfelLighting
     return variance;
 }
 
+std::vector<float> varianceOfResponse(std::span<const glm::vec3> texture,
+                                      std::span<const float> area, const SlopeCovariance& slopes)
+{
+    constexpr size_t n = Response::kKnots;
+    if (slopes == SlopeCovariance{}) return {};
+    std::vector<std::array<float, n>> bend;
+    std::array<double, n> mean{};
+    double sum = 0.0;
+    for (size_t s = 0; s < texture.size(); ++s) {
+        const float brightness = luminance(texture[s]);
+        const auto weight = static_cast<double>(area[s] * brightness); // as albedo's one scale has
+        bend.push_back(bendAt(brightness));
+        for (size_t k = 0; k < n; ++k) mean[k] += weight * static_cast<double>(bend[s][k]);
+        sum += weight;
+    }
+    std::vector<float> variance(texture.size(), 0.0f);
+    if (sum <= 0.0) return variance;
+    forEach(variance.size(), [&](size_t s) {
+        std::array<float, n> off = bend[s];
+        for (size_t k = 0; k < n; ++k) off[k] -= static_cast<float>(mean[k] / sum);
+        for (size_t i = 0; i < n; ++i)
+            for (size_t k = 0; k < n; ++k) variance[s] += off[i] * slopes[i * n + k] * off[k];
+    });
+    return variance;
+}
+
 std::vector<SurfelTrust> reliabilityOf(std::span<const LightVariance> variance,
-                                       std::span<const float> lit)
+                                       std::span<const float> lit, std::span<const float> ofCamera)
 {
     std::vector<SurfelTrust> trust(variance.size());
     forEach(trust.size(), [&](size_t s) {
         const LightVariance& before = variance[s];
         const float corrected =
             lit.empty() ? 0.0f : squareOf(kLeftOfCorrection * logOfLight(lit[s]));
+        const float camera = ofCamera.empty() ? 0.0f : ofCamera[s];
         const float left = squareOf(kLeftUnsure);
-        const float total = left * before.total() + corrected;
+        const float total = left * before.total() + corrected + camera;
         const float right = std::log(probabilityRight(total));
         trust[s].seen = std::exp(right * left * before.outside / total);
         trust[s].front = std::exp(right * left * before.backs / total);
         trust[s].edges =
-            std::exp(right * (left * (before.edges + before.rest) + corrected) / total);
+            std::exp(right * (left * (before.edges + before.rest) + corrected + camera) / total);
     });
     return trust;
 }

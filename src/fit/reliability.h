@@ -1,5 +1,6 @@
 #pragma once
 
+#include "image/response.h"
 #include "shading/gathered_light.h"
 #include "shading/hit_lists.h"
 
@@ -32,20 +33,27 @@ struct LightVariance
 /// surfel; `light.spread` may be empty where a solver does not know it.
 std::vector<LightVariance> varianceOf(const HitLists& hits, const SurfelLighting& light);
 
+/// Of the logarithm of radiance, one a surfel, where a camera's response is known as well as
+/// `slopes` say. What makes all of the room as much brighter or darker is left out. `texture`:
+/// linear, what surfels show; `area`: over which they do.
+std::vector<float> varianceOfResponse(std::span<const glm::vec3> texture,
+                                      std::span<const float> area, const SlopeCovariance& slopes);
+
 /// How far the shading of a surfel can be believed: factors of a probability, 0..1, where 1 is no
 /// doubt.
 struct SurfelTrust
 {
     float seen = 1.0f;   // falls by what comes from outside
     float front = 1.0f;  // by what comes from backs
-    float edges = 1.0f;  // by shadows' edges, corrections and all else
+    float edges = 1.0f;  // by shadows' edges, corrections, the camera and all else
     float proven = 1.0f; // falls, everywhere, where albedo is no better than the scan
 };
 
-/// The product of `seen`, `front` and `edges` is the probability that the light is right to within
-/// 15 % after it was corrected by `lit` times, one a surfel; empty: nothing was. Each cause has its
-/// share of the logarithm.
+/// The product of `seen`, `front` and `edges` is the probability that albedo is right to within
+/// 15 % after the light was corrected by `lit` times and the radiance has the variance `ofCamera`,
+/// one a surfel; empty: nothing was, or 0. Each cause has its share of the logarithm.
 std::vector<SurfelTrust> reliabilityOf(std::span<const LightVariance> variance,
-                                       std::span<const float> lit);
+                                       std::span<const float> lit,
+                                       std::span<const float> ofCamera = {});
 
 } // namespace relamp

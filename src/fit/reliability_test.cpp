@@ -108,4 +108,22 @@ TEST(Reliability, CausesShareTheDoubt)
     EXPECT_EQ(trust[1].edges, 1.0f);
 }
 
+// A curve that may be another by a tenth of its slope puts what is three stops darker than the rest
+// off by a fifth, and the rest by nothing: that is the room's one scale.
+TEST(Reliability, AResponseThatIsNotKnownCountsFarFromTheUsualBrightness)
+{
+    const std::vector<glm::vec3> texture{glm::vec3(0.4f), glm::vec3(0.05f)};
+    const std::vector<float> area{1000.0f, 1.0f};
+    SlopeCovariance slopes;
+    slopes.fill(0.1f * 0.1f); // all alike
+    const std::vector<float> variance = varianceOfResponse(texture, area, slopes);
+    EXPECT_NEAR(std::sqrt(variance[0]), 0.0f, 1e-3f);
+    EXPECT_NEAR(std::sqrt(variance[1]), 0.1f * std::log(8.0f), 1e-3f);
+    EXPECT_TRUE(varianceOfResponse(texture, area, {}).empty());
+    const std::vector<LightVariance> light(2, LightVariance{.rest = 0.0025f});
+    const auto trust = reliabilityOf(light, {}, variance);
+    EXPECT_GT(probability(trust[0]), 0.95f);
+    EXPECT_LT(probability(trust[1]), 0.6f);
+}
+
 } // namespace relamp

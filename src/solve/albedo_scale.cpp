@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -74,7 +73,7 @@ glm::vec3 scaleToWhite(const FoundRoom& room, std::span<const glm::vec3> light)
 }
 
 /// As paint is no whiter than paper.
-float scaleToPaint(const FoundRoom& room, std::span<const glm::vec3> light)
+LackingLight lackOf(const FoundRoom& room, std::span<const glm::vec3> light)
 {
     std::vector<float> albedo(light.size());
     std::vector<float> received(light.size(), 0.0f);
@@ -84,22 +83,35 @@ float scaleToPaint(const FoundRoom& room, std::span<const glm::vec3> light)
         if (isHardlyBurntOut(room.radiance, s))
             received[s] = room.radiance.plainArea[s] * luminance(light[s]);
     }
-    return std::exp(logOfLackingLight(albedo, received));
+    return lackingLight(albedo, received);
+}
+
+/// All lamps are off by what the scale is off by.
+void addError(float log, FoundLamps& found)
+{
+    const auto withIt = [log](glm::vec3 error) { return glm::sqrt(error * error + log * log); };
+    for (FoundLamp& lamp : found.lamps) lamp.logError = withIt(lamp.logError);
+    if (found.sun) found.sun->sun.error = withIt(found.sun->sun.error);
 }
 
 } // namespace
 
-float logOfLackingLight(std::span<const float> albedo, std::span<const float> light)
+LackingLight lackingLight(std::span<const float> albedo, std::span<const float> light)
 {
     const TooWhite found = tooWhite(albedo, light);
-    double best = 0.0;
-    double least = std::numeric_limits<double>::infinity();
-    for (double log = 0.0; log <= kHighest; log += kStep)
-        if (const double nats = natsOf(found, log); nats < least) {
-            least = nats;
-            best = log;
-        }
-    return static_cast<float>(best);
+    std::vector<double> nats;
+    for (double log = 0.0; log <= kHighest; log += kStep) nats.push_back(natsOf(found, log));
+    const auto best = std::min_element(nats.begin(), nats.end());
+    const double lack = kStep * static_cast<double>(best - nats.begin());
+    double sum = 0.0;
+    double squares = 0.0;
+    for (size_t k = 0; k < nats.size(); ++k) {
+        const double likely = std::exp(*best - nats[k]);
+        const double off = kStep * static_cast<double>(k) - lack;
+        sum += likely;
+        squares += likely * off * off;
+    }
+    return {static_cast<float>(lack), static_cast<float>(std::min(std::sqrt(squares / sum), lack))};
 }
 
 void scaleAlbedo(std::span<const glm::vec3> irradiance, FoundRoom& room)
@@ -108,8 +120,13 @@ void scaleAlbedo(std::span<const glm::vec3> irradiance, FoundRoom& room)
     if (room.isGiven || (isOfScan(room.tempering) && !isTold)) return;
     const std::vector<glm::vec3> light =
         tempered(room.tempering, {irradiance.begin(), irradiance.end()});
-    room.tempering.scale =
-        isTold ? scaleToWhite(room, light) : glm::vec3(scaleToPaint(room, light));
+    if (isTold) {
+        room.tempering.scale = scaleToWhite(room, light);
+    } else {
+        const LackingLight lack = lackOf(room, light);
+        room.tempering.scale = glm::vec3(std::exp(lack.log));
+        addError(lack.error, room.found);
+    }
     const float times = luminance(room.tempering.scale);
     if (isTold && (times > kMuch || times < 1.0f / kMuch))
         room.warnings.push_back(fmt::format(

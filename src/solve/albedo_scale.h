@@ -17,9 +17,15 @@ namespace relamp
 /// in.
 void scaleAlbedo(std::span<const glm::vec3> irradiance, FoundRoom& room);
 
-/// What is to be added to the logarithm of the light so that paint is no whiter than paper: the
-/// likeliest, >= 0. `albedo`: of surfels by the light that was found, the brightest channel;
-/// `light`: what each receives, in any unit, >= 0.
-float logOfLackingLight(std::span<const float> albedo, std::span<const float> light);
+/// What is to be added to the logarithm of a room's light.
+struct LackingLight
+{
+    float log = 0.0f;   // the likeliest, >= 0
+    float error = 0.0f; // standard error of that: no more than the whole
+};
+
+/// So that paint is no whiter than paper. `albedo`: of surfels by the light that was found, the
+/// brightest channel; `light`: what each receives, in any unit, >= 0.
+LackingLight lackingLight(std::span<const float> albedo, std::span<const float> light);
 
 } // namespace relamp

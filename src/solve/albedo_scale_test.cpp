@@ -142,16 +142,49 @@ TEST(AlbedoScale, WhatIsFarFromWhiteIsAskedAbout)
 TEST(AlbedoScale, ARoomThatIsWhiterThanPaperLacksLight)
 {
     const std::vector<float> light{1.0f, 1.0f};
-    const float lacks = logOfLackingLight(std::vector{1.5f * 0.9f, 0.4f}, light);
+    const float lacks = lackingLight(std::vector{1.5f * 0.9f, 0.4f}, light).log;
     EXPECT_GT(lacks, 0.2f);
     EXPECT_LT(lacks, std::log(1.5f));
-    EXPECT_GT(logOfLackingLight(std::vector{2.0f * 0.9f, 0.4f}, light), lacks);
+    EXPECT_GT(lackingLight(std::vector{2.0f * 0.9f, 0.4f}, light).log, lacks);
 }
 
 TEST(AlbedoScale, ARoomOfPaintLacksNone)
 {
-    EXPECT_EQ(logOfLackingLight(std::vector{0.9f, 0.1f}, std::vector{1.0f, 1.0f}), 0.0f);
-    EXPECT_EQ(logOfLackingLight({}, {}), 0.0f);
+    EXPECT_EQ(lackingLight(std::vector{0.9f, 0.1f}, std::vector{1.0f, 1.0f}).log, 0.0f);
+    EXPECT_EQ(lackingLight({}, {}).log, 0.0f);
+}
+
+// What was added may be wrong by all of it where little speaks for it, and by less where much does.
+TEST(AlbedoScale, IsAsUnsureAsTheSurfacesLeaveIt)
+{
+    const std::vector<float> light{1.0f, 1.0f};
+    const LackingLight little = lackingLight(std::vector{1.02f * 0.9f, 0.4f}, light);
+    EXPECT_LE(little.error, little.log);
+    const LackingLight much = lackingLight(std::vector{2.0f * 0.9f, 2.0f * 0.9f}, light);
+    EXPECT_GT(much.log, 0.4f);
+    EXPECT_GT(much.error, 0.05f);
+    EXPECT_LT(much.error, 0.5f * much.log);
+    EXPECT_EQ(lackingLight(std::vector{0.9f, 0.1f}, light).error, 0.0f);
+}
+
+// All of them are off by what the scale is off by. What the fit alone did not know of a lamp, it
+// still does not.
+TEST(AlbedoScale, ItsErrorIsInThatOfTheLampsAndTheSun)
+{
+    FoundRoom room;
+    room.radiance.plain = {glm::vec3(2.0f * 0.9f), glm::vec3(0.4f)};
+    room.radiance.plainArea = {1.0f, 1.0f};
+    room.radiance.clippedArea = {0.0f, 0.0f};
+    room.found.lamps.push_back({.logError = glm::vec3(0.1f)});
+    room.found.sun.emplace();
+    scaleAlbedo(std::vector<glm::vec3>(2, glm::vec3(kPi)), room);
+    const float log = std::log(room.tempering.scale.g);
+    EXPECT_GT(log, 0.1f);
+    const float error = room.found.sun->sun.error.g;
+    EXPECT_GT(error, 0.05f);
+    EXPECT_LE(error, log);
+    EXPECT_NEAR(room.found.lamps[0].logError.g, std::hypot(0.1f, error), 1e-6f);
+    EXPECT_TRUE(room.found.lamps[0].isDetermined);
 }
 
 // A gap that hardly any light was found in, and a window that is brighter than any paper, are no
@@ -159,7 +192,7 @@ TEST(AlbedoScale, ARoomOfPaintLacksNone)
 TEST(AlbedoScale, FewPlacesTellLittle)
 {
     const std::vector<float> albedo{5.0f, 5.0f, 0.8f};
-    EXPECT_LT(logOfLackingLight(albedo, std::vector{0.01f, 0.02f, 1.0f}), 0.03f);
+    EXPECT_LT(lackingLight(albedo, std::vector{0.01f, 0.02f, 1.0f}).log, 0.03f);
 }
 
 } // namespace relamp

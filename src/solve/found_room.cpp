@@ -5,6 +5,7 @@
 #include "fit/given_lamps.h"
 #include "fit/lamp_groups.h"
 #include "fit/outside.h"
+#include "fit/reliability.h"
 #include "lights/candidates.h"
 #include "lights/fixture_map.h"
 #include "lights/point_light.h"
@@ -315,6 +316,13 @@ std::vector<uint8_t> shinesOf(const FoundRoom& room, const LampPowers& powers)
 Shining shiningOf(const FoundRoom& room)
 {
     return {marked(room, room.found.powers, false), 0.0f};
+}
+
+std::vector<float> varianceOfCamera(const FoundRoom& room)
+{
+    const std::vector<glm::vec3>& texture =
+        room.texture.empty() ? room.radiance.plain : room.texture;
+    return varianceOfResponse(texture, room.radiance.plainArea, room.found.doubtOfResponse);
 }
 
 std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radiance,

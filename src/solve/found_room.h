@@ -74,6 +74,10 @@ std::vector<int32_t> fixturesOfSurfels(const FoundRoom& room);
 /// The texels that are a lamp's own; a patch of sun is not.
 Shining shiningOf(const FoundRoom& room);
 
+/// Variances of the logarithm of what surfels show, for the camera's response is not known better;
+/// as reliabilityOf() takes it.
+std::vector<float> varianceOfCamera(const FoundRoom& room);
+
 /// Albedo for texels that cannot be trusted, one a surfel. Those that are mostly burnt out do not
 /// know their own and get that of the surface around them.
 std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radiance,

@@ -28,7 +28,8 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightO
         .rims = rimsOf(texels.surfels, found.radiance, irradiance),
         .tempering = found.tempering,
         .shining = shiningOf(found),
-        .trust = reliabilityOf(varianceOf(found.hits, room.lighting), room.lit),
+        .trust =
+            reliabilityOf(varianceOf(found.hits, room.lighting), room.lit, varianceOfCamera(found)),
         .fill = fillOf(texels.surfels, found.radiance,
                        albedoOf(texels, found.radiance, tempered(found.tempering, irradiance))),
         .linearization = found.linearization};
