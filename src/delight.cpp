@@ -123,7 +123,9 @@ const Decomposition::State& Decomposition::state() const
 
 FixtureMap Decomposition::fixtures(size_t page) const
 {
-    return fixtureMapOf(*state_->texels, page, state_->solution.fixtureOf);
+    const GlowMarks& glowing = state_->solution.glowing;
+    return fixtureMapOf(*state_->texels, page, state_->solution.fixtureOf,
+                        glowing.areNone() ? std::span<const uint8_t>() : glowing.isGlowing[page]);
 }
 
 PageLayers Decomposition::layers(size_t page, Progress& progress) const

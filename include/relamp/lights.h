@@ -39,7 +39,7 @@ struct Fixture
 /// Whose the texels of one page are.
 struct FixtureMap
 {
-    static constexpr int32_t kNone = -1; // not burnt out
+    static constexpr int32_t kNone = -1; // not burnt out, and no lamp's
     static constexpr int32_t kWall = -2; // burnt out, and no fixture's
 
     int width = 0;

@@ -74,7 +74,8 @@ void main()
     arguments.directOut.at[pixel] = packedHalves(vec4(lack * shading.direct, 1.0));
     arguments.indirectOut.at[pixel] = packedHalves(vec4(lack * shading.indirect, 1.0));
     const vec4 around = arguments.around.at[surfel];
-    if (around.w > 0.0 && isEmitting(radiance, clips, arguments.threshold)) {
+    if (around.w > 0.0 && (isEmitting(radiance, clips, arguments.threshold) ||
+                           isGlowing(radiance, around.w - kOfLamp))) {
         arguments.albedoOut.at[pixel] = packedHalves(vec4(vec3(kAlbedoOfFixtures), 1.0));
         arguments.ratingOut.at[pixel] = kDoubtShines << 8; // confidence is 0
         return;

@@ -87,8 +87,10 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
     storeRgb(layers_.indirect, pixel, shade.indirect, i, albedo.lack[i]);
     const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
     uint16_t* rho = &layers_.albedo[3 * size_t{pixel}];
-    if (solved_.shining.surfels[block.surfel[i]] &&
-        isEmitting(radiance, clips_, solved_.shining.threshold)) {
+    const Shining& shining = solved_.shining;
+    if (shining.surfels[block.surfel[i]] &&
+        (isEmitting(radiance, clips_, shining.threshold) ||
+         isGlowing(radiance, shining.glowsFromOf(block.surfel[i])))) {
         std::fill(rho, rho + 3, halfFromFloat(kAlbedoOfFixtures));
         storeEmission(radiance, pixel, layers_.emission);
         layers_.doubt[pixel] = Doubt::shines; // confidence stays 0

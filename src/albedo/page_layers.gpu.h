@@ -5,6 +5,7 @@
 
 SHARED_BEGIN
 
+SHARED_CONST kOfLamp = 1.0f; // in `around`
 const uint kClips = 1u;      // Image::clipsAtWhite
 const uint kFills = 2u;      // `around` is known
 const uint kFillsUnlit = 4u; // what `darkest` is not reached by is filled, too
@@ -19,7 +20,8 @@ struct PageLayersArguments
     Uints pixel;
     Vec4s rims;   // of surfels: shading around enclosed ones, and its albedo or 0
     Vec4s trust;  // seen, front, edges, proven
-    Vec4s around; // albedo for what is burnt out; w: 1 where it holds a part of a lamp
+    Vec4s around; // albedo for what is burnt out; w: 0 where it holds no part of a lamp, else
+                  // kOfLamp and the luminance from which what is not burnt out shines
     Uvec2s albedoOut;
     Uvec2s directOut;
     Uvec2s indirectOut;

@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr size_t kPixels = 65536; // in a row, to one thread
+constexpr float kMostGlow = 1e6f; // luminance that no half reaches
 
 /// As halfFromFloat() makes them: nothing subnormal, nothing negative.
 uint16_t plainHalf(uint32_t half)
@@ -120,7 +121,9 @@ void PageLayersGpu::setSurfels(const SolvedTexels& solved)
         trust[s] = {solved.trust[s].seen, solved.trust[s].front, solved.trust[s].edges,
                     solved.trust[s].proven};
     for (size_t s = 0; s < solved.fill.size(); ++s) around[s] = glm::vec4(solved.fill[s], 0.0f);
-    for (size_t s = 0; s < count; ++s) around[s].w = solved.shining.surfels[s] != 0 ? 1.0f : 0.0f;
+    for (size_t s = 0; s < count; ++s)
+        if (solved.shining.surfels[s] != 0)
+            around[s].w = kOfLamp + std::min(solved.shining.glowsFromOf(s), kMostGlow);
     rims_.upload(rims);
     trust_.upload(trust);
     around_.upload(around);

@@ -65,6 +65,7 @@ struct Lit
         said.tempering = {{0.9f, 1.0f, 1.1f}, 0.6f, {0.8f, 0.9f, 1.2f}};
         for (size_t s = 0; s < texels.surfels.count(); ++s) {
             said.shining.surfels[s] = drawn(s, 31) < 0.2f ? 1 : 0;
+            said.shining.glowsFrom.push_back(drawn(s, 32) < 0.5f ? 0.5f : 1e30f);
             said.rims.push_back({3.0f * drawnColor(s, 41), drawn(s, 44) < 0.5f ? 0.4f : 0.0f});
             said.trust.push_back(
                 {drawn(s, 51), 1.0f, 0.5f + 0.5f * drawn(s, 52), 0.5f + 0.5f * drawn(s, 53)});

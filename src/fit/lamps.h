@@ -73,6 +73,9 @@ FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists
                      const SurfelRadiance& radiance, const GatherOptions& options,
                      Progress& progress);
 
+/// The warning of findLamps() where a person called a light what is none.
+std::string nothingBurntOutNear(glm::vec3 place);
+
 /// The patches of each lamp of a group, or of the one that it is.
 std::vector<std::span<const ClippedPatch>> singlesOf(const FoundLamp& lamp);
 

@@ -92,7 +92,8 @@ std::vector<std::pair<uint32_t, int32_t>> winnersOf(std::vector<Vote> votes)
 
 } // namespace
 
-FixtureMap fixtureMapOf(const Texels& texels, size_t page, std::span<const int32_t> fixtureOf)
+FixtureMap fixtureMapOf(const Texels& texels, size_t page, std::span<const int32_t> fixtureOf,
+                        std::span<const uint8_t> isGlowing)
 {
     const Image& image = texels.scan->pages[page].image;
     const float burntOut = image.clipsAtWhite ? kBurntOut : 1.0f;
@@ -104,9 +105,12 @@ FixtureMap fixtureMapOf(const Texels& texels, size_t page, std::span<const int32
         const int32_t fixture = fixtureOf[texelsOfPage.runs[run].surfel];
         forEachBlockOfRun(texelsOfPage, run, [&](size_t begin, size_t count) {
             loader.loadRadiance(begin, count, block);
-            for (size_t i = 0; i < count; ++i)
-                if (brightestChannel({block.r[i], block.g[i], block.b[i]}) >= burntOut)
-                    map.id[texelsOfPage.pixel[begin + i]] = fixture;
+            for (size_t i = 0; i < count; ++i) {
+                const uint32_t pixel = texelsOfPage.pixel[begin + i];
+                if (brightestChannel({block.r[i], block.g[i], block.b[i]}) >= burntOut ||
+                    (!isGlowing.empty() && isGlowing[pixel] != 0))
+                    map.id[pixel] = fixture;
+            }
         });
     });
     return map;

@@ -16,8 +16,9 @@ namespace relamp
 using SurfacesOfFixtures = std::map<int, std::vector<ClippedPatch>>;
 
 /// Whose the texels of a page are. `fixtureOf` is one a surfel: whose its burnt-out texels are, a
-/// number or FixtureMap::kWall.
-FixtureMap fixtureMapOf(const Texels& texels, size_t page, std::span<const int32_t> fixtureOf);
+/// number or FixtureMap::kWall. `isGlowing`, of pixels: what counts as burnt out besides.
+FixtureMap fixtureMapOf(const Texels& texels, size_t page, std::span<const int32_t> fixtureOf,
+                        std::span<const uint8_t> isGlowing = {});
 
 /// SurfelRadiance::isClipped as maps of pages tell it.
 std::vector<std::vector<uint8_t>> burntOutBy(std::span<const FixtureMap> maps);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -19,6 +20,13 @@ struct Shining
 {
     std::vector<uint8_t> surfels; // not 0: holds a part of a lamp
     float threshold = 0.0f;       // luminance from which a burnt-out texel of them shines
+    // Of surfels: luminance from which a texel that is not burnt out does, too; empty: none does
+    std::vector<float> glowsFrom{};
+
+    [[nodiscard]] float glowsFromOf(size_t surfel) const
+    {
+        return glowsFrom.empty() ? std::numeric_limits<float>::infinity() : glowsFrom[surfel];
+    }
 };
 
 } // namespace relamp

@@ -13,6 +13,12 @@ SHARED_FN bool isEmitting(vec3 radiance, bool clips, float threshold)
     return (!clips || isBurntOut(radiance, clips)) && luminance(radiance) >= threshold;
 }
 
+// The same of a texel of a lamp that glows `from` some luminance on, burnt out or not.
+SHARED_FN bool isGlowing(vec3 radiance, float from)
+{
+    return luminance(radiance) >= from;
+}
+
 SHARED_END
 
 #endif

@@ -164,6 +164,7 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
     solution.openings = openingsOf(found);
     prove(witnesses, settled.irradiance, solution);
     solution.fixtureOf = fixturesOfSurfels(found);
+    solution.glowing = found.glowing;
     solution.merged = solution.lights.points;
     return solution;
 }

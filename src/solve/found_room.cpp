@@ -3,6 +3,7 @@
 #include "albedo/divide.shared.h"
 #include "albedo/fill.h"
 #include "fit/given_lamps.h"
+#include "fit/glowing.h"
 #include "fit/lamp_groups.h"
 #include "fit/outside.h"
 #include "fit/reliability.h"
@@ -15,6 +16,7 @@
 #include "shading/lit_sides.shared.h"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -129,18 +131,71 @@ void linearize(const Texels& texels, FoundRoom& room)
     room.linearization = linearizationOf(room.found.camera, texels.surfels);
     if (room.linearization.isNeutral()) return;
     room.texture = std::move(room.radiance.plain);
-    room.radiance = collectRadiance(texels, unwatched(), {}, &room.linearization);
+    const std::vector<std::vector<uint8_t>> asBefore =
+        room.glowing.areNone() ? std::vector<std::vector<uint8_t>>() : room.radiance.isClipped;
+    room.radiance = collectRadiance(texels, unwatched(), asBefore, &room.linearization);
 }
 
 /// Finds lamps and sun.
-void search(const Texels& texels, const RayScene& scene, Progress& progress, FoundRoom& room)
+void searchOnce(const Texels& texels, const RayScene& scene, std::span<const Glowing> glowing,
+                Progress& progress, FoundRoom& room)
 {
     room.found = findLamps(texels, scene, room.hits, room.radiance, room.options, progress);
     room.warnings = room.found.warnings;
     linearize(texels, room);
+    addGlowing(glowing, room.radiance, room.found);
     const Progress::Stage stage(progress, "sun");
     lightByLamps(texels, scene, room);
     if (room.found.sun) letSunIn(texels, room);
+}
+
+/// What glows counts as burnt out from now on.
+void mark(std::span<const Glowing> glowing, const Texels& texels, FoundRoom& room)
+{
+    std::vector<float> from(texels.surfels.count(), std::numeric_limits<float>::infinity());
+    for (const Glowing& piece : glowing)
+        for (const uint32_t s : piece.surfels) from[s] = piece.from;
+    room.glowing = glowingFrom(texels, from, &room.linearization);
+}
+
+/// What is marked and not burnt out is, in the texture's radiance.
+void takeForBurntOut(const GlowMarks& marks, const Texels& texels, SurfelRadiance& radiance)
+{
+    if (!marks.areNone())
+        radiance =
+            collectRadiance(texels, unwatched(), withGlowing(std::move(radiance.isClipped), marks));
+}
+
+/// What a person calls no light is none, and was not passed over.
+void refuse(glm::vec3 place, const Texels& texels, std::vector<Glowing>& glowing, FoundRoom& room)
+{
+    const size_t refused = std::erase_if(glowing, [&](const Glowing& piece) {
+        return std::any_of(piece.surfels.begin(), piece.surfels.end(), [&](uint32_t s) {
+            return glm::distance(texels.surfels.position[s], place) < kPointedAt;
+        });
+    });
+    if (refused > 0) std::erase(room.warnings, nothingBurntOutNear(place));
+}
+
+/// Finds lamps and sun; once more where something turns out to glow, for then the light of the room
+/// comes from there and is better looked for than met by chance.
+void search(const Texels& texels, const RayScene& scene, Progress& progress, FoundRoom& room)
+{
+    searchOnce(texels, scene, {}, progress, room);
+    std::vector<Glowing> glowing =
+        findGlowing(texels.surfels, room.radiance, room.sides, shinesOf(room, room.found.powers));
+    for (const glm::vec3 place : room.options.notLights) refuse(place, texels, glowing, room);
+    if (!glowing.empty()) {
+        mark(glowing, texels, room);
+        room.linearization = {};
+        room.texture = {};
+        room.radiance = collectRadiance(texels, unwatched());
+        takeForBurntOut(room.glowing, texels, room.radiance);
+        room.hits = castHitLists(texels, scene, room.radiance,
+                                 static_cast<size_t>(room.options.rays), progress);
+        searchOnce(texels, scene, glowing, progress, room);
+    }
+    room.glowsFrom = leastOfGlowing(texels, room.glowing, &room.linearization);
     label(room.found, texels, progress);
 }
 
@@ -158,6 +213,7 @@ void take(const Lights& given, const DelightOptions& options, const Texels& texe
     room.tempering = given.tempering;
     room.found.camera = given.camera;
     linearize(texels, room);
+    room.glowsFrom = leastOfGlowing(texels, room.glowing, &room.linearization);
     if (given.openings.size() == room.hits.shareOfPart.size())
         room.found.powers.outside = {given.ambient, given.openings};
     lightByLamps(texels, scene, room);
@@ -201,15 +257,19 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
 {
     FoundRoom room;
     room.options = withRays(options.gather, texels.surfels.count());
-    if (before != nullptr && before->options.rays == room.options.rays) {
-        room.radiance = before->linearization.isNeutral() ? before->radiance
-                                                          : collectRadiance(texels, unwatched());
-        room.hits = before->hits;
-    } else {
-        room.radiance = collectRadiance(texels, progress);
-        room.hits = castHitLists(texels, scene, room.radiance,
-                                 static_cast<size_t>(room.options.rays), progress);
+    const bool isBefore = before != nullptr && before->glowing.areNone();
+    room.radiance = isBefore && before->linearization.isNeutral()
+                        ? before->radiance
+                        : collectRadiance(texels, progress);
+    if (options.lights) {
+        room.glowing = glowingBy(options.fixtures, room.radiance.isClipped);
+        takeForBurntOut(room.glowing, texels, room.radiance);
     }
+    const bool isCast = isBefore && room.glowing.areNone();
+    room.hits = isCast && before->options.rays == room.options.rays
+                    ? before->hits
+                    : castHitLists(texels, scene, room.radiance,
+                                   static_cast<size_t>(room.options.rays), progress);
     if (options.lights)
         take(beforeScale(*options.lights), options, texels, scene, progress, room);
     else
@@ -315,7 +375,7 @@ std::vector<uint8_t> shinesOf(const FoundRoom& room, const LampPowers& powers)
 
 Shining shiningOf(const FoundRoom& room)
 {
-    return {marked(room, room.found.powers, false), 0.0f};
+    return {marked(room, room.found.powers, false), 0.0f, room.glowsFrom};
 }
 
 std::vector<float> varianceOfCamera(const FoundRoom& room)

@@ -2,6 +2,7 @@
 
 #include "fit/lamps.h"
 #include "fit/sun.h"
+#include "lights/glow_marks.h"
 #include "lights/shining.h"
 #include "relamp/delight.h"
 #include "scan/rays.h"
@@ -26,6 +27,8 @@ SurfelOptions surfelsOf(const GatherOptions& options);
 struct FoundRoom
 {
     Linearization linearization;    // of the texture
+    GlowMarks glowing;              // texels of lamps that are not burnt out, but count so below
+    std::vector<float> glowsFrom;   // Shining::glowsFrom of them
     SurfelRadiance radiance;        // by it
     std::vector<glm::vec3> texture; // what SurfelRadiance::plain was without it; empty: the same
     GatherOptions options;          // with what was left open filled in
@@ -38,10 +41,11 @@ struct FoundRoom
 };
 
 /// Finds the lamps and their radiances by what they do to the walls, and the sun by the patch that
-/// it throws. Where the options name lights, nothing is searched and it is these: the fixtures of
-/// their file on the surfaces that have their numbers. All lamps have been looked at. `before`:
-/// the same texels under other options, or null; where as many rays are wanted, what they met is
-/// taken from there.
+/// it throws; where something glows that is not burnt out, it is a lamp, and all is found again.
+/// Where the options name lights, nothing is searched and it is these: the fixtures of their file
+/// on the surfaces that have their numbers. All lamps have been looked at. `before`: the same
+/// texels under other options, or null; where as many rays are wanted, what they met is taken from
+/// there.
 FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOptions& options,
                    Progress& progress, const FoundRoom* before = nullptr);
 

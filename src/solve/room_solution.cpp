@@ -37,6 +37,7 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightO
     solution.openings = openingsOf(found);
     prove(room.witnesses, room.lighting.irradiance, solution);
     solution.fixtureOf = fixturesOfSurfels(found);
+    solution.glowing = found.glowing;
     solution.merged = solution.lights.points;
     return solution;
 }

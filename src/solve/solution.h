@@ -2,6 +2,7 @@
 
 #include "albedo/page_layers.h"
 #include "gpu/in_force.h"
+#include "lights/glow_marks.h"
 #include "relamp/delight.h"
 
 #include <functional>
@@ -19,6 +20,7 @@ struct Solution
     std::vector<PointLight> merged; // the same light, for formats that know points alone
     SolvedTexels texels;
     std::vector<int32_t> fixtureOf;       // of surfels, as fixtureMapOf() takes it
+    GlowMarks glowing;                    // what counts as burnt out besides
     DeviceLayers onDevice;                // makes the layers of `texels`; null: the CPU does
     DelightOptions options;               // as given, and all that was derived but the engine
     std::function<gpu::InForce()> engine; // what makes layers, which may change meanwhile; null: no
