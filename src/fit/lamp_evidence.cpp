@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "fit/camera_columns.h"
+#include "fit/light_fit.h"
 #include "fit/pairs.h"
 #include "scan/gain.h"
 #include "scan/held_out.h"
@@ -21,13 +22,9 @@ namespace relamp
 namespace
 {
 
-// m^3, in cubes of 1 m that some of its surfaces are in: rooms with ground truth have 26 to 126, 79
-// in the mean.
-constexpr double kCubesOfRoom = 75.0;
-// Of fewer, the noise of their few rays would be evidence, too.
-constexpr double kPlacesOfRoom = 3000.0;
-
 // Numerics.
+constexpr double kPlacesOfRoom = 3000.0; // of fewer, noise of their few rays is evidence, too
+constexpr uint32_t kAnySeed = 1;         // of cubes, whatever the rays
 constexpr size_t kEvidencePlaces = 6000; // all over a scan, so that a small lamp lights a dozen
 constexpr size_t kPlacesOfDraft = 2000;  // likewise, for a first look
 constexpr size_t kLooks = 12;            // from a piece, at the others
@@ -68,13 +65,12 @@ std::vector<uint32_t> looksFrom(const Piece& piece)
 /// How many rooms these places are as much as: a house tells of more than one room does.
 double roomsOf(std::span<const glm::vec3> places)
 {
-    constexpr uint32_t kAnySeed = 1; // whatever the rays
     std::set<std::array<int, 3>> cubes;
     for (const glm::vec3 place : places) {
         const glm::ivec3 cube = cubeOf(place, 1.0f, kAnySeed);
         cubes.insert({cube.x, cube.y, cube.z});
     }
-    return std::max(1.0, std::min(static_cast<double>(cubes.size()) / kCubesOfRoom,
+    return std::max(1.0, std::min(static_cast<double>(cubes.size()) / kPairsOfRoom,
                                   static_cast<double>(places.size()) / kPlacesOfRoom));
 }
 

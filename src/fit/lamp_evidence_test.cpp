@@ -114,7 +114,7 @@ TEST(LampEvidence, LargeScanIsAsMuchAsRooms)
     };
     EXPECT_EQ(roomsOf(6.0f), 1.0);
     EXPECT_NEAR(roomsOf(11.0f), 12.0 * 12.0 / 75.0, 1e-6); // its rims are in half cubes
-    EXPECT_EQ(roomsOf(30.0f), 2.0); // places are no more
+    EXPECT_EQ(roomsOf(30.0f), 2.0);                        // places are no more
 }
 
 // Two places of a pair lie anywhere, but no pair is of one place, and all are measured ones.

@@ -67,7 +67,9 @@ bool areOneModel(const Piece& a, const Piece& b)
 /// Whether some part of one is in a room with some part of the other.
 bool areInOneRoom(const RayScene& scene, const Candidate& a, const Candidate& b)
 {
+    // Numerics.
     constexpr size_t kParts = 4; // of each, evenly
+
     const auto part = [](const Candidate& of, size_t k) {
         const ClippedPatch& patch = of.patches[k * of.patches.size() / kParts];
         return FacingPlace{patch.position, patch.normal};
