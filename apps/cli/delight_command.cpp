@@ -140,7 +140,7 @@ void addGatherParameters(CLI::App& command, DelightArguments& arguments)
     addToGroup("--light", gather.lights,
                "What is burnt out at this place, in metres, is a lamp (repeatable)");
     addToGroup("--not-a-light", gather.notLights,
-               "What is burnt out at this place is no lamp (repeatable)");
+               "What is burnt out or glows at this place is no lamp (repeatable)");
     addToGroup("--same", gather.same,
                "The surfaces at these two places are of one paint (repeatable)");
     addToGroup("--white", gather.white,

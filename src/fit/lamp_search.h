@@ -74,6 +74,7 @@ private:
     bool isResponseSought_; // else it is what `camera_` begins with
     bool isGainSought_;
     Progress::Stage stage_;
+    std::vector<glm::vec3> nothingNear_; // see FoundLamps
     std::vector<std::string> warnings_;
     ToldPaint told_; // of surfels
     LampEvidence evidence_;

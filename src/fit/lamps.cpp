@@ -63,13 +63,6 @@ bool isByCamera(const Scan& scan)
 
 } // namespace
 
-std::string nothingBurntOutNear(glm::vec3 place)
-{
-    return fmt::format("nothing is burnt out near {}, {}, {}: what was said of a light there was "
-                       "passed over",
-                       place.x, place.y, place.z);
-}
-
 LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
                        const SurfelRadiance& radiance, const GatherOptions& options,
                        Progress& progress)
@@ -101,7 +94,7 @@ void LampSearch::takeCandidates(const GatherOptions& options, const SurfelRadian
     const auto mark = [&](glm::vec3 place, std::vector<uint8_t>& marks) {
         const size_t nearest = nearestTo(candidates, place);
         marks[nearest] = 1;
-        if (nearest == candidates.size()) warnings_.push_back(nothingBurntOutNear(place));
+        if (nearest == candidates.size()) nothingNear_.push_back(place);
     };
     for (const glm::vec3 place : options.lights) mark(place, isGiven);
     for (const glm::vec3 place : options.notLights) mark(place, isRefused);
@@ -459,6 +452,7 @@ FoundLamps LampSearch::result()
                           evidence_.told(), !isResponseSought_},
                          texels_.surfels.seed),
                      .white = std::move(told_.white),
+                     .nothingNear = std::move(nothingNear_),
                      .warnings = std::move(warnings_)};
     std::vector<Piece> lamps = this->lamps();
     const auto power = [](const Piece& lamp) {

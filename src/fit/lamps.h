@@ -56,7 +56,9 @@ struct FoundLamps
     // By how much the log albedo of each of placesToLookAt(), and then of those that a person spoke
     // of, is another where no fit looks at it: fit/unseen.h. Empty: nothing was fitted.
     std::vector<float> changeUnseen{};
-    std::vector<uint32_t> white{}; // surfels that a person called so
+    std::vector<uint32_t> white{};        // surfels that a person called so
+    std::vector<glm::vec3> nothingNear{}; // places of GatherOptions::lights and notLights that
+                                          // nothing is burnt out near
     std::vector<std::string> warnings;
 };
 
@@ -72,9 +74,6 @@ struct FoundLamps
 FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists& hits,
                      const SurfelRadiance& radiance, const GatherOptions& options,
                      Progress& progress);
-
-/// The warning of findLamps() where a person called a light what is none.
-std::string nothingBurntOutNear(glm::vec3 place);
 
 /// The patches of each lamp of a group, or of the one that it is.
 std::vector<std::span<const ClippedPatch>> singlesOf(const FoundLamp& lamp);

@@ -75,8 +75,8 @@ TEST(Lamps, PlaceThatAPersonCallsNoLightIsNone)
 
 TEST(Lamps, PlaceWithoutAnythingBurntOutIsNamed)
 {
-    EXPECT_THAT(found({.notLights = {{2.0f, 0.0f, 2.5f}}}).warnings,
-                testing::ElementsAre(testing::HasSubstr("nothing is burnt out near 2, 0, 2.5")));
+    EXPECT_THAT(found({.notLights = {{2.0f, 0.0f, 2.5f}}}).nothingNear,
+                testing::ElementsAre(glm::vec3(2.0f, 0.0f, 2.5f)));
 }
 
 TEST(Lamps, ResponseThatAPersonKnowsIsTakenAndNotSought)

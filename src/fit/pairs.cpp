@@ -1,5 +1,6 @@
 #include "fit/pairs.h"
 
+#include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "lights/candidates.h"
 #include "scan/one_room.h"
@@ -17,6 +18,9 @@ constexpr float kSamePlaneFacing = 0.97f; // cosine
 constexpr float kSameColor =
     0.6f; // length of the step in log r, g, b after brightness is taken out
 constexpr float kDarkestPaired = 0.004f; // luminance; below, a byte's steps are too coarse
+
+// Numerics.
+constexpr int kDrawings = 8; // of drawing for what lay in other rooms, as in a house of several
 
 /// Colour without brightness, in logs.
 glm::vec3 chromaOf(glm::vec3 radiance)
@@ -55,6 +59,37 @@ bool couldBeOneMaterial(const PairPlace& p, const PairPlace& q)
            glm::distance(p.chroma, q.chroma) < kSameColor;
 }
 
+/// At most as many pairs of each place as are wanted, of any rooms.
+std::vector<MaterialPair> drawOnPlanes(std::span<const PairPlace> places,
+                                       std::span<const size_t> wanted, std::mt19937& random)
+{
+    std::vector<MaterialPair> pairs;
+    const auto count = static_cast<uint32_t>(places.size());
+    for (uint32_t p = 0; p < count; ++p) {
+        size_t found = 0;
+        for (size_t attempt = 0; attempt < 32 * wanted[p] && found < wanted[p]; ++attempt) {
+            const uint32_t q = static_cast<uint32_t>(random()) % count;
+            if (q == p || !couldBeOneMaterial(places[p], places[q])) continue;
+            pairs.push_back({p, q});
+            ++found;
+        }
+    }
+    return pairs;
+}
+
+std::vector<uint8_t> markedInRoom(std::span<const PairPlace> places,
+                                  std::span<const MaterialPair> pairs, const RayScene& scene)
+{
+    std::vector<uint8_t> isInRoom(pairs.size());
+    forEach(pairs.size(), [&](size_t k) {
+        const PairPlace& p = places[pairs[k].p];
+        const PairPlace& q = places[pairs[k].q];
+        isInRoom[k] =
+            areInOneRoomOfPlane(scene, {p.position, p.normal}, {q.position, q.normal}) ? 1 : 0;
+    });
+    return isInRoom;
+}
+
 } // namespace
 
 bool areOnOnePlane(const Surfels& surfels, uint32_t p, uint32_t q)
@@ -75,21 +110,19 @@ std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
 {
     std::vector<MaterialPair> pairs;
     const std::vector<PairPlace> places = placesOf(shown, surfels, all);
-    const auto count = static_cast<uint32_t>(places.size());
-    if (count < 2) return pairs;
+    if (places.size() < 2) return pairs;
     std::mt19937 random(
         all.seed); // its raw numbers are the same everywhere; distributions need not be
-    for (uint32_t p = 0; p < count; ++p) {
-        size_t found = 0;
-        for (size_t attempt = 0; attempt < 32 * perPlace && found < perPlace; ++attempt) {
-            const uint32_t q = static_cast<uint32_t>(random()) % count;
-            if (q == p || !couldBeOneMaterial(places[p], places[q]) ||
-                !areInOneRoom(scene, {places[p].position, places[p].normal},
-                              {places[q].position, places[q].normal}))
-                continue;
-            pairs.push_back({p, q});
-            ++found;
-        }
+    std::vector<size_t> wanted(places.size(), perPlace);
+    for (int round = 0; round < kDrawings; ++round) {
+        const std::vector<MaterialPair> drawn = drawOnPlanes(places, wanted, random);
+        const std::vector<uint8_t> isInRoom = markedInRoom(places, drawn, scene);
+        std::fill(wanted.begin(), wanted.end(), size_t{0});
+        for (size_t k = 0; k < drawn.size(); ++k)
+            if (isInRoom[k] != 0)
+                pairs.push_back(drawn[k]);
+            else
+                ++wanted[drawn[k].p];
     }
     return pairs;
 }

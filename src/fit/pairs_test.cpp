@@ -80,7 +80,7 @@ TEST(Pairs, LieInOneRoom)
     const Places places = hundred([](Places& room, float x, int) {
         room.add({x, 0.0f, 0.0f}, kUp, glm::vec3(0.5f));
     });
-    const scenes::Panel wall{{1.99f, 0, -1}, {0, 0, 2}, {0, 2.5f, 0}};
+    const scenes::Panel wall{{1.99f, 0, -9}, {0, 0, 18}, {0, 9, 0}};
     const Scan house = scenes::panels(std::span(&wall, 1), 8, scenes::plain(glm::vec3(0.5f)));
     const auto pairs = places.pairs(4, house);
     EXPECT_GT(pairs.size(), 390u);

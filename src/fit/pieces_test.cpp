@@ -119,7 +119,7 @@ TEST(Pieces, ThatLookAlikeAreOneModel)
 
 TEST(Pieces, OfTwoRoomsAreNoModel)
 {
-    const scenes::Panel wall{{1.25f, 0, -1}, {0, 0, 4}, {0, 2.5f, 0}};
+    const scenes::Panel wall{{1.25f, 0, -9}, {0, 0, 18}, {0, 2.5f, 0}};
     const Scan house = scenes::panels(std::span(&wall, 1), 8, scenes::plain(glm::vec3(0.5f)));
     const Kinship kin = kinOf({panelAt(0, 10, 0), panelAt(2, 10, 1), panelAt(4, 10, 2)}, house);
     EXPECT_THAT(kin.alike, ElementsAre(pairOf(1, 2)));

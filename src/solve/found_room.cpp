@@ -20,6 +20,7 @@
 #include <memory>
 #include <utility>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
@@ -131,8 +132,8 @@ void linearize(const Texels& texels, FoundRoom& room)
     room.linearization = linearizationOf(room.found.camera, texels.surfels);
     if (room.linearization.isNeutral()) return;
     room.texture = std::move(room.radiance.plain);
-    const std::vector<std::vector<uint8_t>> asBefore =
-        room.glowing.areNone() ? std::vector<std::vector<uint8_t>>() : room.radiance.isClipped;
+    std::vector<std::vector<uint8_t>> asBefore;
+    if (!room.glowing.areNone()) asBefore = std::move(room.radiance.isClipped);
     room.radiance = collectRadiance(texels, unwatched(), asBefore, &room.linearization);
 }
 
@@ -166,15 +167,21 @@ void takeForBurntOut(const GlowMarks& marks, const Texels& texels, SurfelRadianc
             collectRadiance(texels, unwatched(), withGlowing(std::move(radiance.isClipped), marks));
 }
 
-/// What a person calls no light is none, and was not passed over.
-void refuse(glm::vec3 place, const Texels& texels, std::vector<Glowing>& glowing, FoundRoom& room)
+/// Lets nothing glow at a place that a person calls no light; false where nothing did.
+bool refuse(glm::vec3 place, const Surfels& surfels, std::vector<Glowing>& glowing)
 {
-    const size_t refused = std::erase_if(glowing, [&](const Glowing& piece) {
-        return std::any_of(piece.surfels.begin(), piece.surfels.end(), [&](uint32_t s) {
-            return glm::distance(texels.surfels.position[s], place) < kPointedAt;
-        });
-    });
-    if (refused > 0) std::erase(room.warnings, nothingBurntOutNear(place));
+    return std::erase_if(glowing, [&](const Glowing& piece) {
+               return std::any_of(piece.surfels.begin(), piece.surfels.end(), [&](uint32_t s) {
+                   return glm::distance(surfels.position[s], place) < kPointedAt;
+               });
+           }) > 0;
+}
+
+std::string nothingNear(glm::vec3 place)
+{
+    return fmt::format("nothing is burnt out near {}, {}, {}: what was said of a light there was "
+                       "passed over",
+                       place.x, place.y, place.z);
 }
 
 /// Finds lamps and sun; once more where something turns out to glow, for then the light of the room
@@ -184,7 +191,9 @@ void search(const Texels& texels, const RayScene& scene, Progress& progress, Fou
     searchOnce(texels, scene, {}, progress, room);
     std::vector<Glowing> glowing =
         findGlowing(texels.surfels, room.radiance, room.sides, shinesOf(room, room.found.powers));
-    for (const glm::vec3 place : room.options.notLights) refuse(place, texels, glowing, room);
+    std::vector<glm::vec3> refused;
+    for (const glm::vec3 place : room.options.notLights)
+        if (refuse(place, texels.surfels, glowing)) refused.push_back(place);
     if (!glowing.empty()) {
         mark(glowing, texels, room);
         room.linearization = {};
@@ -195,6 +204,9 @@ void search(const Texels& texels, const RayScene& scene, Progress& progress, Fou
                                  static_cast<size_t>(room.options.rays), progress);
         searchOnce(texels, scene, glowing, progress, room);
     }
+    for (const glm::vec3 place : room.found.nothingNear)
+        if (std::find(refused.begin(), refused.end(), place) == refused.end())
+            room.warnings.push_back(nothingNear(place));
     room.glowsFrom = leastOfGlowing(texels, room.glowing, &room.linearization);
     label(room.found, texels, progress);
 }

@@ -29,7 +29,7 @@ namespace
 
 constexpr double kMostChange = 0.3; // dB
 constexpr double kMostLeakChange = 0.02;
-constexpr float kMostStep = 0.4f; // of log power: other rays alone make 0.34, of the bulb
+constexpr float kMostStep = 0.3f; // of log power: other rays alone make 0.28
 constexpr float kMostOff = 0.1f;  // m, of a lamp's centre
 constexpr float kDarker = 0.7f;
 
