@@ -11,7 +11,6 @@
 
 SHARED_BEGIN
 
-SHARED_CONST kSomeWhole = 0.5f; // channels
 SHARED_CONST kBlackPaint = 1e-3f;
 SHARED_CONST kOtherPaint = 0.4f; // in the logarithm: half as bright again, or two thirds
 
@@ -52,10 +51,14 @@ SHARED_FN vec3 filledAlbedo(vec3 own, float lack, vec3 around, vec3 burntOut, bv
         brightest = max(brightest, least[c]);
         most = max(most, least[c] / max(around[c], kBlackPaint));
     }
-    const bool isTold = count > kSomeWhole && theirs > 0.0f;
-    const float scale = isTold ? whole / theirs : 1.0f;
-    const float like = likenessOfPaint(isTold ? scale : most);
-    const float grey = isTold ? whole / count : brightest;
+    // One whole channel tells the paint, and none does not; half of one does in part: engines round
+    // differently, and a step would part them.
+    const float told = theirs > 0.0f ? min(count, 1.0f) : 0.0f;
+    const float ofWhole = whole / max(theirs, 1e-6f);
+    const float scale = 1.0f + told * (ofWhole - 1.0f);
+    const float like = likenessOfPaint(most) +
+                       told * (likenessOfPaint(ofWhole) - likenessOfPaint(most));
+    const float grey = brightest + told * (whole / max(count, 1e-6f) - brightest);
     vec3 filled = own;
     for (int c = 0; c < 3; ++c) {
         const float theirColor = min(scale * around[c], kWhitestPaper);

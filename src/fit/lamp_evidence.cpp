@@ -3,18 +3,14 @@
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "fit/camera_columns.h"
-#include "fit/light_fit.h"
 #include "fit/pairs.h"
 #include "scan/gain.h"
-#include "scan/held_out.h"
 #include "scan/linearization.h"
 #include "shading/direct_sum.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
-#include <set>
 #include <utility>
 
 namespace relamp
@@ -24,7 +20,6 @@ namespace
 
 // Numerics.
 constexpr double kPlacesOfRoom = 3000.0; // of fewer, noise of their few rays is evidence, too
-constexpr uint32_t kAnySeed = 1;         // of cubes, whatever the rays
 constexpr size_t kEvidencePlaces = 6000; // all over a scan, so that a small lamp lights a dozen
 constexpr size_t kPlacesOfDraft = 2000;  // likewise, for a first look
 constexpr size_t kLooks = 12;            // from a piece, at the others
@@ -62,18 +57,6 @@ std::vector<uint32_t> looksFrom(const Piece& piece)
     return lists;
 }
 
-/// How many rooms these places are as much as: a house tells of more than one room does.
-double roomsOf(std::span<const glm::vec3> places)
-{
-    std::set<std::array<int, 3>> cubes;
-    for (const glm::vec3 place : places) {
-        const glm::ivec3 cube = cubeOf(place, 1.0f, kAnySeed);
-        cubes.insert({cube.x, cube.y, cube.z});
-    }
-    return std::max(1.0, std::min(static_cast<double>(cubes.size()) / kPairsOfRoom,
-                                  static_cast<double>(places.size()) / kPlacesOfRoom));
-}
-
 } // namespace
 
 std::vector<uint32_t> placesToLookAt(const Surfels& surfels, const SurfelRadiance& radiance,
@@ -99,7 +82,6 @@ LampEvidence::LampEvidence(const Texels& texels, const RayScene& scene, const Hi
     drawn_ = places_.size();
     for (const auto& [p, q] : told) told_.push_back({addPlace(p), addPlace(q)});
     findAround();
-    rooms_ = roomsOf(positions_);
 }
 
 uint32_t LampEvidence::addPlace(uint32_t surfel)
@@ -167,10 +149,13 @@ Gain LampEvidence::brightnessAround(const Response& response) const
 
 void LampEvidence::drawAllPairs()
 {
-    for (const size_t perPlace : {kPairsFirst, kPairs})
-        pairs_[perPlace] =
+    for (const size_t perPlace : {kPairsFirst, kPairs}) {
+        DrawnPairs drawn =
             drawPairs(std::span(texture_).first(drawn_), std::span(places_).first(drawn_),
                       texels_.surfels, scene_, perPlace);
+        pairs_[perPlace] = std::move(drawn.pairs);
+        rooms_ = std::clamp(static_cast<double>(drawn_) / kPlacesOfRoom, 1.0, drawn.rooms);
+    }
 }
 
 std::span<const MaterialPair> LampEvidence::pairs(size_t perPlace) const

@@ -103,20 +103,6 @@ TEST(LampEvidence, PieceOfNoSurfelHasNoArea)
     EXPECT_EQ(model.area[0], 0.0f);
 }
 
-// A house tells of more lamps than a room does.
-TEST(LampEvidence, LargeScanIsAsMuchAsRooms)
-{
-    const auto roomsOf = [](float side) {
-        const scenes::Surfaces floor(scenes::square(side, 512, scenes::plain(glm::vec3(0.5f))));
-        const HitLists hits = scenes::hitListsOf(floor, 1);
-        LampEvidence evidence(floor.texels, floor.rays, hits, floor.radiance, Quality::standard);
-        return evidence.modelOf({}).rooms;
-    };
-    EXPECT_EQ(roomsOf(6.0f), 1.0);
-    EXPECT_NEAR(roomsOf(11.0f), 12.0 * 12.0 / 75.0, 1e-6); // its rims are in half cubes
-    EXPECT_EQ(roomsOf(30.0f), 2.0);                        // places are no more
-}
-
 // Two places of a pair lie anywhere, but no pair is of one place, and all are measured ones.
 TEST(LampEvidence, PairsAreOfMeasuredPlaces)
 {

@@ -14,6 +14,10 @@ namespace relamp
 namespace
 {
 
+// That all pairs of a room are worth: what is wrong with the light at a place is wrong at all
+// places near it. So standard errors are right: in rooms with ground truth two thirds of the lamps
+// lie within one.
+constexpr double kPairsOfRoom = 75.0;
 constexpr double kOutside = 0.3;        // of the median radiance: what scanners miss lies in shade
 constexpr double kBurntOutPaper = 0.75; // albedo of what burns out first
 

@@ -11,11 +11,6 @@
 namespace relamp
 {
 
-// That all pairs of a room are worth, one a cube of 1 m: what is wrong with the light at a place is
-// wrong at all places near it. So standard errors are right: in rooms with ground truth, which have
-// surfaces in 26 to 126 cubes, 79 in the mean, two thirds of the lamps lie within one.
-constexpr double kPairsOfRoom = 75.0;
-
 // Numerics.
 inline constexpr double kFirstWidth = 4.0; // times the noise: what a first loss forgives
 

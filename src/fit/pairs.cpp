@@ -90,6 +90,21 @@ std::vector<uint8_t> markedInRoom(std::span<const PairPlace> places,
     return isInRoom;
 }
 
+/// Of pairs drawn at random. All of a storey is on the planes of its floors and ceilings; a wall's
+/// is mostly that of one room.
+double roomsBy(std::span<const PairPlace> places, std::span<const MaterialPair> pairs,
+               std::span<const uint8_t> isInRoom)
+{
+    size_t all = 0;
+    size_t inRoom = 0;
+    for (size_t k = 0; k < pairs.size(); ++k) {
+        if (std::abs(places[pairs[k].p].normal.y) < kSamePlaneFacing) continue;
+        ++all;
+        inRoom += isInRoom[k];
+    }
+    return inRoom > 0 ? static_cast<double>(all) / static_cast<double>(inRoom) : 1.0;
+}
+
 } // namespace
 
 bool areOnOnePlane(const Surfels& surfels, uint32_t p, uint32_t q)
@@ -104,27 +119,27 @@ bool haveOneColor(glm::vec3 shownP, glm::vec3 shownQ)
            glm::distance(chromaOf(shownP), chromaOf(shownQ)) < kSameColor;
 }
 
-std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
-                                    std::span<const uint32_t> surfels, const Surfels& all,
-                                    const RayScene& scene, size_t perPlace)
+DrawnPairs drawPairs(std::span<const glm::vec3> shown, std::span<const uint32_t> surfels,
+                     const Surfels& all, const RayScene& scene, size_t perPlace)
 {
-    std::vector<MaterialPair> pairs;
+    DrawnPairs result;
     const std::vector<PairPlace> places = placesOf(shown, surfels, all);
-    if (places.size() < 2) return pairs;
+    if (places.size() < 2) return result;
     std::mt19937 random(
         all.seed); // its raw numbers are the same everywhere; distributions need not be
     std::vector<size_t> wanted(places.size(), perPlace);
     for (int round = 0; round < kDrawings; ++round) {
         const std::vector<MaterialPair> drawn = drawOnPlanes(places, wanted, random);
         const std::vector<uint8_t> isInRoom = markedInRoom(places, drawn, scene);
+        if (round == 0) result.rooms = roomsBy(places, drawn, isInRoom);
         std::fill(wanted.begin(), wanted.end(), size_t{0});
         for (size_t k = 0; k < drawn.size(); ++k)
             if (isInRoom[k] != 0)
-                pairs.push_back(drawn[k]);
+                result.pairs.push_back(drawn[k]);
             else
                 ++wanted[drawn[k].p];
     }
-    return pairs;
+    return result;
 }
 
 } // namespace relamp

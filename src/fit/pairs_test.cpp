@@ -27,7 +27,11 @@ struct Places
         shown.push_back(radiance);
     }
 
-    [[nodiscard]] std::vector<MaterialPair> pairs(size_t perPlace, const Scan& around = {}) const
+    [[nodiscard]] std::vector<MaterialPair> pairs(size_t perPlace) const
+    {
+        return pairsIn({}, perPlace).pairs;
+    }
+    [[nodiscard]] DrawnPairs pairsIn(const Scan& around, size_t perPlace) const
     {
         std::vector<uint32_t> all(surfels.count());
         std::iota(all.begin(), all.end(), 0u);
@@ -82,9 +86,11 @@ TEST(Pairs, LieInOneRoom)
     });
     const scenes::Panel wall{{1.99f, 0, -9}, {0, 0, 18}, {0, 9, 0}};
     const Scan house = scenes::panels(std::span(&wall, 1), 8, scenes::plain(glm::vec3(0.5f)));
-    const auto pairs = places.pairs(4, house);
-    EXPECT_GT(pairs.size(), 390u);
-    for (const MaterialPair pair : pairs) EXPECT_EQ(pair.p < 50, pair.q < 50);
+    const DrawnPairs drawn = places.pairsIn(house, 4);
+    EXPECT_GT(drawn.pairs.size(), 390u);
+    EXPECT_NEAR(drawn.rooms, 2.0, 0.2);
+    EXPECT_EQ(places.pairsIn({}, 4).rooms, 1.0);
+    for (const MaterialPair pair : drawn.pairs) EXPECT_EQ(pair.p < 50, pair.q < 50);
 }
 
 TEST(Pairs, BlackPlacesHaveNone)

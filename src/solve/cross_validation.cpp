@@ -168,7 +168,8 @@ Witnesses witnessesOf(const Surfels& surfels, const RayScene& scene,
             cubes.try_emplace({cube.x, cube.y, cube.z}, found.cubes).first->second);
         found.cubes = static_cast<uint32_t>(cubes.size());
     }
-    found.pairs = drawPairs(found.texture, found.surfels, surfels, scene, LampEvidence::kPairs);
+    found.pairs =
+        drawPairs(found.texture, found.surfels, surfels, scene, LampEvidence::kPairs).pairs;
     const auto place = [&](uint32_t i) { return surfels.position[found.surfels[i]]; };
     std::erase_if(found.pairs, [&](MaterialPair pair) {
         return fold[pair.p] != fold[pair.q] ||
