@@ -56,8 +56,8 @@ SHARED_FN vec3 filledAlbedo(vec3 own, float lack, vec3 around, vec3 burntOut, bv
     const float told = theirs > 0.0f ? min(count, 1.0f) : 0.0f;
     const float ofWhole = whole / max(theirs, 1e-6f);
     const float scale = 1.0f + told * (ofWhole - 1.0f);
-    const float like = likenessOfPaint(most) +
-                       told * (likenessOfPaint(ofWhole) - likenessOfPaint(most));
+    const float like =
+        likenessOfPaint(most) + told * (likenessOfPaint(ofWhole) - likenessOfPaint(most));
     const float grey = brightest + told * (whole / max(count, 1e-6f) - brightest);
     vec3 filled = own;
     for (int c = 0; c < 3; ++c) {

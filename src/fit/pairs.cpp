@@ -14,7 +14,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kSamePlaneFacing = 0.97f; // cosine
 constexpr float kSameColor =
     0.6f; // length of the step in log r, g, b after brightness is taken out
 constexpr float kDarkestPaired = 0.004f; // luminance; below, a byte's steps are too coarse
@@ -49,7 +48,7 @@ std::vector<PairPlace> placesOf(std::span<const glm::vec3> shown, std::span<cons
 
 bool areOnOnePlane(glm::vec3 p, glm::vec3 normalOfP, glm::vec3 q, glm::vec3 normalOfQ)
 {
-    return glm::dot(normalOfP, normalOfQ) >= kSamePlaneFacing &&
+    return glm::dot(normalOfP, normalOfQ) >= kSamePlane &&
            std::abs(glm::dot(q - p, normalOfP)) <= 2.5f * kScanError;
 }
 
@@ -98,7 +97,7 @@ double roomsBy(std::span<const PairPlace> places, std::span<const MaterialPair> 
     size_t all = 0;
     size_t inRoom = 0;
     for (size_t k = 0; k < pairs.size(); ++k) {
-        if (std::abs(places[pairs[k].p].normal.y) < kSamePlaneFacing) continue;
+        if (std::abs(places[pairs[k].p].normal.y) < kSamePlane) continue;
         ++all;
         inRoom += isInRoom[k];
     }

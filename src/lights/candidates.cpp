@@ -10,6 +10,8 @@
 #include <map>
 #include <span>
 
+#include <glm/geometric.hpp>
+
 namespace relamp
 {
 namespace
@@ -213,6 +215,20 @@ bool isSpeck(const Texels& texels, const SurfelRadiance& radiance, const Candida
     return area > 0.0f && sum > kNearlyWhite * area;
 }
 
+/// One candidate of each set of them.
+std::vector<Candidate> joined(const std::vector<Candidate>& candidates, DisjointSets& sets)
+{
+    std::map<uint32_t, std::vector<ClippedPatch>> pieces;
+    for (uint32_t c = 0; c < candidates.size(); ++c) {
+        std::vector<ClippedPatch>& piece = pieces[sets.find(c)];
+        piece.insert(piece.end(), candidates[c].patches.begin(), candidates[c].patches.end());
+    }
+    std::vector<Candidate> joined;
+    joined.reserve(pieces.size());
+    for (auto& [root, patches] : pieces) joined.push_back(candidateOf(std::move(patches)));
+    return joined;
+}
+
 /// What is small has facings as sharply apart as the sides of a box: crumbs
 /// side by side are one piece, so that a bulb is one lamp and not six.
 std::vector<Candidate> joinCrumbs(const Surfels& surfels, const std::vector<Candidate>& candidates)
@@ -229,15 +245,29 @@ std::vector<Candidate> joinCrumbs(const Surfels& surfels, const std::vector<Cand
                 sets.join(crumbs[s], crumbs[near]);
         });
     }
-    std::map<uint32_t, std::vector<ClippedPatch>> pieces;
-    for (uint32_t c = 0; c < candidates.size(); ++c) {
-        std::vector<ClippedPatch>& piece = pieces[sets.find(c)];
-        piece.insert(piece.end(), candidates[c].patches.begin(), candidates[c].patches.end());
-    }
-    std::vector<Candidate> joined;
-    joined.reserve(pieces.size());
-    for (auto& [root, patches] : pieces) joined.push_back(candidateOf(std::move(patches)));
-    return joined;
+    return joined(candidates, sets);
+}
+
+/// Whether they are sides of one body, as of a box: each lies behind the other, by more than parts
+/// of one plane may. What a lamp stands on or hangs from lies before it, and two sides of a wall
+/// are of two rooms.
+bool areSides(const Candidate& a, const Candidate& b)
+{
+    if (std::min(a.area, b.area) < kCrumb) return false;
+    const glm::vec3 way = b.centre - a.centre;
+    const float behind = -std::sqrt(1.0f - kSamePlane * kSamePlane) * glm::length(way);
+    return glm::dot(a.normal, way) < behind && glm::dot(b.normal, -way) < behind &&
+           glm::dot(a.normal, b.normal) > -kSameFacing && areTouching(a, b);
+}
+
+/// A shade is one lamp and not six: by itself a side that lights little is a matter of chance.
+std::vector<Candidate> joinSides(const std::vector<Candidate>& candidates)
+{
+    DisjointSets sets(candidates.size());
+    for (uint32_t a = 0; a < candidates.size(); ++a)
+        for (uint32_t b = a + 1; b < candidates.size(); ++b)
+            if (areSides(candidates[a], candidates[b])) sets.join(a, b);
+    return joined(candidates, sets);
 }
 
 } // namespace
@@ -332,6 +362,7 @@ std::vector<Candidate> findCandidates(const Texels& texels, const SurfelRadiance
     candidates = joinCrumbs(texels.surfels, candidates);
     std::erase_if(candidates,
                   [&](const Candidate& candidate) { return isSpeck(texels, radiance, candidate); });
+    candidates = joinSides(candidates);
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.area > b.area; });
     return candidates;

@@ -12,6 +12,7 @@ namespace relamp
 {
 
 constexpr float kSameFacing = 0.8f; // cosine between normals of one surface, with a scan's noise
+constexpr float kSamePlane = 0.97f; // cosine between normals on one plane
 constexpr float kTouching = 0.12f;  // m between pieces of one lamp
 constexpr float kSpeck = 0.02f;     // m^2; of less little hangs
 constexpr float kPaneArea = 0.1f;   // m^2; a plane from here on may be a pane

@@ -135,14 +135,27 @@ TEST(Candidates, SpecksInBrightWallsAreNoneAndBulbsAre)
     EXPECT_NEAR(bulbs[0].area, 0.0113f, 0.001f);
 }
 
-// A bulb of a few surfels is a box to them, whose sides face apart; the top of a real box is none.
-TEST(Candidates, BulbOfAFewSurfelsIsOneAndABoxIsItsSides)
+// A bulb of a few surfels is a box to them, as small as crumbs; a shade is one as well.
+TEST(Candidates, BulbIsOneAndSoIsABox)
 {
     for (const float side : {0.06f, 0.5f}) {
         const auto candidates = candidatesOf(boxOver(side, [](glm::vec3) { return 1.0f; }));
-        ASSERT_EQ(candidates.size(), side < 0.1f ? 1u : 6u);
-        EXPECT_NEAR(candidates[0].area, (side < 0.1f ? 6 : 1) * side * side, 0.1f * side * side);
+        ASSERT_EQ(candidates.size(), 1u);
+        EXPECT_NEAR(candidates[0].area, 6 * side * side, 0.1f * side * side);
+        EXPECT_LT(glm::length(candidates[0].normal), 0.1f);
     }
+}
+
+// What faces each other is no body, nor is what stands back to back: two rooms share a wall.
+TEST(Candidates, WallsOfARoomAreSixAndSidesOfAWallAreTwo)
+{
+    const scenes::Paint white = scenes::plain(glm::vec3(1.0f));
+    EXPECT_EQ(candidatesOf(scenes::room({3.0f, 2.0f, 2.5f}, 64, white)).size(), 6u);
+    const std::vector<scenes::Panel> wall{{{0, 0, 0}, {0, 0, 2}, {0, 2, 0}},
+                                          {{0.1f, 0, 0}, {0, 2, 0}, {0, 0, 2}}};
+    const auto candidates = candidatesOf(scenes::panels(wall, 64, white));
+    ASSERT_EQ(candidates.size(), 2u);
+    EXPECT_LT(glm::dot(candidates[0].normal, candidates[1].normal), -0.9f);
 }
 
 // A photograph's noise leaves texels of a bulb just below white: every crumb between them lies in
