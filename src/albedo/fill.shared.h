@@ -51,8 +51,8 @@ SHARED_FN vec3 filledAlbedo(vec3 own, float lack, vec3 around, vec3 burntOut, bv
         brightest = max(brightest, least[c]);
         most = max(most, least[c] / max(around[c], kBlackPaint));
     }
-    // One whole channel tells the paint, and none does not; half of one does in part: engines round
-    // differently, and a step would part them.
+    // One whole channel tells the paint, a part of one in part: a step would part two engines that
+    // round differently.
     const float told = theirs > 0.0f ? min(count, 1.0f) : 0.0f;
     const float ofWhole = whole / max(theirs, 1e-6f);
     const float scale = 1.0f + told * (ofWhole - 1.0f);

@@ -113,4 +113,18 @@ TEST(Fill, WhatIsUnlitIsAsAroundWhateverItShows)
               around);
 }
 
+// From channels that are whole to channels that are burnt out.
+TEST(Fill, ChangesWithoutAStep)
+{
+    const auto at = [](float burntOut) {
+        return filledAlbedo({0.48f, 0.53f, 0.73f}, kEnough, {0.82f, 0.82f, 0.86f},
+                            glm::vec3(burntOut, 1.0f, 1.0f), glm::bvec3(false));
+    };
+    EXPECT_GT(glm::distance(at(0.0f), at(1.0f)), 0.1f);
+    for (int k = 0; k < 1000; ++k)
+        EXPECT_LT(
+            glm::distance(at(1e-3f * static_cast<float>(k)), at(1e-3f * static_cast<float>(k + 1))),
+            3e-3f);
+}
+
 } // namespace relamp

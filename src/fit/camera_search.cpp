@@ -107,13 +107,13 @@ void LampSearch::bend(size_t pairs)
 /// Of places, by what they show and the colours of lamps so far.
 std::vector<glm::vec3> LampSearch::albedo() const
 {
+    std::vector<glm::vec3> radiance;
+    for (const Piece& piece : pieces_) radiance.push_back(piece.radiance);
+    for (size_t o = 0; o < model_.outsides; ++o) radiance.push_back(outside_[o]);
     std::vector<glm::vec3> albedo(model_.places());
     forEach(albedo.size(), [&](size_t i) {
-        glm::vec3 irradiance = model_.gathered[i];
-        for (size_t f = 0; f < pieces_.size(); ++f)
-            irradiance += model_.directAt(i)[f] * pieces_[f].radiance;
-        for (size_t o = 0; o < model_.outsides; ++o)
-            irradiance += model_.missedAt(i)[o] * outside_[o];
+        const glm::vec3 irradiance =
+            irradianceAt<glm::vec3>(model_, i, model_.gathered[i], radiance);
         albedo[i] = kPi * model_.shown[i] / glm::max(irradiance, glm::vec3(kFaintest));
     });
     return albedo;

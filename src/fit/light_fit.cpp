@@ -61,12 +61,7 @@ double LightFit::perPair() const
 
 double LightFit::irradiance(size_t place, std::span<const double> radiance) const
 {
-    double sum = gathered_[place] + kLeastIrradiance;
-    for (size_t o = 0; o < model_.outsides; ++o)
-        sum += radiance[model_.pieces + o] * static_cast<double>(model_.missedAt(place)[o]);
-    const std::span<const float> direct = model_.directAt(place);
-    for (size_t f = 0; f < model_.pieces; ++f) sum += radiance[f] * static_cast<double>(direct[f]);
-    return sum;
+    return irradianceAt(model_, place, gathered_[place] + kLeastIrradiance, radiance);
 }
 
 /// How much too dark a piece is that only reflects, even as the brightest paper, >= 0.

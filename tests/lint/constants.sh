@@ -7,9 +7,6 @@
 # What stands under a comment "Numerics" decides nothing: samples, steps and sizes for time and precision; it is printed apart and not
 # limited. It ends with an empty line.
 #
-# What stands under a comment "Numerics" decides nothing: samples, steps and sizes for time and precision; it is printed apart and not
-# limited. It ends with an empty line.
-#
 # Each count may fall and not rise; lower the limit when it has.
 set -euo pipefail
 readonly mostOfLight=60
