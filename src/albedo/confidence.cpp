@@ -26,10 +26,10 @@ uint8_t Confidence::byte() const
 }
 
 Confidence confidenceOf(glm::vec3 radiance, bool clips, glm::vec3 shading, float darkest,
-                        SurfelTrust trust)
+                        SurfelTrust trust, float hidden)
 {
     const Rated rated = ratedAlbedo(radiance, clips, shading, darkest,
-                                    {trust.seen, trust.front, trust.edges, trust.proven});
+                                    {trust.seen, trust.front, trust.edges, trust.proven}, hidden);
     return {rated.value, static_cast<Doubt>(doubtOf(rated))};
 }
 

@@ -40,8 +40,9 @@ SHARED_FN Rated lessBy(Rated rated, float left, uint doubt)
 }
 
 // How far an albedo can be believed. `trust` in the shading: SurfelTrust's seen, front, edges,
-// proven.
-SHARED_FN Rated ratedAlbedo(vec3 radiance, bool clips, vec3 shading, float darkest, vec4 trust)
+// proven. `hidden`: how far noise hides its brightest channel.
+SHARED_FN Rated ratedAlbedo(vec3 radiance, bool clips, vec3 shading, float darkest, vec4 trust,
+                            float hidden)
 {
     const float lack = lightThatLacks(dividedByShading(radiance, shading, darkest));
     const float weakest = min(shading.x, min(shading.y, shading.z));
@@ -52,6 +53,7 @@ SHARED_FN Rated ratedAlbedo(vec3 radiance, bool clips, vec3 shading, float darke
     rated.doubt = kDoubtNone;
     rated = lessBy(rated, clear, kDoubtClipped);
     rated = lessBy(rated, ramp(darkest, kWellLit * darkest, weakest), kDoubtUnlit);
+    rated = lessBy(rated, 1.0f - hidden, kDoubtUnlit);
     rated = lessBy(rated, trust.x, kDoubtUnseen);
     rated = lessBy(rated, trust.y, kDoubtBackFace);
     rated = lessBy(rated, trust.z, kDoubtPenumbra);

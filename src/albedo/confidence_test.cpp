@@ -31,6 +31,13 @@ TEST(Confidence, IsKeptAboveWhiteWhereTheTextureDoesNotClip)
     EXPECT_EQ(confidenceOf(glm::vec3(7.0f), false, glm::vec3(0.01f), kDarkest).value, 0.0f);
 }
 
+TEST(Confidence, FallsWithWhatNoiseOfTheTextureHides)
+{
+    const Confidence hidden = confidenceOf(kGrey, true, kLit, kDarkest, {}, 0.75f);
+    EXPECT_EQ(hidden.value, 0.25f);
+    EXPECT_EQ(hidden.doubt, Doubt::unlit);
+}
+
 TEST(Confidence, LowOneHasTheReasonThatWeighsMost)
 {
     const auto why = [](glm::vec3 radiance, glm::vec3 shading, SurfelTrust trust) {

@@ -3,6 +3,7 @@
 
 #include "albedo/divide.shared.h"
 #include "base/ramp.shared.h"
+#include "image/texture_noise.shared.h"
 
 #ifdef __cplusplus
 #include <glm/ext/vector_bool3.hpp>
@@ -12,7 +13,9 @@
 SHARED_BEGIN
 
 SHARED_CONST kBlackPaint = 1e-3f;
-SHARED_CONST kOtherPaint = 0.4f; // in the logarithm: half as bright again, or two thirds
+SHARED_CONST kFaintestShading = 1e-4f;
+SHARED_CONST kDarkestPaint = 0.02f; // in any channel
+SHARED_CONST kOtherPaint = 0.4f;    // in the logarithm: half as bright again, or two thirds
 
 // How likely each channel is burnt out, 0..1. `clips`: Image::clipsAtWhite.
 SHARED_FN vec3 burntOutShares(vec3 radiance, bool clips)
@@ -23,6 +26,26 @@ SHARED_FN vec3 burntOutShares(vec3 radiance, bool clips)
                 ramp(kSafelyBelow, kBurntOut, radiance.z));
 }
 
+// What noise of a texture can make of an albedo.
+SHARED_FN vec3 noiseOfAlbedo(vec3 shading, float lack, TextureNoise noise)
+{
+    return radianceOfBlack(noise) / max(lack * shading, vec3(kFaintestShading));
+}
+
+// What is not known of a texel's channels.
+struct UnknownChannels
+{
+    vec3 burntOut; // 0..1, how likely: what several photos were blended to may be in part
+    vec3 hidden;   // 0..1, how far by noise of the texture
+    vec3 noise;    // of the albedo, at most, where it is hidden
+    bvec3 isUnlit;
+};
+
+SHARED_FN bool isAnyUnknown(UnknownChannels unknown)
+{
+    return any(unknown.isUnlit) || unknown.burntOut != vec3(0.0f) || unknown.hidden != vec3(0.0f);
+}
+
 // How far the colour around can be that of a paint which is `scale` times as bright, 0..1.
 SHARED_FN float likenessOfPaint(float scale)
 {
@@ -30,11 +53,10 @@ SHARED_FN float likenessOfPaint(float scale)
     return 1.0f / (1.0f + off * off);
 }
 
-// Albedo of a texel of which channels are burnt out or unlit. What a burnt-out channel shows is the
-// least that it can be, and the less sure the more light lacks: `own` is under `lack` times the
-// shading (lightThatLacks()). `around`: of the surface. `burntOut`: 0..1, how likely a channel is:
-// what several photos were blended to may be in part.
-SHARED_FN vec3 filledAlbedo(vec3 own, float lack, vec3 around, vec3 burntOut, bvec3 isUnlit)
+// Albedo of a texel of which channels are burnt out, hidden or unlit. What a burnt-out channel
+// shows is the least that it can be, and the less sure the more light lacks: `own` is under `lack`
+// times the shading (lightThatLacks()). `around`: of the surface.
+SHARED_FN vec3 filledAlbedo(vec3 own, float lack, vec3 around, UnknownChannels unknown)
 {
     const vec3 least = own / lack;
     float whole = 0.0f;
@@ -43,11 +65,12 @@ SHARED_FN vec3 filledAlbedo(vec3 own, float lack, vec3 around, vec3 burntOut, bv
     float brightest = 0.0f; // of what is burnt out
     float most = 1.0f;      // times around, that is as bright
     for (int c = 0; c < 3; ++c) {
-        const float isWhole = isUnlit[c] ? 0.0f : 1.0f - burntOut[c];
+        const float isWhole =
+            unknown.isUnlit[c] ? 0.0f : (1.0f - unknown.burntOut[c]) * (1.0f - unknown.hidden[c]);
         whole += isWhole * own[c];
         theirs += isWhole * around[c];
         count += isWhole;
-        if (isUnlit[c]) continue;
+        if (unknown.isUnlit[c]) continue;
         brightest = max(brightest, least[c]);
         most = max(most, least[c] / max(around[c], kBlackPaint));
     }
@@ -62,11 +85,15 @@ SHARED_FN vec3 filledAlbedo(vec3 own, float lack, vec3 around, vec3 burntOut, bv
     vec3 filled = own;
     for (int c = 0; c < 3; ++c) {
         const float theirColor = min(scale * around[c], kWhitestPaper);
-        const float guess = max(grey + like * (theirColor - grey), least[c]);
-        if (isUnlit[c])
+        const float guess = grey + like * (theirColor - grey);
+        if (unknown.isUnlit[c]) {
             filled[c] = theirColor;
-        else
-            filled[c] += burntOut[c] * (guess - filled[c]);
+            continue;
+        }
+        filled[c] += unknown.burntOut[c] * (max(guess, least[c]) - filled[c]);
+        const float seen = clamp(max(theirColor, kDarkestPaint),
+                                 max(own[c] - unknown.noise[c], 0.0f), own[c] + unknown.noise[c]);
+        filled[c] += unknown.hidden[c] * (seen - filled[c]);
     }
     return filled;
 }

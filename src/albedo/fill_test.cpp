@@ -26,6 +26,11 @@ Surfels row(uint32_t count)
     return surfels;
 }
 
+UnknownChannels burntOut(glm::vec3 shares)
+{
+    return {.burntOut = shares};
+}
+
 TEST(Fill, CarriesTheRimInwardsAndKeepsWhatIsKnown)
 {
     const std::vector<glm::vec3> albedo(7, glm::vec3(0.2f, 0.4f, 0.6f));
@@ -53,34 +58,29 @@ TEST(Fill, WhatNothingReachesIsGrey)
 
 TEST(Fill, WhatIsBurntOutIsAsAroundButNeverDarkerThanItShows)
 {
-    const glm::vec3 all(1.0f);
-    const glm::bvec3 none(false);
+    const UnknownChannels all = burntOut(glm::vec3(1.0f));
     const glm::vec3 around(0.8f, 0.7f, 0.6f);
-    EXPECT_EQ(filledAlbedo(glm::vec3(0.3f), kEnough, around, all, none), around);
-    EXPECT_EQ(filledAlbedo(glm::vec3(0.9f), kEnough, around, all, none), glm::vec3(0.9f));
-    EXPECT_EQ(filledAlbedo(glm::vec3(0.3f), kEnough, around, glm::vec3(0.0f), none),
+    EXPECT_EQ(filledAlbedo(glm::vec3(0.3f), kEnough, around, all), around);
+    EXPECT_EQ(filledAlbedo(glm::vec3(0.9f), kEnough, around, all), glm::vec3(0.9f));
+    EXPECT_EQ(filledAlbedo(glm::vec3(0.3f), kEnough, around, burntOut(glm::vec3(0.0f))),
               glm::vec3(0.3f));
 }
 
 TEST(Fill, ShadingThatNoPaintAgreesWithTellsNothing)
 {
     const glm::vec3 around(0.8f, 0.7f, 0.6f);
-    EXPECT_EQ(filledAlbedo(glm::vec3(0.9f), 1.8f, around, glm::vec3(1.0f), glm::bvec3(false)),
-              around);
+    EXPECT_EQ(filledAlbedo(glm::vec3(0.9f), 1.8f, around, burntOut(glm::vec3(1.0f))), around);
 }
 
 // A red stripe beside a white one, both burnt out in red.
 TEST(Fill, ChannelsThatAreWholeSayHowBrightTheOthersAre)
 {
-    const glm::vec3 red(1, 0, 0);
-    const glm::bvec3 none(false);
-    const glm::vec3 same =
-        filledAlbedo({0.4f, 0.5f, 0.25f}, kEnough, {0.6f, 0.5f, 0.25f}, red, none);
+    const UnknownChannels red = burntOut({1, 0, 0});
+    const glm::vec3 same = filledAlbedo({0.4f, 0.5f, 0.25f}, kEnough, {0.6f, 0.5f, 0.25f}, red);
     EXPECT_NEAR(same.r, 0.6f, 1e-6f);
     EXPECT_EQ(same.g, 0.5f);
     // three times as bright is another paint, of a colour of its own: rather grey
-    const glm::vec3 other =
-        filledAlbedo({0.4f, 0.45f, 0.45f}, kEnough, {0.3f, 0.15f, 0.15f}, red, none);
+    const glm::vec3 other = filledAlbedo({0.4f, 0.45f, 0.45f}, kEnough, {0.3f, 0.15f, 0.15f}, red);
     EXPECT_GT(other.r, 0.45f);
     EXPECT_LT(other.r, 0.55f);
 }
@@ -88,8 +88,8 @@ TEST(Fill, ChannelsThatAreWholeSayHowBrightTheOthersAre)
 // White cloth beside green: all channels are at white, and under warm light need the least of red.
 TEST(Fill, WhatIsBurntOutInAllChannelsHasNoHueOfItsOwn)
 {
-    const glm::vec3 filled = filledAlbedo({0.7f, 0.8f, 0.88f}, kEnough, {0.3f, 0.45f, 0.2f},
-                                          glm::vec3(1.0f), glm::bvec3(false));
+    const glm::vec3 filled =
+        filledAlbedo({0.7f, 0.8f, 0.88f}, kEnough, {0.3f, 0.45f, 0.2f}, burntOut(glm::vec3(1.0f)));
     EXPECT_GT(filled.r, 0.8f);
     EXPECT_NEAR(filled.g, 0.88f, 0.05f);
     EXPECT_NEAR(filled.b, 0.88f, 0.01f);
@@ -100,7 +100,7 @@ TEST(Fill, WhatMayBeBurntOutIsFilledInPart)
 {
     const glm::vec3 around(0.8f, 0.7f, 0.6f);
     const glm::vec3 half =
-        filledAlbedo({0.6f, 0.7f, 0.6f}, kEnough, around, {0.5f, 0, 0}, glm::bvec3(false));
+        filledAlbedo({0.6f, 0.7f, 0.6f}, kEnough, around, burntOut({0.5f, 0, 0}));
     EXPECT_GT(half.r, 0.65f);
     EXPECT_LT(half.r, 0.7f);
     EXPECT_EQ(half.g, 0.7f);
@@ -109,22 +109,43 @@ TEST(Fill, WhatMayBeBurntOutIsFilledInPart)
 TEST(Fill, WhatIsUnlitIsAsAroundWhateverItShows)
 {
     const glm::vec3 around(0.8f, 0.7f, 0.6f);
-    EXPECT_EQ(filledAlbedo(glm::vec3(0.9f), kEnough, around, glm::vec3(0.0f), glm::bvec3(true)),
-              around);
+    const UnknownChannels unlit{.isUnlit = glm::bvec3(true)};
+    EXPECT_EQ(filledAlbedo(glm::vec3(0.9f), kEnough, around, unlit), around);
 }
 
 // From channels that are whole to channels that are burnt out.
 TEST(Fill, ChangesWithoutAStep)
 {
-    const auto at = [](float burntOut) {
+    const auto at = [](float red) {
         return filledAlbedo({0.48f, 0.53f, 0.73f}, kEnough, {0.82f, 0.82f, 0.86f},
-                            glm::vec3(burntOut, 1.0f, 1.0f), glm::bvec3(false));
+                            burntOut({red, 1.0f, 1.0f}));
     };
     EXPECT_GT(glm::distance(at(0.0f), at(1.0f)), 0.1f);
     for (int k = 0; k < 1000; ++k)
         EXPECT_LT(
             glm::distance(at(1e-3f * static_cast<float>(k)), at(1e-3f * static_cast<float>(k + 1))),
             3e-3f);
+}
+
+// A red cloth in shade: its blue is a byte of 0 or 1.
+TEST(Fill, HueOfWhatNoiseHidesIsThatAround)
+{
+    const glm::vec3 own(0.4f, 0.08f, 0.0f);
+    const glm::vec3 around(0.5f, 0.1f, 0.05f);
+    const auto filled = [&](float noise) {
+        return filledAlbedo(own, kEnough, around,
+                            {.hidden = {0.0f, 0.0f, 1.0f}, .noise = glm::vec3(noise)});
+    };
+    EXPECT_NEAR(filled(0.1f).b, 0.8f * around.b, 0.005f);
+    EXPECT_EQ(filled(0.1f).r, own.r);
+    EXPECT_EQ(filled(0.01f).b, 0.01f) << "no farther off than noise can make it";
+}
+
+TEST(Fill, BlackStaysBlackBesideWhite)
+{
+    const glm::vec3 black = filledAlbedo(glm::vec3(0.0f), kEnough, glm::vec3(0.8f),
+                                         {.hidden = glm::vec3(1.0f), .noise = glm::vec3(0.003f)});
+    EXPECT_EQ(black, glm::vec3(0.003f));
 }
 
 } // namespace relamp

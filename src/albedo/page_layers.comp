@@ -42,20 +42,23 @@ Shading shadingFound(uint i, vec4 rim, vec3 radiance)
 Shading shadingOf(uint i, vec4 rim, vec3 radiance)
 {
     Shading shading = shadingFound(i, rim, radiance);
-    const vec4 tempering = arguments.tempering;
+    const vec4 tempering = arguments.constants.at[0].tempering;
     const vec3 times = temperedBy(shading.direct + shading.indirect, tempering.rgb, tempering.w);
     shading.direct *= times;
     shading.indirect *= times;
     return shading;
 }
 
-// What is burnt out, and if asked for what is unlit, follows the surface around.
+// What is burnt out or hidden by noise, and if asked for what is unlit, follows the surface around.
 vec3 filled(vec3 albedo, float lack, vec3 radiance, vec3 shading, vec3 around)
 {
-    const vec3 burntOut = burntOutShares(radiance, isSo(kClips));
-    const bvec3 isUnlit = lessThan(shading, vec3(isSo(kFillsUnlit) ? arguments.darkest : 0.0));
-    if (!isSo(kFills) || (!any(isUnlit) && burntOut == vec3(0.0))) return albedo;
-    return filledAlbedo(albedo, lack, around, burntOut, isUnlit);
+    UnknownChannels unknown;
+    unknown.burntOut = burntOutShares(radiance, isSo(kClips));
+    unknown.hidden = hiddenShares(radiance, arguments.constants.at[0].noise);
+    unknown.noise = noiseOfAlbedo(shading, lack, arguments.constants.at[0].noise);
+    unknown.isUnlit = lessThan(shading, vec3(isSo(kFillsUnlit) ? arguments.darkest : 0.0));
+    if (!isSo(kFills) || !isAnyUnknown(unknown)) return albedo;
+    return filledAlbedo(albedo, lack, around, unknown);
 }
 
 void main()
@@ -74,7 +77,7 @@ void main()
     arguments.directOut.at[pixel] = packedHalves(vec4(lack * shading.direct, 1.0));
     arguments.indirectOut.at[pixel] = packedHalves(vec4(lack * shading.indirect, 1.0));
     const vec4 around = arguments.around.at[surfel];
-    if (around.w > 0.0 && (isEmitting(radiance, clips, arguments.threshold) ||
+    if (around.w > 0.0 && (isEmitting(radiance, clips, arguments.constants.at[0].threshold) ||
                            isGlowing(radiance, around.w - kOfLamp))) {
         arguments.albedoOut.at[pixel] = packedHalves(vec4(vec3(kAlbedoOfFixtures), 1.0));
         arguments.ratingOut.at[pixel] = kDoubtShines << 8; // confidence is 0
@@ -83,6 +86,7 @@ void main()
     const vec3 albedo = filled(divided / lack, lack, radiance, total, around.rgb);
     arguments.albedoOut.at[pixel] = packedHalves(vec4(albedo, 1.0));
     const vec4 trust = arguments.trust.at[surfel];
-    const Rated rated = ratedAlbedo(radiance, clips, total, arguments.darkest, trust);
+    const float hidden = hiddenShare(brightestChannel(radiance), arguments.constants.at[0].noise);
+    const Rated rated = ratedAlbedo(radiance, clips, total, arguments.darkest, trust, hidden);
     arguments.ratingOut.at[pixel] = confidenceByte(rated.value) | doubtOf(rated) << 8;
 }

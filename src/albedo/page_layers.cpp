@@ -7,6 +7,7 @@
 #include "albedo/page_layers.shared.h"
 #include "base/half.h"
 #include "image/padding.h"
+#include "image/texture_noise.h"
 #include "lights/shining.shared.h"
 
 #include <algorithm>
@@ -52,13 +53,15 @@ private:
     AreaOfDoubts areas_;
     bool ofVertices_;
     bool clips_;
+    TextureNoise noise_;
 };
 
 LayerMaker::LayerMaker(const Texels& texels, size_t page, const SolvedTexels& solved,
                        const AlbedoOptions& options)
     : page_(page), texels_(texels.pages[page]), loader_(texels, page, &solved.linearization),
       solved_(solved), options_(options), ofVertices_(texels.scan->pages[page].ofVertices),
-      clips_(texels.scan->pages[page].image.clipsAtWhite)
+      clips_(texels.scan->pages[page].image.clipsAtWhite),
+      noise_(textureNoiseOf(texels.scan->pages[page].image, solved.linearization.response))
 {
     const Image& image = texels.scan->pages[page].image;
     layers_ = emptyLayers(image);
@@ -66,16 +69,20 @@ LayerMaker::LayerMaker(const Texels& texels, size_t page, const SolvedTexels& so
     covered_.resize(image.pixels());
 }
 
-/// What is burnt out, and if asked for what is unlit, follows the surface around.
+/// What is burnt out or hidden by noise, and if asked for what is unlit, follows the surface
+/// around.
 void LayerMaker::fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around, float lack,
                               uint16_t* rho) const
 {
-    const glm::bvec3 isUnlit =
-        options_.fill ? glm::lessThan(shading, glm::vec3(options_.darkest)) : glm::bvec3(false);
-    const glm::vec3 burntOut = burntOutShares(radiance, clips_);
-    if (!glm::any(isUnlit) && burntOut == glm::vec3(0.0f)) return;
+    const UnknownChannels unknown{
+        .burntOut = burntOutShares(radiance, clips_),
+        .hidden = hiddenShares(radiance, noise_),
+        .noise = noiseOfAlbedo(shading, lack, noise_),
+        .isUnlit = options_.fill ? glm::lessThan(shading, glm::vec3(options_.darkest))
+                                 : glm::bvec3(false)};
+    if (!isAnyUnknown(unknown)) return;
     const glm::vec3 own(floatFromHalf(rho[0]), floatFromHalf(rho[1]), floatFromHalf(rho[2]));
-    const glm::vec3 filled = filledAlbedo(own, lack, around, burntOut, isUnlit);
+    const glm::vec3 filled = filledAlbedo(own, lack, around, unknown);
     for (int c = 0; c < 3; ++c) rho[c] = halfFromFloat(filled[c]);
 }
 
@@ -104,7 +111,8 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
                           shade.direct.b[i] + shade.indirect.b[i]);
     const Confidence confidence =
         confidenceOf(radiance, clips_, total, options_.darkest,
-                     solved_.trust.empty() ? SurfelTrust{} : solved_.trust[block.surfel[i]]);
+                     solved_.trust.empty() ? SurfelTrust{} : solved_.trust[block.surfel[i]],
+                     hiddenShare(brightestChannel(radiance), noise_));
     layers_.confidence[pixel] = confidence.byte();
     layers_.doubt[pixel] = confidence.doubt;
     if (!texels_.isShared.empty() && texels_.isShared[pixel]) doubtShared(pixel, layers_);

@@ -2,6 +2,7 @@
 #define RELAMP_PAGE_LAYERS_GPU_H
 
 #include "gpu/compute.h"
+#include "image/texture_noise.shared.h"
 
 SHARED_BEGIN
 
@@ -9,6 +10,14 @@ SHARED_CONST kOfLamp = 1.0f; // in `around`
 const uint kClips = 1u;      // Image::clipsAtWhite
 const uint kFills = 2u;      // `around` is known
 const uint kFillsUnlit = 4u; // what `darkest` is not reached by is filled, too
+
+struct PageConstants
+{
+    TextureNoise noise;
+    float threshold; // luminance from which a texel of a lamp shines
+    vec4 tempering;  // factor, power
+};
+SHARED_ARRAY(PagesConstants, PageConstants)
 
 // A thread a texel. Pictures are halves; the last is 1 where a texel is.
 struct PageLayersArguments
@@ -25,12 +34,11 @@ struct PageLayersArguments
     Uvec2s albedoOut;
     Uvec2s directOut;
     Uvec2s indirectOut;
-    Uints ratingOut; // of pixels: confidence 0..255 and 256 times the doubt
-    float darkest;   // shading
-    float threshold; // luminance from which a texel of a lamp shines
-    vec4 tempering;  // factor, power
-    uint flags;      // the sum of what is so:
-    uint count;      // of texels
+    Uints ratingOut;          // of pixels: confidence 0..255 and 256 times the doubt
+    PagesConstants constants; // of the page alone
+    float darkest;            // shading
+    uint flags;               // the sum of what is so:
+    uint count;               // of texels
 };
 
 SHARED_END

@@ -2,9 +2,9 @@
 
 #include "albedo/layer_parts.h"
 #include "albedo/page_layers.comp.h"
-#include "albedo/page_layers.gpu.h"
 #include "base/parallel.h"
 #include "image/padding.h"
+#include "image/texture_noise.h"
 
 #include <algorithm>
 #include <atomic>
@@ -106,7 +106,7 @@ size_t LayerPictures::bytesOf(size_t pixels)
 
 PageLayersGpu::PageLayersGpu(const gpu::Device& device, size_t surfels)
     : program_(device, kPageLayersSpirv), rims_(device, surfels), trust_(device, surfels),
-      around_(device, surfels)
+      around_(device, surfels), constants_(device, 1)
 {}
 
 void PageLayersGpu::setSurfels(const SolvedTexels& solved)
@@ -129,14 +129,19 @@ void PageLayersGpu::setSurfels(const SolvedTexels& solved)
     around_.upload(around);
     tempering_ = glm::vec4(factorOf(solved.tempering), solved.tempering.power);
     threshold_ = solved.shining.threshold;
+    response_ = solved.linearization.response;
     fills_ = !solved.fill.empty();
 }
 
 void PageLayersGpu::divide(gpu::Commands& commands, const LitPage& page,
-                           const AlbedoOptions& options, const LayerPictures& out) const
+                           const AlbedoOptions& options, const LayerPictures& out)
 {
-    const uint32_t flags =
-        (page.clips ? kClips : 0u) | (fills_ ? kFills : 0u) | (options.fill ? kFillsUnlit : 0u);
+    const PageConstants constants{.noise = textureNoiseOf(page.image, response_),
+                                  .threshold = threshold_,
+                                  .tempering = tempering_};
+    constants_.upload({&constants, 1});
+    const uint32_t flags = (page.image.clipsAtWhite ? kClips : 0u) | (fills_ ? kFills : 0u) |
+                           (options.fill ? kFillsUnlit : 0u);
     commands.dispatch(program_, page.texels.count,
                       PageLayersArguments{.radiance = page.texels.radiance.ref(),
                                           .direct = page.direct.ref(),
@@ -150,9 +155,8 @@ void PageLayersGpu::divide(gpu::Commands& commands, const LitPage& page,
                                           .directOut = out.direct.pixels().ref(),
                                           .indirectOut = out.indirect.pixels().ref(),
                                           .ratingOut = out.rating.ref(),
+                                          .constants = constants_.ref(),
                                           .darkest = options.darkest,
-                                          .threshold = threshold_,
-                                          .tempering = tempering_,
                                           .flags = flags,
                                           .count = static_cast<uint32_t>(page.texels.count)});
     commands.barrier();

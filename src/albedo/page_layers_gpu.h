@@ -1,5 +1,6 @@
 #pragma once
 
+#include "albedo/page_layers.gpu.h"
 #include "albedo/page_layers.h"
 #include "gpu/commands.h"
 #include "image/padding_gpu.h"
@@ -41,19 +42,21 @@ public:
         const GpuTexels& texels;
         const gpu::Array<glm::uvec2>& direct; // irradiance, halves
         const gpu::Array<glm::uvec2>& indirect;
-        bool clips; // Image::clipsAtWhite
+        const Image& image;
     };
-    /// Without padding.
+    /// Without padding. The commands run before the next page is divided.
     void divide(gpu::Commands& commands, const LitPage& page, const AlbedoOptions& options,
-                const LayerPictures& out) const;
+                const LayerPictures& out);
 
 private:
     gpu::Program program_;
     gpu::Array<glm::vec4> rims_;
     gpu::Array<glm::vec4> trust_;
     gpu::Array<glm::vec4> around_;
+    gpu::Array<PageConstants> constants_; // one
     glm::vec4 tempering_{1.0f};
     float threshold_ = 0.0f;
+    Response response_;
     bool fills_ = false;
 };
 

@@ -107,8 +107,8 @@ struct Lit
         gpu.setSurfels(said);
         gpu::Commands commands(device);
         pictures.clear(commands);
-        const bool clips = scan.pages[0].image.clipsAtWhite;
-        gpu.divide(commands, {page, directThere, indirectThere, clips}, options, pictures);
+        const Image& image = scan.pages[0].image;
+        gpu.divide(commands, {page, directThere, indirectThere, image}, options, pictures);
         padding.fill(commands, {pictures.albedo, pictures.direct, pictures.indirect});
         commands.run();
     }

@@ -190,8 +190,8 @@ std::vector<gpu::Timing> ReevaluateGpu::divide(size_t index, const AlbedoOptions
     gpu::Commands commands(device_);
     commands.mark("divide");
     takeLayers(commands, index);
-    layers_.divide(commands, {page.texels, page.direct, page.indirect, scanned.image.clipsAtWhite},
-                   options, *pictures_);
+    layers_.divide(commands, {page.texels, page.direct, page.indirect, scanned.image}, options,
+                   *pictures_);
     if (!scanned.ofVertices) { // its pixels have no neighbours
         commands.mark("padding");
         padding_.fill(commands, {pictures_->albedo, pictures_->direct, pictures_->indirect});
