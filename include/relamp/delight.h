@@ -57,7 +57,7 @@ enum class Doubt : uint8_t {
     none,
     clipped,         // the texture is burnt out there
     shines,          // it is a lamp; its own colour cannot be seen
-    unlit,           // so little light that the division is a guess
+    unlit,           // so little light that the division is a guess, or noise of the texture
     unseen,          // most of what lights it is not in the scan
     backFace,        // most of what it faces is seen from behind, where the texture says nothing
     penumbra,        // a shadow's edge is near, or the light found had to be corrected by much

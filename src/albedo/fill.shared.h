@@ -32,6 +32,13 @@ SHARED_FN vec3 noiseOfAlbedo(vec3 shading, float lack, TextureNoise noise)
     return radianceOfBlack(noise) / max(lack * shading, vec3(kFaintestShading));
 }
 
+// How far noise of the texture hides channels. Where hardly any light falls, all is as likely as
+// the division has it (dividedByShading()).
+SHARED_FN vec3 hiddenWhereLit(vec3 radiance, vec3 shading, float darkest, TextureNoise noise)
+{
+    return min(brightestChannel(shading) / darkest, 1.0f) * hiddenShares(radiance, noise);
+}
+
 // What is not known of a texel's channels.
 struct UnknownChannels
 {

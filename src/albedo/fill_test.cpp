@@ -1,6 +1,7 @@
 #include "albedo/fill.h"
 
 #include "albedo/fill.shared.h"
+#include "image/texture_noise.h"
 
 #include <gmock/gmock.h>
 
@@ -139,6 +140,16 @@ TEST(Fill, HueOfWhatNoiseHidesIsThatAround)
     EXPECT_NEAR(filled(0.1f).b, 0.8f * around.b, 0.005f);
     EXPECT_EQ(filled(0.1f).r, own.r);
     EXPECT_EQ(filled(0.01f).b, 0.01f) << "no farther off than noise can make it";
+}
+
+TEST(Fill, NoiseHidesNothingOfWhatGetsNoLight)
+{
+    const TextureNoise noise = textureNoiseOf(Image{}, {});
+    const auto hidden = [&](float shading) {
+        return hiddenWhereLit(glm::vec3(0.0f), glm::vec3(shading), 0.02f, noise).r;
+    };
+    EXPECT_LT(hidden(0.0002f), 0.011f);
+    EXPECT_NEAR(hidden(0.02f), 1.0f, 1e-3f);
 }
 
 TEST(Fill, BlackStaysBlackBesideWhite)

@@ -54,7 +54,8 @@ vec3 filled(vec3 albedo, float lack, vec3 radiance, vec3 shading, vec3 around)
 {
     UnknownChannels unknown;
     unknown.burntOut = burntOutShares(radiance, isSo(kClips));
-    unknown.hidden = hiddenShares(radiance, arguments.constants.at[0].noise);
+    unknown.hidden =
+        hiddenWhereLit(radiance, shading, arguments.darkest, arguments.constants.at[0].noise);
     unknown.noise = noiseOfAlbedo(shading, lack, arguments.constants.at[0].noise);
     unknown.isUnlit = lessThan(shading, vec3(isSo(kFillsUnlit) ? arguments.darkest : 0.0));
     if (!isSo(kFills) || !isAnyUnknown(unknown)) return albedo;

@@ -76,7 +76,7 @@ void LayerMaker::fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 a
 {
     const UnknownChannels unknown{
         .burntOut = burntOutShares(radiance, clips_),
-        .hidden = hiddenShares(radiance, noise_),
+        .hidden = hiddenWhereLit(radiance, shading, options_.darkest, noise_),
         .noise = noiseOfAlbedo(shading, lack, noise_),
         .isUnlit = options_.fill ? glm::lessThan(shading, glm::vec3(options_.darkest))
                                  : glm::bvec3(false)};

@@ -24,14 +24,13 @@ constexpr std::array<double, Response::kKnots> kShape{1.0, 1.02, 1.1, 1.27, 1.5}
 constexpr double kUsualSlope = 0.85;                                              // in the shadows
 constexpr double kContrastSpread = 0.3;                                           // of that slope
 constexpr double kShapeSpread = 0.12; // of each slope by itself
-constexpr double kSteepest = 3.0;     // likewise
 constexpr float kKnotSpacing = 1.2f;  // m: automatic exposure drifts over metres
 constexpr double kGainSpread = 0.3;   // log: of the gain; automatic exposure by half a stop
 constexpr double kGainStep = 0.12;    // log: of the gain from knot to knot
 constexpr float kToneSpacing = 0.6f;  // m: what local tone mapping flattens is larger
 constexpr double kToneSpread = 0.4;   // of 1 / exponent - 1: exponents of 0.6 to 1
-constexpr double kGainWorth = 4.0;    // what is wrong with the light at a place, and at all near
-                                      // it, is mostly gain
+constexpr double kGainWorth = 4.0;    // times N: with a gain on a lattice what errs alike over
+                                      // metres is gone; and as much again where exposure drifted
 
 // Numerics.
 constexpr int kMostKnots = 120;       // in a hall they lie farther apart
@@ -142,7 +141,7 @@ Response responseOf(std::span<const double> coefficients, double share)
     Response response;
     for (size_t k = 0; k < Response::kKnots; ++k)
         response.slope[k] = static_cast<float>(
-            std::clamp(1.0 + share * coefficients[k], kFlattestSlope, kSteepest));
+            std::clamp(1.0 + share * coefficients[k], kFlattestSlope, 1.0 / kFlattestSlope));
     return response;
 }
 
@@ -232,9 +231,14 @@ CameraColumns columnsOf(const Gain& known, const TexturePlaces& places)
             columns.bend[i * known.log.size() + weights.knot[k]] -= weights.part[k];
     }
     takeMeansOut(columns);
-    columns.worth = kGainWorth;
+    columns.worth = worthOfGain(0.0);
     columns.precision = precisionOf(known, kGainSpread, kGainStep);
     return columns;
+}
+
+double worthOfGain(double likely)
+{
+    return std::pow(kGainWorth, 1.0 + likely);
 }
 
 Gain gainOf(Gain lattice, std::span<const double> coefficients)

@@ -149,6 +149,22 @@ TEST(CameraColumns, NoLocalToneMappingIsBeyondWhatAFileHolds)
     EXPECT_EQ(localToneOf(around, -0.1), LocalTone{});
 }
 
+TEST(CameraColumns, EvidenceTellsDriftFromEvenLight)
+{
+    const auto evidence = [](float rise) { // nats for a gain
+        LitWall wall(0.02);
+        for (size_t i = 0; i < wall.places(); ++i)
+            wall.model.shown[i] *= std::exp(rise * (wall.positions[i].x / 4.0f - 0.5f));
+        const CameraColumns drift = columnsOf(evenGainOver(wall.positions), wall.asSeen());
+        CameraColumns none;
+        none.worth = drift.worth;
+        const LightEstimate with = wall.solve(drift, 4.0);
+        return wall.solve(none, 4.0).nats - with.nats - with.occam;
+    };
+    EXPECT_LT(evidence(0.0f), -3.0);
+    EXPECT_GT(evidence(0.35f), 10.0);
+}
+
 TEST(CameraColumns, EvenLightHasNoGain)
 {
     const LitWall wall(0.02);

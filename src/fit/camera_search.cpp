@@ -19,6 +19,7 @@ namespace
 
 constexpr double kCurvedNats = 1.1; // log odds of a camera with a contrast curve: three in four
 constexpr double kTonedNats = -2.2; // likewise of local tone mapping: one in ten
+constexpr double kDriftNats = 5.0;  // likewise of exposure that drifted: all but one in 150
 
 // Numerics.
 constexpr int kCameraRounds = 2; // of what is gathered and what the camera made of it
@@ -119,16 +120,35 @@ std::vector<glm::vec3> LampSearch::albedo() const
     return albedo;
 }
 
+/// How likely the exposure drifted, by an even gain beside the lamps that are known.
+double LampSearch::likelihoodOfDrift() const
+{
+    const CameraColumns drift = columnsOf(camera_.gain, evidence_.texturePlaces());
+    CameraColumns none;
+    none.worth = drift.worth;
+    LightFit fit = fitOf(LampEvidence::kPairsFirst);
+    fit.expectLeaks(estimate_.log);
+    const std::array<const CameraColumns*, 2> columns{&none, &drift};
+    std::array<double, 2> nats{};
+    forEach(nats.size(), [&](size_t k) {
+        const LightEstimate light = fit.solve(emits_, estimate_.log, *columns[k], kFirstWidth);
+        nats[k] = light.nats + light.occam;
+    });
+    return 1.0 / (1.0 + std::exp(nats[1] - nats[0] - kDriftNats));
+}
+
 /// The drift of exposure and white balance, among lamps that are known.
 void LampSearch::findGain()
 {
     camera_.gain = evenGainOver(evidence_.texturePlaces().position);
     if (camera_.gain.isOne()) return;
+    const double worth = worthOfGain(likelihoodOfDrift());
     for (int round = 0; round < kCameraRounds; ++round) {
         LightFit fit = fitOf(LampEvidence::kPairsFirst);
         fit.expectLeaks(estimate_.log);
-        LightEstimate even = fit.solve(
-            emits_, estimate_.log, columnsOf(camera_.gain, evidence_.texturePlaces()), kFirstWidth);
+        CameraColumns columns = columnsOf(camera_.gain, evidence_.texturePlaces());
+        columns.worth = worth;
+        LightEstimate even = fit.solve(emits_, estimate_.log, columns, kFirstWidth);
         camera_.gain = gainOf(std::move(camera_.gain), even.camera);
         seeByCamera(std::move(even.log));
     }

@@ -58,6 +58,7 @@ private:
                                               const std::optional<Gain>& around) const;
     void findContrast();
     void bend(size_t pairs);
+    [[nodiscard]] double likelihoodOfDrift() const;
     void findGain();
     [[nodiscard]] std::vector<glm::vec3> albedo() const;
     void seeByCamera(std::vector<double> log);
