@@ -15,20 +15,20 @@ namespace relamp
 namespace
 {
 
-constexpr double kWhiteNats = 0.1;      // weight of a burnt-out piece being about white
-constexpr double kOutsideSpread = 2.0;  // log
-constexpr double kOpeningNats = 0.5;    // weight of an opening being as dark as small holes
-constexpr double kAlikeSpread = 0.6;    // log: between lamps of one model
-constexpr double kAlbedoSpread = 0.4;   // log: of that mean between rooms
-constexpr double kDarkerPaper = 0.8;    // log: how much less that may be, and the light on it
-constexpr double kWhiterPaper = 0.3;    // log: how much more
-constexpr double kLeastMatters = 0.003; // of the light at places: a wall that sends less may be of
-                                        // any paint
+constexpr double kWhiteNats = 0.1;     // weight of a burnt-out piece being about white
+constexpr double kOutsideSpread = 2.0; // log
+constexpr double kOpeningNats = 0.5;   // weight of an opening being as dark as small holes
+constexpr double kAlikeSpread = 0.6;   // log: between lamps of one model
+constexpr double kAlbedoSpread = 0.4;  // log: of that mean between rooms
+constexpr double kDarkerPaper = 0.8;   // log: how much less that may be, and the light on it
+constexpr double kWhiterPaper = 0.3;   // log: how much more
 
 // Numerics.
-constexpr double kConverged = 0.0025; // nats
-constexpr int kMostSteps = 30;        // for time alone
-constexpr double kLongestStep = 2.0;  // log
+constexpr double kConverged = 0.0025;   // nats
+constexpr int kMostSteps = 30;          // for time alone
+constexpr double kLongestStep = 2.0;    // log
+constexpr double kLeastMatters = 0.001; // of the light at places: what paint a wall has that sends
+                                        // less changes nothing
 
 double logDeterminant(const Eigen::MatrixXd& matrix)
 {

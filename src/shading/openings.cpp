@@ -32,7 +32,7 @@ struct Box
     glm::vec3 high{0.0f};
 };
 
-/// That holds a scan but for its crumbs, and what is just beyond.
+/// That holds a scan but for its crumbs.
 Box boxAround(const Surfels& surfels)
 {
     const double all = std::accumulate(surfels.area.begin(), surfels.area.end(), 0.0);
@@ -51,8 +51,8 @@ Box boxAround(const Surfels& surfels)
             below += static_cast<double>(surfels.area[s]);
         }
     }
-    box.low -= kBeyond;
-    box.high += kBeyond;
+    box.low -= kScanError;
+    box.high += kScanError;
     return box;
 }
 
@@ -80,24 +80,22 @@ public:
 
     [[nodiscard]] size_t count() const { return count_; }
 
-    /// The square that a ray leaves through; count() for one from outside of the box.
+    /// The square that a ray leaves through. One from outside of the box begins at its side.
     [[nodiscard]] size_t leftBy(const Ray& ray) const
     {
+        const glm::vec3 origin = glm::clamp(ray.origin, box_.low, box_.high);
         float nearest = std::numeric_limits<float>::max();
         int side = 0;
         for (int axis = 0; axis < 3; ++axis) {
-            if (ray.origin[axis] < box_.low[axis] || ray.origin[axis] > box_.high[axis])
-                return count_;
             if (ray.direction[axis] == 0.0f) continue;
             const bool isUp = ray.direction[axis] > 0.0f;
-            const float distance = ((isUp ? box_.high[axis] : box_.low[axis]) - ray.origin[axis]) /
-                                   ray.direction[axis];
+            const float distance =
+                ((isUp ? box_.high[axis] : box_.low[axis]) - origin[axis]) / ray.direction[axis];
             if (distance >= nearest) continue;
             nearest = distance;
             side = 2 * axis + (isUp ? 1 : 0);
         }
-        const glm::vec3 at =
-            (ray.origin + nearest * ray.direction - box_.low) / (box_.high - box_.low);
+        const glm::vec3 at = (origin + nearest * ray.direction - box_.low) / (box_.high - box_.low);
         const auto [u, v] = across(side);
         const auto& counts = counts_[static_cast<size_t>(side)];
         const auto place = [](float share, int of) {
@@ -108,6 +106,7 @@ public:
                place(at[v], counts[1]) * static_cast<size_t>(counts[0]) + place(at[u], counts[0]);
     }
 
+    /// What may stand before a square, unseen.
     [[nodiscard]] Candidate operator[](size_t square) const
     {
         const size_t side = sideOf(square);
@@ -122,7 +121,7 @@ public:
         ClippedPatch patch{.area = width * height / static_cast<float>(kAcross * kAcross),
                            .surfel = Surfels::kNone};
         patch.normal[axis] = side % 2 != 0 ? -1.0f : 1.0f;
-        patch.position[axis] = side % 2 != 0 ? box_.high[axis] : box_.low[axis];
+        patch.position[axis] = side % 2 != 0 ? box_.high[axis] + kBeyond : box_.low[axis] - kBeyond;
         std::vector<ClippedPatch> patches;
         for (int i = 0; i < kAcross * kAcross; ++i) {
             const float right = (static_cast<float>(i % kAcross) + 0.5f) / kAcross;
@@ -185,7 +184,7 @@ void forEachLeaving(const SurfelSites& sites, Hits& hits, size_t begin, size_t e
 std::vector<double> sharesOf(const Squares& squares, const Texels& texels, const HitLists& hits)
 {
     const SurfelSites sites(texels);
-    std::vector<double> shares(squares.count() + 1, 0.0);
+    std::vector<double> shares(squares.count(), 0.0);
     double all = 0.0;
     for (size_t s = 0; s < texels.surfels.count(); ++s) {
         const auto area = static_cast<double>(texels.surfels.area[s]);
@@ -195,7 +194,6 @@ std::vector<double> sharesOf(const Squares& squares, const Texels& texels, const
             shares[squares.leftBy(ray)] += area / rays;
         });
     }
-    shares.pop_back(); // what lies outside
     for (double& share : shares) share /= all;
     return shares;
 }
@@ -268,8 +266,7 @@ void tellPartsApart(const Texels& texels, HitLists& hits)
 {
     const Squares squares(boxAround(texels.surfels));
     const std::vector<double> shares = sharesOf(squares, texels, hits);
-    Parts parts = partsOf(squares, shares);
-    parts.ofSquare.push_back(0); // of what lies outside the box
+    const Parts parts = partsOf(squares, shares);
     hits.shareOfPart.assign(parts.count, parts.count > 1 ? 0.0f : 1.0f);
     if (parts.count == 1) return;
     const SurfelSites sites(texels);
