@@ -1,6 +1,7 @@
 #include "albedo/fill.h"
 
 #include "base/parallel.h"
+#include "lights/candidates.h"
 
 #include <cstdint>
 #include <utility>
@@ -12,6 +13,13 @@ namespace
 
 constexpr int kMostPasses = 256; // each goes about two surfels inwards
 constexpr int kSmoothings = 32;
+
+/// Whether two neighbours are of one surface as far as paint goes: a surfel in a corner, of parts
+/// of several surfaces, is of none.
+bool facesAlike(const Surfels& surfels, uint32_t a, uint32_t b)
+{
+    return glm::dot(surfels.normal[a], surfels.normal[b]) > kSameFacing;
+}
 
 /// Mean of what is around, over and over: what meets in the middle does so without an edge.
 void smooth(const Surfels& surfels, std::span<const uint8_t> isKnown,
@@ -27,7 +35,7 @@ void smooth(const Surfels& surfels, std::span<const uint8_t> isKnown,
                 glm::vec3 sum(0.0f);
                 float count = 0.0f;
                 for (const uint32_t n : surfels.neighborsOf(open[i])) {
-                    if (isReached[n] == 0) continue;
+                    if (isReached[n] == 0 || !facesAlike(surfels, open[i], n)) continue;
                     sum += values[n];
                     count += 1.0f;
                 }
@@ -58,7 +66,7 @@ std::vector<glm::vec3> fillFromAround(const Surfels& surfels, std::span<const gl
             glm::vec3 sum(0.0f);
             float count = 0.0f;
             for (const uint32_t n : surfels.neighborsOf(s)) {
-                if (known[n] == 0) continue;
+                if (known[n] == 0 || !facesAlike(surfels, s, n)) continue;
                 sum += filled[n];
                 count += 1.0f;
             }

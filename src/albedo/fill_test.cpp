@@ -17,6 +17,7 @@ Surfels row(uint32_t count)
 {
     Surfels surfels;
     surfels.position.resize(count);
+    surfels.normal.resize(count, glm::vec3(0, 1, 0));
     surfels.firstNeighbor = {0};
     for (uint32_t s = 0; s < count; ++s) {
         surfels.neighbor.push_back(s);
@@ -48,6 +49,17 @@ TEST(Fill, ValuesMeetInTheMiddle)
     const auto filled = fillFromAround(row(5), albedo, known);
     EXPECT_FLOAT_EQ(filled[2].g, 0.5f);
     EXPECT_LE(filled[1].g, filled[3].g);
+}
+
+// A frame that is burnt out, and in its corner a surfel that is part curtain.
+TEST(Fill, WhatFacesOtherwiseIsOfAnotherPaint)
+{
+    Surfels frame = row(4);
+    frame.normal[0] = glm::normalize(glm::vec3(2, 1, 0));
+    const std::vector<glm::vec3> albedo(4, glm::vec3(0.1f));
+    const auto filled = fillFromAround(frame, albedo, std::vector<uint8_t>{1, 0, 0, 0}, 0.7f);
+    EXPECT_EQ(filled[0], albedo[0]);
+    EXPECT_EQ(filled[1], glm::vec3(0.7f));
 }
 
 TEST(Fill, WhatNothingReachesIsGrey)
