@@ -48,6 +48,21 @@ struct UnknownChannels
     bvec3 isUnlit;
 };
 
+// Albedo of what came out whiter than paper: it gets light that was not found, of any hue, so it
+// counts as the share of its light that was found, at most 1 / lack, and the surface around for the
+// rest. `own`: under `lack` times the shading (lightThatLacks()).
+SHARED_FN vec3 believedUnderLack(vec3 own, float lack, vec3 around, vec3 burntOut)
+{
+    const float unknown = 1.0f - 1.0f / lack;
+    return own + unknown * (vec3(1.0f) - burntOut) * (max(around, vec3(kDarkestPaint)) - own);
+}
+
+// How many times the light found that makes of each channel: `own` becomes `believed`.
+SHARED_FN vec3 lackOfChannels(vec3 own, float lack, vec3 believed)
+{
+    return lack * max(own, vec3(kBlackPaint)) / max(believed, vec3(kBlackPaint));
+}
+
 SHARED_FN bool isAnyUnknown(UnknownChannels unknown)
 {
     return any(unknown.isUnlit) || unknown.burntOut != vec3(0.0f) || unknown.hidden != vec3(0.0f);

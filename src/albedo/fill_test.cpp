@@ -126,6 +126,19 @@ TEST(Fill, WhatIsUnlitIsAsAroundWhateverItShows)
     EXPECT_EQ(filledAlbedo(glm::vec3(0.9f), kEnough, around, unlit), around);
 }
 
+TEST(Fill, WhatIsWhiterThanPaperIsRatherAsAround)
+{
+    const glm::vec3 own(0.5f, 0.6f, 0.9f); // light of another colour
+    const glm::vec3 around(0.7f, 0.66f, 0.56f);
+    const glm::vec3 none(0.0f);
+    EXPECT_EQ(believedUnderLack(own, 1.0f, around, none), own);
+    EXPECT_LT(glm::distance(believedUnderLack(own, 100.0f, around, none), around), 0.01f);
+    const glm::vec3 half = believedUnderLack(own, 2.0f, around, {0, 0, 1});
+    EXPECT_LT(glm::distance(half, glm::vec3(0.6f, 0.63f, 0.9f)), 1e-6f);
+    // albedo times light is what it was
+    EXPECT_LT(glm::distance(half * lackOfChannels(own, 2.0f, half), 2.0f * own), 1e-5f);
+}
+
 // From channels that are whole to channels that are burnt out.
 TEST(Fill, ChangesWithoutAStep)
 {

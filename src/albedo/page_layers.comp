@@ -49,8 +49,15 @@ Shading shadingOf(uint i, vec4 rim, vec3 radiance)
     return shading;
 }
 
-// What is burnt out or hidden by noise, and if asked for what is unlit, follows the surface around.
-vec3 filled(vec3 albedo, float lack, vec3 radiance, vec3 shading, vec3 around)
+struct Filled
+{
+    vec3 albedo;
+    vec3 lack; // its light, times the shading
+};
+
+// What is burnt out, hidden by noise or whiter than paper, and if asked for what is unlit, follows
+// the surface around.
+Filled filled(vec3 albedo, float lack, vec3 radiance, vec3 shading, vec3 around)
 {
     UnknownChannels unknown;
     unknown.burntOut = burntOutShares(radiance, isSo(kClips));
@@ -58,8 +65,17 @@ vec3 filled(vec3 albedo, float lack, vec3 radiance, vec3 shading, vec3 around)
         hiddenWhereLit(radiance, shading, arguments.darkest, arguments.constants.at[0].noise);
     unknown.noise = noiseOfAlbedo(shading, lack, arguments.constants.at[0].noise);
     unknown.isUnlit = lessThan(shading, vec3(isSo(kFillsUnlit) ? arguments.darkest : 0.0));
-    if (!isSo(kFills) || !isAnyUnknown(unknown)) return albedo;
-    return filledAlbedo(albedo, lack, around, unknown);
+    if (!isSo(kFills) || (!isAnyUnknown(unknown) && lack == 1.0))
+        return Filled(albedo, vec3(lack));
+    const vec3 believed = believedUnderLack(albedo, lack, around, unknown.burntOut);
+    return Filled(filledAlbedo(believed, lack, around, unknown),
+                  lackOfChannels(albedo, lack, believed));
+}
+
+void storeLight(uint pixel, Shading shading, vec3 lack)
+{
+    arguments.directOut.at[pixel] = packedHalves(vec4(lack * shading.direct, 1.0));
+    arguments.indirectOut.at[pixel] = packedHalves(vec4(lack * shading.indirect, 1.0));
 }
 
 void main()
@@ -75,17 +91,17 @@ void main()
     const vec3 total = shading.direct + shading.indirect;
     const vec3 divided = dividedByShading(radiance, total, arguments.darkest);
     const float lack = lightThatLacks(divided);
-    arguments.directOut.at[pixel] = packedHalves(vec4(lack * shading.direct, 1.0));
-    arguments.indirectOut.at[pixel] = packedHalves(vec4(lack * shading.indirect, 1.0));
     const vec4 around = arguments.around.at[surfel];
     if (around.w > 0.0 && (isEmitting(radiance, clips, arguments.constants.at[0].threshold) ||
                            isGlowing(radiance, around.w - kOfLamp))) {
+        storeLight(pixel, shading, vec3(lack));
         arguments.albedoOut.at[pixel] = packedHalves(vec4(vec3(kAlbedoOfFixtures), 1.0));
         arguments.ratingOut.at[pixel] = kDoubtShines << 8; // confidence is 0
         return;
     }
-    const vec3 albedo = filled(divided / lack, lack, radiance, total, around.rgb);
-    arguments.albedoOut.at[pixel] = packedHalves(vec4(albedo, 1.0));
+    const Filled result = filled(divided / lack, lack, radiance, total, around.rgb);
+    storeLight(pixel, shading, result.lack);
+    arguments.albedoOut.at[pixel] = packedHalves(vec4(result.albedo, 1.0));
     const vec4 trust = arguments.trust.at[surfel];
     const float hidden = hiddenShare(brightestChannel(radiance), arguments.constants.at[0].noise);
     const Rated rated = ratedAlbedo(radiance, clips, total, arguments.darkest, trust, hidden);

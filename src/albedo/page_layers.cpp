@@ -19,12 +19,12 @@ namespace
 {
 
 void storeRgb(std::vector<uint16_t>& layer, uint32_t pixel, const RgbBlock& block, size_t i,
-              float scale)
+              glm::vec3 scale)
 {
     uint16_t* rgb = &layer[3 * size_t{pixel}];
-    rgb[0] = halfFromFloat(scale * block.r[i]);
-    rgb[1] = halfFromFloat(scale * block.g[i]);
-    rgb[2] = halfFromFloat(scale * block.b[i]);
+    rgb[0] = halfFromFloat(scale.r * block.r[i]);
+    rgb[1] = halfFromFloat(scale.g * block.g[i]);
+    rgb[2] = halfFromFloat(scale.b * block.b[i]);
 }
 
 class LayerMaker
@@ -39,8 +39,8 @@ private:
     void makeBlock(size_t begin, size_t count);
     void storeTexel(const TexelBlock& block, const ShadingBlock& shade, const AlbedoBlock& albedo,
                     size_t i, uint32_t pixel);
-    void fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around, float lack,
-                      uint16_t* rho) const;
+    glm::vec3 fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around, float lack,
+                           uint16_t* rho) const;
     void fillPadding();
 
     size_t page_;
@@ -69,10 +69,10 @@ LayerMaker::LayerMaker(const Texels& texels, size_t page, const SolvedTexels& so
     covered_.resize(image.pixels());
 }
 
-/// What is burnt out or hidden by noise, and if asked for what is unlit, follows the surface
-/// around.
-void LayerMaker::fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around, float lack,
-                              uint16_t* rho) const
+/// What is burnt out, hidden by noise or whiter than paper, and if asked for what is unlit, follows
+/// the surface around. Returns how many times the shading its light is.
+glm::vec3 LayerMaker::fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around,
+                                   float lack, uint16_t* rho) const
 {
     const UnknownChannels unknown{
         .burntOut = burntOutShares(radiance, clips_),
@@ -80,20 +80,25 @@ void LayerMaker::fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 a
         .noise = noiseOfAlbedo(shading, lack, noise_),
         .isUnlit = options_.fill ? glm::lessThan(shading, glm::vec3(options_.darkest))
                                  : glm::bvec3(false)};
-    if (!isAnyUnknown(unknown)) return;
+    if (!isAnyUnknown(unknown) && lack == 1.0f) return glm::vec3(1.0f);
     const glm::vec3 own(floatFromHalf(rho[0]), floatFromHalf(rho[1]), floatFromHalf(rho[2]));
-    const glm::vec3 filled = filledAlbedo(own, lack, around, unknown);
+    const glm::vec3 believed = believedUnderLack(own, lack, around, unknown.burntOut);
+    const glm::vec3 filled = filledAlbedo(believed, lack, around, unknown);
     for (int c = 0; c < 3; ++c) rho[c] = halfFromFloat(filled[c]);
+    return lackOfChannels(own, lack, believed);
 }
 
 void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
                             const AlbedoBlock& albedo, size_t i, uint32_t pixel)
 {
     covered_[pixel] = 1;
-    storeRgb(layers_.direct, pixel, shade.direct, i, albedo.lack[i]);
-    storeRgb(layers_.indirect, pixel, shade.indirect, i, albedo.lack[i]);
     const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
     uint16_t* rho = &layers_.albedo[3 * size_t{pixel}];
+    glm::vec3 lack(albedo.lack[i]);
+    const auto storeLight = [&] {
+        storeRgb(layers_.direct, pixel, shade.direct, i, lack);
+        storeRgb(layers_.indirect, pixel, shade.indirect, i, lack);
+    };
     const Shining& shining = solved_.shining;
     if (shining.surfels[block.surfel[i]] &&
         (isEmitting(radiance, clips_, shining.threshold) ||
@@ -101,6 +106,7 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
         std::fill(rho, rho + 3, halfFromFloat(kAlbedoOfFixtures));
         storeEmission(radiance, pixel, layers_.emission);
         layers_.doubt[pixel] = Doubt::shines; // confidence stays 0
+        storeLight();
         return;
     }
     rho[0] = albedo.r[i];
@@ -117,7 +123,8 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
     layers_.doubt[pixel] = confidence.doubt;
     if (!texels_.isShared.empty() && texels_.isShared[pixel]) doubtShared(pixel, layers_);
     if (!solved_.fill.empty())
-        fillChannels(radiance, total, solved_.fill[block.surfel[i]], albedo.lack[i], rho);
+        lack = fillChannels(radiance, total, solved_.fill[block.surfel[i]], albedo.lack[i], rho);
+    storeLight();
 }
 
 void LayerMaker::makeBlock(size_t begin, size_t count)

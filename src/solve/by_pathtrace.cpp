@@ -157,8 +157,7 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
                        .trust = reliabilityOf(varianceOf(found.hits, {settled.irradiance, {}}), {},
                                               varianceOfCamera(found)),
                        .fill = fillOf(texels.surfels, found.radiance,
-                                      albedoOf(texels, found.radiance,
-                                               tempered(found.tempering, settled.irradiance))),
+                                      tempered(found.tempering, settled.irradiance)),
                        .linearization = found.linearization};
     solution.lights = lightsOf(found);
     solution.openings = openingsOf(found);

@@ -30,6 +30,8 @@ namespace
 {
 
 constexpr double kLargestSurfel = 0.04; // m; light changes within more
+constexpr float kTooMuchLack = 1.25f;   // times the light found: a scale that is off lacks less
+constexpr float kFaintestLight = 1e-4f; // irradiance, that divides
 constexpr float kNoFacing = 0.3f; // length of a mean normal below which a lamp shines all around
 
 /// Rays of a scan and of its places, by quality.
@@ -398,13 +400,17 @@ std::vector<float> varianceOfCamera(const FoundRoom& room)
 }
 
 std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radiance,
-                              std::span<const glm::vec3> albedo)
+                              std::span<const glm::vec3> irradiance)
 {
-    std::vector<glm::vec3> paint(albedo.begin(), albedo.end());
+    std::vector<glm::vec3> paint(surfels.count());
     std::vector<uint8_t> isKnown(surfels.count());
     for (size_t s = 0; s < isKnown.size(); ++s) {
-        paint[s] = glm::min(paint[s], kWhitestPaper);
-        isKnown[s] = radiance.plainArea[s] > radiance.clippedArea[s] ? 1 : 0;
+        const glm::vec3 divided =
+            kPi * radiance.plain[s] / glm::max(irradiance[s], glm::vec3(kFaintestLight));
+        const float lack = lightThatLacks(divided);
+        paint[s] = divided / lack;
+        const bool isPlain = radiance.plainArea[s] > radiance.clippedArea[s];
+        isKnown[s] = isPlain && lack < kTooMuchLack ? 1 : 0;
     }
     return fillFromAround(surfels, paint, isKnown, kAlbedoOfTheUnknown);
 }

@@ -82,9 +82,9 @@ Shining shiningOf(const FoundRoom& room);
 /// as reliabilityOf() takes it.
 std::vector<float> varianceOfCamera(const FoundRoom& room);
 
-/// Albedo for texels that cannot be trusted, one a surfel. Those that are mostly burnt out do not
-/// know their own and get that of the surface around them.
+/// Albedo for texels that cannot be trusted, one a surfel. Those that are mostly burnt out, or much
+/// whiter than paper in this light, do not know their own and get that of the surface around them.
 std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radiance,
-                              std::span<const glm::vec3> albedo);
+                              std::span<const glm::vec3> irradiance);
 
 } // namespace relamp

@@ -30,8 +30,7 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightO
         .shining = shiningOf(found),
         .trust =
             reliabilityOf(varianceOf(found.hits, room.lighting), room.lit, varianceOfCamera(found)),
-        .fill = fillOf(texels.surfels, found.radiance,
-                       albedoOf(texels, found.radiance, tempered(found.tempering, irradiance))),
+        .fill = fillOf(texels.surfels, found.radiance, tempered(found.tempering, irradiance)),
         .linearization = found.linearization};
     solution.lights = lightsOf(found);
     solution.openings = openingsOf(found);
