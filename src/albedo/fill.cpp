@@ -1,7 +1,6 @@
 #include "albedo/fill.h"
 
 #include "base/parallel.h"
-#include "lights/candidates.h"
 
 #include <cstdint>
 #include <utility>
@@ -13,12 +12,13 @@ namespace
 
 constexpr int kMostPasses = 256; // each goes about two surfels inwards
 constexpr int kSmoothings = 32;
+constexpr float kHalfway = 0.71f; // cosine of 45 degrees: what is of both sides of a corner
 
 /// Whether two neighbours are of one surface as far as paint goes: a surfel in a corner, of parts
 /// of several surfaces, is of none.
 bool facesAlike(const Surfels& surfels, uint32_t a, uint32_t b)
 {
-    return glm::dot(surfels.normal[a], surfels.normal[b]) > kSameFacing;
+    return glm::dot(surfels.normal[a], surfels.normal[b]) > kHalfway;
 }
 
 /// Mean of what is around, over and over: what meets in the middle does so without an edge.

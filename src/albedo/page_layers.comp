@@ -65,8 +65,7 @@ Filled filled(vec3 albedo, float lack, vec3 radiance, vec3 shading, vec3 around)
         hiddenWhereLit(radiance, shading, arguments.darkest, arguments.constants.at[0].noise);
     unknown.noise = noiseOfAlbedo(shading, lack, arguments.constants.at[0].noise);
     unknown.isUnlit = lessThan(shading, vec3(isSo(kFillsUnlit) ? arguments.darkest : 0.0));
-    if (!isSo(kFills) || (!isAnyUnknown(unknown) && lack == 1.0))
-        return Filled(albedo, vec3(lack));
+    if (!isSo(kFills) || (!isAnyUnknown(unknown) && lack == 1.0)) return Filled(albedo, vec3(lack));
     const vec3 believed = believedUnderLack(albedo, lack, around, unknown.burntOut);
     return Filled(filledAlbedo(believed, lack, around, unknown),
                   lackOfChannels(albedo, lack, believed));
