@@ -333,7 +333,7 @@ void addDelightCommand(CLI::App& app, Run& run)
         ->type_name("FILE");
     command
         .add_option("--darkest", arguments->options.albedo.darkest,
-                    "Shading below this is believed the less the darker it is [0.02]")
+                    "Shading below this is believed the less the darker it is [0.005]")
         ->check(between(1e-6, 1.0))
         ->type_name("L");
     command.add_flag("--fill", arguments->options.albedo.fill,

@@ -24,9 +24,9 @@ namespace relamp
 
 struct AlbedoOptions
 {
-    float darkest = 0.02f; // radiance, > 0; a weaker shading is believed the less the darker it is
-    bool fill = false;     // what is unlit gets the albedo of the surface around it, and by the
-                           // thesis solver what is burnt out: others see to that by themselves
+    float darkest = 0.005f; // radiance, > 0; a weaker shading is believed the less the darker it is
+    bool fill = false;      // what is unlit gets the albedo of the surface around it, and by the
+                            // thesis solver what is burnt out: others see to that by themselves
 
     bool operator==(const AlbedoOptions&) const = default;
 };

@@ -273,7 +273,7 @@ void addGlowing(std::span<const Glowing> glowing, const SurfelRadiance& radiance
                  found.lamps.begin(); // patches of sun come behind lamps
     for (Candidate& lamp : joined(missingOf(glowing, isFound, radiance))) {
         const glm::vec3 shown = shownBy(lamp.patches);
-        const float error = 2.0f * std::log1p(2.0f * kScanError / std::sqrt(lamp.area));
+        const float error = errorOfArea(lamp.area);
         found.lamps.insert(found.lamps.begin() + place,
                            {.patches = std::move(lamp.patches), .logError = glm::vec3(error)});
         found.powers.lamps.insert(found.powers.lamps.begin() + place, shown);

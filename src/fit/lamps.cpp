@@ -434,12 +434,10 @@ void LampSearch::takeSun(FoundLamps& found)
     }
 }
 
-/// Of log power: what the light of a lamp leaves open, and its area, whose rim is off by as much as
-/// a scan is.
+/// Of log power: what the light of a lamp leaves open, and its area.
 float errorOfPower(const Piece& lamp)
 {
-    const float side = std::sqrt(lamp.candidate.area);
-    return std::hypot(lamp.error, 2.0f * std::log1p(2.0f * kScanError / side));
+    return std::hypot(lamp.error, errorOfArea(lamp.candidate.area));
 }
 
 FoundLamps LampSearch::result()

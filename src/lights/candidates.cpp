@@ -292,6 +292,11 @@ bool isFlat(const Candidate& candidate)
     return glm::length(candidate.normal) >= kFlat;
 }
 
+float errorOfArea(float area)
+{
+    return 2.0f * std::log1p(kScanError / std::sqrt(area));
+}
+
 bool fades(const Texels& texels, const SurfelRadiance& radiance, const Candidate& candidate)
 {
     const Surfels& surfels = texels.surfels;

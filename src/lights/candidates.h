@@ -35,6 +35,10 @@ Candidate candidateOf(std::vector<ClippedPatch> patches);
 /// Whether it faces one way, as a panel does.
 bool isFlat(const Candidate& candidate);
 
+/// Standard error of the logarithm of a lamp's area (m^2): its rim is off by as much as a scan is.
+/// Of kScanError's 5 % that is half.
+float errorOfArea(float area);
+
 /// Cuts what is burnt out into pieces along edges and level changes of the surface, largest first.
 ///
 /// A lamp on a wall that it burns out is one blob in the texture; in space it stands off the wall,

@@ -24,7 +24,7 @@ struct ThesisFrame
     Lights lights;
     ThesisOptions parameters; // as deriveParameters() fills them in; power left open is 1
     glm::vec3 ambient{0.0f};
-    float darkest = 0.02f; // as AlbedoOptions
+    float darkest = 0.005f; // as AlbedoOptions
 };
 
 /// The thesis solver on a GPU, frame after frame. Between its stages nothing leaves the device, and
