@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/padding_gpu.h"
+#include "relamp/delight.h"
 #include "relamp/lights.h"
 #include "relamp/thesis.h"
 #include "scan/texels_gpu.h"
@@ -24,7 +25,7 @@ struct ThesisFrame
     Lights lights;
     ThesisOptions parameters; // as deriveParameters() fills them in; power left open is 1
     glm::vec3 ambient{0.0f};
-    float darkest = 0.005f; // as AlbedoOptions
+    float darkest = AlbedoOptions{}.darkest;
 };
 
 /// The thesis solver on a GPU, frame after frame. Between its stages nothing leaves the device, and

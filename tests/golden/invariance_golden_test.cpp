@@ -181,9 +181,9 @@ void expectSameLamps(const Lights& lamps, float degreesBack = 0.0f, float unit =
                              [&](const Fixture& a, const Fixture& b) { return off(a) < off(b); });
         EXPECT_LT(off(*nearest), kMostOff) << lamp.name;
         // Two estimates err by themselves, so their difference by the root of 2 of the standard
-        // error; nineteen in twenty are within two of these.
+        // error; four in five are within 1.27 of these.
         const float step = std::log(unit * luminous(*nearest) / luminous(lamp));
-        EXPECT_LT(std::abs(step), std::min(2.83f * lamp.error.g, kMostStep)) << lamp.name;
+        EXPECT_LT(std::abs(step), std::min(1.8f * lamp.error.g, kMostStep)) << lamp.name;
     }
 }
 
