@@ -229,35 +229,69 @@ std::vector<Candidate> joined(const std::vector<Candidate>& candidates, Disjoint
     return joined;
 }
 
-/// What is small has facings as sharply apart as the sides of a box: crumbs
-/// side by side are one piece, so that a bulb is one lamp and not six.
+/// Whether neither rises before the other: they may be parts of one body, as a bulb's sides are,
+/// where a bulb and the inside of its shade are not.
+bool areOfOneBody(const ClippedPatch& a, const ClippedPatch& b)
+{
+    const glm::vec3 way = b.position - a.position;
+    return glm::dot(a.normal, way) <= 0.0f && glm::dot(b.normal, -way) <= 0.0f;
+}
+
+/// What is small has facings as sharply apart as the sides of a box: crumbs of one body are one
+/// piece, and with what else is small there, so that a bulb is one lamp and not six.
 std::vector<Candidate> joinCrumbs(const Surfels& surfels, const std::vector<Candidate>& candidates)
 {
-    std::vector<uint32_t> crumbs(surfels.count(), Surfels::kNone); // candidates of surfels
+    struct SmallPatch
+    {
+        uint32_t candidate = Surfels::kNone;
+        const ClippedPatch* patch = nullptr;
+    };
+    std::vector<SmallPatch> small(surfels.count()); // of surfels
     for (uint32_t c = 0; c < candidates.size(); ++c)
-        if (candidates[c].area < kCrumb)
-            for (const ClippedPatch& patch : candidates[c].patches) crumbs[patch.surfel] = c;
+        if (candidates[c].area < kSpeck)
+            for (const ClippedPatch& patch : candidates[c].patches)
+                small[patch.surfel] = {c, &patch};
     DisjointSets sets(candidates.size());
-    for (uint32_t s = 0; s < crumbs.size(); ++s) {
-        if (crumbs[s] == Surfels::kNone) continue;
-        surfels.forEachInReach(surfels.position[s], [&](size_t near) {
-            if (crumbs[near] != Surfels::kNone && surfels.areBeside(s, near))
-                sets.join(crumbs[s], crumbs[near]);
+    for (uint32_t s = 0; s < small.size(); ++s) {
+        const auto [c, patch] = small[s];
+        if (c == Surfels::kNone || candidates[c].area >= kCrumb) continue;
+        surfels.forEachInReach(surfels.position[s], [&, c = c, patch = patch](size_t near) {
+            const SmallPatch& other = small[near];
+            if (other.candidate != Surfels::kNone && surfels.areBeside(s, near) &&
+                areOfOneBody(*patch, *other.patch))
+                sets.join(c, other.candidate);
         });
     }
     return joined(candidates, sets);
 }
 
-/// Whether they are sides of one body, as of a box: each lies behind the other, by more than parts
-/// of one plane may. What a lamp stands on or hangs from lies before it, and two sides of a wall
-/// are of two rooms.
+/// How far one lies behind the other in the mean over their patches: the sine below its surface.
+float behind(const Candidate& a, const Candidate& b)
+{
+    // Numerics.
+    constexpr size_t kLooks = 64; // patches of each, evenly, at most
+
+    const size_t countA = std::min(kLooks, a.patches.size());
+    const size_t countB = std::min(kLooks, b.patches.size());
+    float sum = 0.0f;
+    for (size_t i = 0; i < countA; ++i) {
+        const ClippedPatch& from = a.patches[i * a.patches.size() / countA];
+        for (size_t j = 0; j < countB; ++j) {
+            const glm::vec3 way = b.patches[j * b.patches.size() / countB].position - from.position;
+            sum -= glm::dot(from.normal, way) / std::max(glm::length(way), 1e-6f);
+        }
+    }
+    return sum / static_cast<float>(countA * countB);
+}
+
+/// Whether they are sides of one body, as of a box or a shade: each lies behind the other, by more
+/// than parts of one plane may. What a lamp stands on or hangs from lies before it, and two sides
+/// of a wall are of two rooms.
 bool areSides(const Candidate& a, const Candidate& b)
 {
-    if (std::min(a.area, b.area) < kCrumb) return false;
-    const glm::vec3 way = b.centre - a.centre;
-    const float behind = -std::sqrt(1.0f - kSamePlane * kSamePlane) * glm::length(way);
-    return glm::dot(a.normal, way) < behind && glm::dot(b.normal, -way) < behind &&
-           glm::dot(a.normal, b.normal) > -kSameFacing && areTouching(a, b);
+    const float least = std::sqrt(1.0f - kSamePlane * kSamePlane);
+    return std::min(a.area, b.area) >= kCrumb && glm::dot(a.normal, b.normal) > -kSameFacing &&
+           areTouching(a, b) && behind(a, b) > least && behind(b, a) > least;
 }
 
 /// A shade is one lamp and not six: by itself a side that lights little is a matter of chance.
