@@ -16,7 +16,8 @@ namespace
 {
 
 constexpr double kWhiteNats = 0.1;     // weight of a burnt-out piece being about white
-constexpr double kOutsideSpread = 2.0; // log
+constexpr double kOutsideSpread = 2.0; // log: how much less small holes show than
+constexpr double kOutsideMore = 0.7;   // log
 constexpr double kOpeningNats = 0.5;   // weight of an opening being as dark as small holes
 constexpr double kAlikeSpread = 0.6;   // log: between lamps of one model
 constexpr double kAlbedoSpread = 0.4;  // log: of that mean between rooms
@@ -93,8 +94,8 @@ LightFitSearch::Prior LightFitSearch::priorOf(size_t unknown, const Point& point
         const double weight = 2.0 * nats / (1.0 + log * log);
         return {nats * std::log1p(log * log), weight, weight * log};
     }
-    const double spread = isOutside ? kOutsideSpread : prior_.spread;
     const double off = log - (isOutside ? fit_.outside_ : prior_.log[pieceOf_[unknown]]);
+    const double spread = !isOutside ? prior_.spread : off > 0.0 ? kOutsideMore : kOutsideSpread;
     const double weight = 1.0 / (spread * spread);
     return {0.5 * weight * off * off, weight, weight * off};
 }
