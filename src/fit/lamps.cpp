@@ -27,7 +27,7 @@ namespace
 {
 
 constexpr double kLeanNats = 0.03; // in a part of one that shines: what nothing asks for, does not
-constexpr double kLampNats = 2.0; // that it takes to believe in a lamp
+constexpr double kLampNats = 2.0;  // that it takes to believe in a lamp
 // Where one of its model emits: the log odds in rooms with ground truth, where 357 of 361 pieces
 // that looked like a lamp were one.
 constexpr double kModelNats = -4.0;

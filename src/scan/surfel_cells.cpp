@@ -50,7 +50,7 @@ constexpr std::array<std::array<uint64_t, 5>, 3> kBelow = [] {
 
 glm::ivec3 SurfelGrid::cellOf(glm::vec3 position) const
 {
-    const glm::vec3 cell = glm::floor((position - low_) * perMetre_);
+    const glm::vec3 cell = glm::floor(inCells(position));
     return glm::ivec3(glm::clamp(cell, glm::vec3(0.0f), glm::vec3(kMostCells - 1)));
 }
 
@@ -61,7 +61,7 @@ uint64_t SurfelGrid::firstKeyOf(glm::ivec3 cell)
 
 uint64_t SurfelGrid::keyOf(glm::vec3 position, glm::vec3 normal) const
 {
-    return firstKeyOf(cellOf(position)) + kParts * facingOf(normal);
+    return firstKeyOf(cellOf(position)) + kParts * facingOf(frame_.fromScan(normal));
 }
 
 SurfelCells::SurfelCells(std::span<const uint64_t> keys) : bricks_(std::bit_ceil(keys.size() + 2))

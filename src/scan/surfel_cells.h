@@ -1,5 +1,7 @@
 #pragma once
 
+#include "scan/wall_frame.h"
+
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -17,14 +19,17 @@ enum class SurfelPart : uint64_t {
     enclosed = 2, // something stands or lies on it
 };
 
-/// Where a texel belongs: its cell in space and the axis that it faces most.
+/// Where a texel belongs: its cell in space and the axis that it faces most, in a frame of its own.
 ///
 /// Keys sort along a Morton curve; surfels of one cell follow each other.
 class SurfelGrid
 {
 public:
     SurfelGrid() = default;
-    SurfelGrid(glm::vec3 low, float size) : low_(low), perMetre_(1.0f / size) {}
+    /// `low` is in the frame.
+    SurfelGrid(WallFrame frame, glm::vec3 low, float size)
+        : frame_(frame), low_(low), perMetre_(1.0f / size)
+    {}
 
     [[nodiscard]] uint64_t keyOf(glm::vec3 position, glm::vec3 normal) const;
     [[nodiscard]] glm::ivec3 cellOf(glm::vec3 position) const;
@@ -33,14 +38,16 @@ public:
     /// A place in units of cells.
     [[nodiscard]] glm::vec3 inCells(glm::vec3 position) const
     {
-        return (position - low_) * perMetre_;
+        return (frame_.fromScan(position) - low_) * perMetre_;
     }
+    [[nodiscard]] const WallFrame& frame() const { return frame_; }
 
     static constexpr uint64_t kParts = 4;            // of a cell's surfels that face one way
     static constexpr uint64_t kFacings = 8 * kParts; // six axes, rounded up to bits
     static constexpr int kMostCells = 1 << 19;
 
 private:
+    WallFrame frame_;
     glm::vec3 low_{0.0f};
     float perMetre_ = 1.0f;
 };

@@ -35,7 +35,7 @@ bool isSameSurface(const Surfels& surfels, size_t a, size_t b)
 }
 
 /// Whether a cell, `way` from a surfel to its middle, may hold a neighbour: some of it is near and
-/// on the surfel's level. In cells.
+/// on the surfel's level. In cells and the grid's frame.
 bool mayHoldNeighbor(glm::vec3 normal, glm::vec3 way)
 {
     const glm::vec3 atLeast = glm::max(glm::abs(way) - 0.5f, 0.0f);
@@ -92,14 +92,16 @@ void connectNeighbors(Surfels& surfels)
     std::vector<std::vector<Pair>> found((count + kChunk - 1) / kChunk); // each pair once
     forEachChunk(count, kChunk, [&](size_t begin, size_t end) {
         std::vector<Pair>& pairs = found[begin / kChunk];
-        for (size_t s = begin; s < end; ++s)
+        for (size_t s = begin; s < end; ++s) {
+            const glm::vec3 normal = surfels.grid.frame().fromScan(surfels.normal[s]);
             surfels.forEachInReach(
                 surfels.position[s], surfels.key[s],
-                [&](glm::vec3 way) { return mayHoldNeighbor(surfels.normal[s], way); },
+                [&](glm::vec3 way) { return mayHoldNeighbor(normal, way); },
                 [&](size_t other) {
                     if (other > s && isSameSurface(surfels, s, other))
                         pairs.emplace_back(static_cast<uint32_t>(s), static_cast<uint32_t>(other));
                 });
+        }
     });
     surfels.firstNeighbor.assign(count + 1, 1); // itself
     surfels.firstNeighbor.back() = 0;

@@ -70,7 +70,7 @@ struct Surfels
             place, 0, [](glm::vec3) { return true; }, visit);
     }
     /// The same for cells that surfels of `leastKey` or above are in and that `matters(way)` is
-    /// true for: the way to the cell's middle, in cells.
+    /// true for: the way to the cell's middle, in cells and the grid's frame.
     template<class Matters, class Visit>
     void forEachInReach(glm::vec3 place, uint64_t leastKey, const Matters& matters,
                         const Visit& visit) const;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -74,6 +75,16 @@ double surfelSizeFor(const Texels& texels, const std::vector<PageCoverage>& cove
         std::clamp(options.texelsAcross * texel, options.smallest, options.largest), texel);
     const double extent = glm::length(boundsOf(*texels.scan).extent());
     return std::max({size, std::sqrt(texels.area / kMostSurfels), extent / SurfelGrid::kMostCells});
+}
+
+SurfelGrid gridOver(const Scan& scan, float size)
+{
+    const WallFrame frame = wallFrameOf(scan);
+    glm::vec3 low(std::numeric_limits<float>::max());
+    for (const Mesh& mesh : scan.meshes)
+        for (const glm::vec3 position : mesh.positions)
+            low = glm::min(low, frame.fromScan(position));
+    return {frame, low, size};
 }
 
 /// Keys of all texels of a page, and the ascending keys that occur in it.
@@ -244,7 +255,7 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions&
 
     texels.surfels.size = static_cast<float>(surfelSizeFor(texels, coverages, surfels));
     texels.surfels.seed = surfels.seed;
-    texels.surfels.grid = SurfelGrid(boundsOf(scan).low, texels.surfels.size);
+    texels.surfels.grid = gridOver(scan, texels.surfels.size);
     std::vector<PageKeys> keys(pages);
     std::vector<uint64_t> surfelKeys;
     for (size_t p = 0; p < pages; ++p) {

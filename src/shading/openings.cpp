@@ -26,9 +26,11 @@ constexpr double kLeastOutside = 0.01; // of it that all openings together let i
 constexpr double kLeastOpening = 3e-3; // the same, of a hole that is no part of the rest
 constexpr double kCrumbs = 0.003;      // of a scan's surface that may lie beyond its room
 
+/// Along the walls.
 struct Box
 {
-    glm::vec3 low{0.0f};
+    WallFrame frame;
+    glm::vec3 low{0.0f}; // in the frame
     glm::vec3 high{0.0f};
 };
 
@@ -36,18 +38,20 @@ struct Box
 Box boxAround(const Surfels& surfels)
 {
     const double all = std::accumulate(surfels.area.begin(), surfels.area.end(), 0.0);
-    Box box;
+    Box box{.frame = surfels.grid.frame()};
+    std::vector<glm::vec3> position(surfels.count());
+    for (size_t s = 0; s < position.size(); ++s)
+        position[s] = box.frame.fromScan(surfels.position[s]);
     std::vector<uint32_t> order(surfels.count());
     std::iota(order.begin(), order.end(), 0u);
     for (int axis = 0; axis < 3; ++axis) {
         std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-            return std::pair(surfels.position[a][axis], a) <
-                   std::pair(surfels.position[b][axis], b);
+            return std::pair(position[a][axis], a) < std::pair(position[b][axis], b);
         });
         double below = 0.0;
         for (const uint32_t s : order) {
-            if (below <= kCrumbs * all) box.low[axis] = surfels.position[s][axis];
-            if (below <= (1.0 - kCrumbs) * all) box.high[axis] = surfels.position[s][axis];
+            if (below <= kCrumbs * all) box.low[axis] = position[s][axis];
+            if (below <= (1.0 - kCrumbs) * all) box.high[axis] = position[s][axis];
             below += static_cast<double>(surfels.area[s]);
         }
     }
@@ -83,19 +87,20 @@ public:
     /// The square that a ray leaves through. One from outside of the box begins at its side.
     [[nodiscard]] size_t leftBy(const Ray& ray) const
     {
-        const glm::vec3 origin = glm::clamp(ray.origin, box_.low, box_.high);
+        const glm::vec3 origin = glm::clamp(box_.frame.fromScan(ray.origin), box_.low, box_.high);
+        const glm::vec3 direction = box_.frame.fromScan(ray.direction);
         float nearest = std::numeric_limits<float>::max();
         int side = 0;
         for (int axis = 0; axis < 3; ++axis) {
-            if (ray.direction[axis] == 0.0f) continue;
-            const bool isUp = ray.direction[axis] > 0.0f;
+            if (direction[axis] == 0.0f) continue;
+            const bool isUp = direction[axis] > 0.0f;
             const float distance =
-                ((isUp ? box_.high[axis] : box_.low[axis]) - origin[axis]) / ray.direction[axis];
+                ((isUp ? box_.high[axis] : box_.low[axis]) - origin[axis]) / direction[axis];
             if (distance >= nearest) continue;
             nearest = distance;
             side = 2 * axis + (isUp ? 1 : 0);
         }
-        const glm::vec3 at = (origin + nearest * ray.direction - box_.low) / (box_.high - box_.low);
+        const glm::vec3 at = (origin + nearest * direction - box_.low) / (box_.high - box_.low);
         const auto [u, v] = across(side);
         const auto& counts = counts_[static_cast<size_t>(side)];
         const auto place = [](float share, int of) {
@@ -129,6 +134,10 @@ public:
             patch.position[u] = box_.low[u] + (column + right) * width;
             patch.position[v] = box_.low[v] + (row + up) * height;
             patches.push_back(patch);
+        }
+        for (ClippedPatch& each : patches) {
+            each.position = box_.frame.toScan(each.position);
+            each.normal = box_.frame.toScan(each.normal);
         }
         return candidateOf(std::move(patches));
     }
