@@ -26,7 +26,6 @@ namespace relamp
 namespace
 {
 
-constexpr double kLeanNats = 0.03; // in a part of one that shines: what nothing asks for, does not
 constexpr double kLampNats = 2.0;  // that it takes to believe in a lamp
 // Where one of its model emits: the log odds in rooms with ground truth, where 357 of 361 pieces
 // that looked like a lamp were one.
@@ -37,6 +36,7 @@ constexpr double kUnknown = 0.7;      // standard error of log radiance: about a
 constexpr double kColorSpread = 1.0;  // log: of a lamp's channels about its luminance
 
 // Numerics.
+constexpr double kLeanNats = 0.03; // a part of a lamp that no light asks for does not shine
 constexpr size_t kMostPieces = 96; // that may emit; a fit takes the square of their number
 constexpr size_t kSearchSteps = 4; // of the search, as progress tells
 constexpr size_t kTries = 4;       // of the most promising pieces, each time one is added

@@ -146,6 +146,49 @@ TEST(Candidates, BulbIsOneAndSoIsABox)
     }
 }
 
+/// The sides of a cone's stump of `sides` quads from `low` to `high` metres, and its two ends.
+std::vector<scenes::Panel> stump(int sides, float turn, float low, float high)
+{
+    const auto at = [&](int i, float height, float radius) {
+        const float angle = turn + 6.2831853f * static_cast<float>(i) / static_cast<float>(sides);
+        return glm::vec3(radius * std::cos(angle), height, radius * std::sin(angle));
+    };
+    std::vector<scenes::Panel> panels;
+    for (int i = 0; i < sides; ++i) {
+        const glm::vec3 corner = at(i, low, 0.2f);
+        panels.push_back({corner, at(i, high, 0.18f) - corner, at(i + 1, low, 0.2f) - corner});
+    }
+    panels.push_back({{-0.1f, high, -0.1f}, {0, 0, 0.2f}, {0.2f, 0, 0}});
+    panels.push_back({{-0.1f, low, -0.1f}, {0.2f, 0, 0}, {0, 0, 0.2f}});
+    return panels;
+}
+
+// A round shade has no edge between its sides but at its ends, and is cut anywhere by the surfels'
+// facings.
+TEST(Candidates, RoundShadeIsOneWithItsEndsHoweverItIsTurned)
+{
+    for (const float turn : {0.0f, 0.3f, 0.7f}) {
+        const auto candidates = candidatesOf(
+            scenes::panels(stump(24, turn, 0.5f, 0.8f), 256, scenes::plain(glm::vec3(1.0f))));
+        ASSERT_EQ(candidates.size(), 1u) << turn;
+        EXPECT_NEAR(candidates[0].area, 0.43f, 0.04f);
+    }
+}
+
+// The inside of a shade looks at its bulb; both are burnt out.
+TEST(Candidates, BulbIsNotOneWithTheCeilingOfItsShade)
+{
+    std::vector<scenes::Panel> parts{{{-0.03f, 0.09f, -0.03f}, {0.06f, 0, 0}, {0, 0, 0.06f}}};
+    for (scenes::Panel wall : scenes::wallsOf(glm::vec3(0.06f))) {
+        std::swap(wall.alongU, wall.alongV); // its outer sides
+        wall.corner -= glm::vec3(0.03f, 0.0f, 0.03f);
+        parts.push_back(wall);
+    }
+    const auto candidates = candidatesOf(scenes::panels(parts, 64, scenes::plain(glm::vec3(1.0f))));
+    ASSERT_EQ(candidates.size(), 2u);
+    EXPECT_NEAR(candidates[0].area, 6 * 0.06f * 0.06f, 0.002f);
+}
+
 // What faces each other is no body, nor is what stands back to back: two rooms share a wall.
 TEST(Candidates, WallsOfARoomAreSixAndSidesOfAWallAreTwo)
 {

@@ -105,6 +105,23 @@ TEST(Openings, HolesAreAsLargeAsTheyAreAndWhereTheyAre)
     EXPECT_NEAR(ofSide.holes[0].normal.y, 0.0f, 1e-6f);
 }
 
+TEST(Openings, AreTheSameHoweverTheRoomStands)
+{
+    std::vector<scenes::Panel> walls = scenes::wallsOf(kOpenRoom);
+    walls.erase(walls.begin() + kMissingSide);
+    const WallFrame turned(0.6);
+    for (scenes::Panel& wall : walls)
+        wall = {turned.fromScan(wall.corner), turned.fromScan(wall.alongU),
+                turned.fromScan(wall.alongV)};
+    const scenes::Surfaces room(scenes::panels(walls, 32, scenes::plain(glm::vec3(0.4f))));
+    const HitLists hits = scenes::hitListsOf(room, 32);
+    ASSERT_EQ(hits.holes.size(), 1u);
+    const float side = kOpenRoom.y * kOpenRoom.z;
+    EXPECT_NEAR(hits.holes[0].area, side, 0.1f * side);
+    EXPECT_GT(glm::dot(hits.holes[0].normal, turned.fromScan({1, 0, 0})), 0.9999f); // into the room
+    EXPECT_LT(hits.shareOfPart[0], 0.002f * side);
+}
+
 // What a floor sees through a window is sky, what a ceiling sees is ground.
 TEST(Openings, WindowShowsTheFloorTheSkyAndTheCeilingTheGround)
 {
