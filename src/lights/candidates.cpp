@@ -285,13 +285,13 @@ float behind(const Candidate& a, const Candidate& b)
 }
 
 /// Whether they are sides of one body, as of a box or a shade: each lies behind the other, by more
-/// than parts of one plane may. What a lamp stands on or hangs from lies before it, and two sides
-/// of a wall are of two rooms.
+/// than half of what a part of one plane may, for of many parts that is less. What a lamp stands on
+/// or hangs from lies before it, and two sides of a wall are of two rooms.
 bool areSides(const Candidate& a, const Candidate& b)
 {
-    const float least = std::sqrt(1.0f - kSamePlane * kSamePlane);
+    const float least = 0.5f * std::sqrt(1.0f - kSamePlane * kSamePlane);
     return std::min(a.area, b.area) >= kCrumb && glm::dot(a.normal, b.normal) > -kSameFacing &&
-           areTouching(a, b) && behind(a, b) > least && behind(b, a) > least;
+           areTouching(a, b) && std::min(behind(a, b), behind(b, a)) > least;
 }
 
 /// A shade is one lamp and not six: by itself a side that lights little is a matter of chance.
