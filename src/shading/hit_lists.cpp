@@ -183,7 +183,7 @@ std::vector<Side> newBacks(const HitLists& lists, size_t firstList)
     return backs;
 }
 
-/// Casts the lists of `sides`: of fronts a first half of the rays, then the others where these do
+/// Casts the lists of `sides`: of fronts a first quarter of the rays, then the others where these do
 /// not agree.
 void castSides(const Caster& caster, std::span<const Side> sides, size_t raysOfSide,
                HitLists& lists, Progress::Stage& stage)
@@ -194,7 +194,7 @@ void castSides(const Caster& caster, std::span<const Side> sides, size_t raysOfS
         lists.listOfSide[sides[i].index] = static_cast<int32_t>(first + i);
     lists.sideOfList.insert(lists.sideOfList.end(), sides.begin(), sides.end());
 
-    const size_t rays = areFronts ? (raysOfSide + 1) / 2 : raysOfSide;
+    const size_t rays = areFronts ? (raysOfSide + 3) / 4 : raysOfSide;
     std::vector<HitTarget> few(sides.size() * rays, HitTarget::nothing());
     std::vector<Met> met(sides.size());
     const auto ofList = [&](size_t i) { return std::span(few).subspan(i * rays, rays); };
