@@ -9,7 +9,6 @@
 #include "fit/sun_search.h"
 #include "fit/unseen.h"
 #include "lights/lamp_body.h"
-#include "shading/openings.h"
 
 #include <algorithm>
 #include <array>
@@ -26,7 +25,7 @@ namespace relamp
 namespace
 {
 
-constexpr double kLampNats = 2.0;  // that it takes to believe in a lamp
+constexpr double kLampNats = 2.0; // that it takes to believe in a lamp
 // Where one of its model emits: the log odds in rooms with ground truth, where 357 of 361 pieces
 // that looked like a lamp were one.
 constexpr double kModelNats = -4.0;
@@ -111,9 +110,9 @@ void LampSearch::takeCandidates(const GatherOptions& options, const SurfelRadian
                                         "those that are with --light",
                                         lamps.leftOut, lamps.areaLeftOut, kMostPieces));
     for (LampGroup& group : lamps.groups) addPieces(std::move(group));
-    for (Candidate& opening : openingsOf(texels_, hits_)) {
+    for (const Candidate& square : hits_.squares) {
         const size_t body = pieces_.size();
-        pieces_.push_back({.candidate = std::move(opening), .body = body, .isOpening = true});
+        pieces_.push_back({.candidate = square, .body = body, .isOpening = true});
     }
     emits_.assign(pieces_.size(), 1);
     evidence_.look(pieces_, 1);

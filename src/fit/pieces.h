@@ -23,7 +23,7 @@ struct Piece
     bool isGiven = false;              // a person says that it shines
     size_t body = 0;                   // of the same number: two sides of one lamp
     bool isUnseen = false;             // its far side, not scanned
-    bool isOpening = false;            // nothing that was scanned: see openingsOf()
+    bool isOpening = false;            // nothing that was scanned: see HitLists::squares
     std::vector<float> direct{};       // irradiance at radiance 1, one a place
     std::vector<AreaSample> onSides{}; // the same, one a hit list
     glm::vec3 radiance{1.0f};

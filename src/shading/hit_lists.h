@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lights/surfel_radiance.h"
+#include "lights/candidates.h"
 #include "relamp/progress.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
@@ -68,6 +68,11 @@ struct HitLists
     std::vector<HitTarget> targets;
     std::vector<float> shareOfPart{0.0f}; // of parts outside: of all light that could reach fronts
     std::vector<Hole> holes;              // by falling area
+    std::vector<uint32_t> partOfSquare;   // of the box around the scan; 0: small holes; see openings
+    // Where lamps can be that the scan has no surface for: squares of no surfel just beyond the
+    // holes in its top and bottom, which face the room, those first that most rays leave through.
+    // What few rays leave through is left out, so a scan that is whole has none.
+    std::vector<Candidate> squares;
 
     [[nodiscard]] std::span<const HitTarget> targetsOf(size_t list) const
     {

@@ -37,7 +37,7 @@ TEST(Openings, ClosedRoomHasNone)
     const scenes::Surfaces box(scenes::room(kOpenRoom, 32, scenes::plain(glm::vec3(0.4f))));
     const HitLists hits = scenes::hitListsOf(box, 32);
     EXPECT_EQ(hits.shareOfPart.size(), 1u);
-    EXPECT_THAT(openingsOf(box.texels, hits), testing::IsEmpty());
+    EXPECT_THAT(hits.squares, testing::IsEmpty());
 }
 
 // One radiance for everything outside, however many parts that has: as if it had none.
@@ -65,7 +65,7 @@ TEST(Openings, CeilingThatIsMissingIsOnePartUnderSquaresThatFaceDown)
     const HitLists hits = scenes::hitListsOf(box, 32);
     ASSERT_EQ(hits.shareOfPart.size(), 2u);
     float area = 0.0f;
-    for (const Candidate& square : openingsOf(box.texels, hits)) {
+    for (const Candidate& square : hits.squares) {
         EXPECT_EQ(square.normal, scenes::kDown);
         EXPECT_GT(square.centre.y, kOpenRoom.y);
         EXPECT_LT(square.centre.y, kOpenRoom.y + 0.3f);
@@ -140,7 +140,7 @@ TEST(Openings, WindowShowsTheFloorTheSkyAndTheCeilingTheGround)
     }
     EXPECT_GT(sky, 1.0f);
     EXPECT_NEAR(ground, sky, 0.05f * sky);                         // a box is the same upside down
-    EXPECT_THAT(openingsOf(box.texels, hits), testing::IsEmpty()); // it is far, and no lamp
+    EXPECT_THAT(hits.squares, testing::IsEmpty()); // it is far, and no lamp
 }
 
 } // namespace relamp

@@ -13,6 +13,7 @@
 #include "lights/surfel_radiance.h"
 #include "relamp/error.h"
 #include "shading/direct_sum.h"
+#include "shading/even_openings.h"
 #include "shading/lit_sides.shared.h"
 
 #include <algorithm>
@@ -100,6 +101,15 @@ void label(FoundLamps& found, const Texels& texels, Progress& progress)
         lamp.labels.assign(next, end);
         next = end;
     }
+}
+
+HitLists cast(const Texels& texels, const RayScene& scene, const FoundRoom& room,
+              Progress& progress)
+{
+    HitLists hits = castHitLists(texels, scene, room.radiance,
+                                 static_cast<size_t>(room.options.rays), progress);
+    evenOpenings(texels, scene, hits);
+    return hits;
 }
 
 /// Lamps that were not looked at yet are now.
@@ -202,8 +212,7 @@ void search(const Texels& texels, const RayScene& scene, Progress& progress, Fou
         room.texture = {};
         room.radiance = collectRadiance(texels, unwatched());
         takeForBurntOut(room.glowing, texels, room.radiance);
-        room.hits = castHitLists(texels, scene, room.radiance,
-                                 static_cast<size_t>(room.options.rays), progress);
+        room.hits = cast(texels, scene, room, progress);
         searchOnce(texels, scene, glowing, progress, room);
     }
     for (const glm::vec3 place : room.found.nothingNear)
@@ -282,8 +291,7 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
     const bool isCast = isBefore && room.glowing.areNone();
     room.hits = isCast && before->options.rays == room.options.rays
                     ? before->hits
-                    : castHitLists(texels, scene, room.radiance,
-                                   static_cast<size_t>(room.options.rays), progress);
+                    : cast(texels, scene, room, progress);
     if (options.lights)
         take(beforeScale(*options.lights), options, texels, scene, progress, room);
     else

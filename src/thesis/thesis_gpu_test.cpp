@@ -273,7 +273,8 @@ TEST_P(GpuThesis, SpreadsLightAsTheCpuDoes)
     }
 }
 
-// Of the same volume, so that only the look-up is compared.
+// Of the same volume, so that only the look-up is compared. Samplers have eight bits of where
+// between two cells a place lies: an H200 is off by 0.0024, lavapipe by less than 0.002.
 TEST_P(GpuThesis, ReadsTheVolumeOutAsTheCpuDoes)
 {
     ThesisTwins& room = twins();
@@ -288,7 +289,7 @@ TEST_P(GpuThesis, ReadsTheVolumeOutAsTheCpuDoes)
             for (size_t i = 0; i < block.count; ++i)
                 apart.add(rgbOf(found[begin + i]), scenes::at(expected, i));
         });
-        EXPECT_LT(apart.most(), 2e-3f);
+        EXPECT_LT(apart.most(), 4e-3f);
     }
 }
 

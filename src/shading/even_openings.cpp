@@ -1,0 +1,182 @@
+#include "shading/even_openings.h"
+
+#include "base/parallel.h"
+#include "base/radiometry.shared.h"
+#include "base/sampling.shared.h"
+#include "shading/opening_squares.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace relamp
+{
+namespace
+{
+
+// Numerics.
+constexpr size_t kLooks = 32;    // at an opening, from a place
+constexpr float kTooNear = 4.0f; // areas that a look stands for: squared distance
+
+struct Opening
+{
+    uint32_t part;  // the first of those behind it
+    uint32_t parts; // 1 or 2
+    std::vector<uint32_t> squares;
+};
+
+/// What a place sees of the two parts behind an opening, or of one, as shares of all it sees.
+struct SeenOpening
+{
+    std::array<float, 2> share{};
+    float variance = 0.0f;
+};
+
+/// By rays to points all over it; none where it is too near for so few.
+std::optional<SeenOpening> lookAt(const OpeningSquares& squares,
+                                  std::span<const uint32_t> ofOpening, const SurfelSites& sites,
+                                  const RayScene& scene, uint32_t surfel)
+{
+    const bool isUpright = OpeningSquares::isUpright(squares.sideOf(ofOpening.front()));
+    const glm::vec2 shift(seededShift(sites.seed(), surfel, 5),
+                          seededShift(sites.seed(), surfel, 6));
+    SeenOpening seen;
+    float squaresSum = 0.0f;
+    for (size_t i = 0; i < kLooks; ++i) {
+        const glm::vec2 u = evenPoint(static_cast<float>(i), shift);
+        const float at = u.x * static_cast<float>(ofOpening.size());
+        const auto k = std::min(static_cast<size_t>(at), ofOpening.size() - 1);
+        const auto [point, normal, area] =
+            squares.pointOf(ofOpening[k], {at - static_cast<float>(k), u.y});
+        const TexelSite site = sites.at(surfel, i);
+        const glm::vec3 origin = site.position + kOffSurface * site.normal;
+        const glm::vec3 way = point - origin;
+        const float squared = glm::dot(way, way);
+        const float each = area * static_cast<float>(ofOpening.size()) / static_cast<float>(kLooks);
+        if (squared < kTooNear * each) return std::nullopt;
+        const float cosines =
+            std::max(glm::dot(way, site.normal), 0.0f) * std::max(-glm::dot(way, normal), 0.0f);
+        if (cosines <= 0.0f) continue;
+        const float distance = std::sqrt(squared);
+        if (scene.occluded(
+                Ray{.origin = origin, .direction = way / distance, .farthest = distance}))
+            continue;
+        const float share = each * cosines / (kPi * squared * squared);
+        seen.share[isUpright && way.y < 0.0f ? 1 : 0] += share;
+        squaresSum += share * share;
+    }
+    const float all = seen.share[0] + seen.share[1];
+    seen.variance = squaresSum - all * all / static_cast<float>(kLooks);
+    return seen;
+}
+
+/// Gives a list `wanted` targets of a kind, of those and `others`: what is too many becomes others,
+/// what lacks is taken from them, evenly.
+void setCount(std::span<HitTarget> targets, HitTarget kind, size_t wanted,
+              const std::vector<uint32_t>& ofKind, const std::vector<uint32_t>& others)
+{
+    if (others.empty()) return;
+    const size_t excess = ofKind.size() - std::min(wanted, ofKind.size());
+    for (size_t k = 0; k < excess; ++k)
+        targets[ofKind[k * ofKind.size() / excess]] = targets[others[k * others.size() / excess]];
+    const size_t lack = std::min(wanted - std::min(wanted, ofKind.size()), others.size());
+    for (size_t k = 0; k < lack; ++k) targets[others[k * others.size() / lack]] = kind;
+}
+
+/// Targets of a list; fronts' lists have the surfels' numbers.
+std::span<HitTarget> targetsOf(HitLists& hits, size_t list)
+{
+    return std::span(hits.targets)
+        .subspan(hits.firstTarget[list], hits.firstTarget[list + 1] - hits.firstTarget[list]);
+}
+
+/// How many rays of each front's list should leave for a part behind an opening. What rounding
+/// takes from one goes to the next, which is beside it mostly, so that means over a few are right.
+std::vector<std::optional<size_t>> countsOf(std::span<const std::optional<SeenOpening>> seen,
+                                            size_t part, HitLists& hits)
+{
+    std::vector<std::optional<size_t>> counts(seen.size());
+    float left = 0.5f;
+    for (size_t s = 0; s < seen.size(); ++s) {
+        if (!seen[s]) continue;
+        left += seen[s]->share[part] * static_cast<float>(targetsOf(hits, s).size());
+        counts[s] = static_cast<size_t>(left);
+        left -= std::floor(left);
+    }
+    return counts;
+}
+
+/// What fronts see of an opening, where rays to it tell that better than how many of a list's
+/// happened to leave there.
+std::vector<std::optional<SeenOpening>>
+seenByFronts(const Opening& opening, const OpeningSquares& squares, const SurfelSites& sites,
+             const RayScene& scene, HitLists& hits, size_t fronts)
+{
+    std::vector<std::optional<SeenOpening>> seen(fronts);
+    forEachChunk(fronts, 64, [&](size_t begin, size_t end) {
+        for (size_t s = begin; s < end; ++s) {
+            seen[s] = lookAt(squares, opening.squares, sites, scene, static_cast<uint32_t>(s));
+            if (!seen[s]) continue;
+            const auto count = static_cast<float>(targetsOf(hits, s).size());
+            const float all = std::min(seen[s]->share[0] + seen[s]->share[1], 1.0f);
+            if (seen[s]->variance > all * (1.0f - all) / count) seen[s].reset();
+        }
+    });
+    return seen;
+}
+
+/// Of one of the parts behind an opening.
+void evenPart(const Opening& opening, size_t part, std::span<const std::optional<SeenOpening>> seen,
+              HitLists& hits)
+{
+    const std::vector<std::optional<size_t>> counts = countsOf(seen, part, hits);
+    forEachChunk(counts.size(), 64, [&](size_t begin, size_t end) {
+        std::vector<uint32_t> ofPart;
+        std::vector<uint32_t> others; // none of this opening's
+        for (size_t s = begin; s < end; ++s) {
+            if (!counts[s]) continue;
+            ofPart.clear();
+            others.clear();
+            const std::span<HitTarget> targets = targetsOf(hits, s);
+            for (uint32_t i = 0; i < targets.size(); ++i) {
+                const uint32_t at =
+                    targets[i].isNothing() ? targets[i].part() - opening.part : opening.parts;
+                if (at == part)
+                    ofPart.push_back(i);
+                else if (at >= opening.parts)
+                    others.push_back(i);
+            }
+            setCount(targets, HitTarget::nothing(opening.part + static_cast<uint32_t>(part)),
+                     *counts[s], ofPart, others);
+        }
+    });
+}
+
+} // namespace
+
+void evenOpenings(const Texels& texels, const RayScene& scene, HitLists& hits)
+{
+    if (hits.shareOfPart.size() == 1) return;
+    const OpeningSquares squares(texels.surfels);
+    std::map<uint32_t, Opening> openings; // by their first part
+    for (uint32_t square = 0; square < squares.count(); ++square) {
+        const uint32_t part = hits.partOfSquare[square];
+        if (part == 0) continue;
+        Opening& opening = openings[part];
+        opening.part = part;
+        opening.parts = OpeningSquares::isUpright(squares.sideOf(square)) ? 2 : 1;
+        opening.squares.push_back(square);
+    }
+    const SurfelSites sites(texels);
+    for (const auto& [part, opening] : openings) {
+        const auto seen =
+            seenByFronts(opening, squares, sites, scene, hits, texels.surfels.count());
+        for (size_t p = 0; p < opening.parts; ++p) evenPart(opening, p, seen, hits);
+    }
+}
+
+} // namespace relamp
