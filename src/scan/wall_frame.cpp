@@ -15,9 +15,10 @@ namespace
 {
 
 // Numerics.
-constexpr size_t kBins = 360;     // of a quarter turn
-constexpr size_t kAround = 2;     // bins on both sides of the fullest, half a degree
-constexpr double kSteps = 9000.0; // in a quarter turn: rounding turns no room that stands straight
+constexpr size_t kBins = 360; // of a quarter turn
+constexpr size_t kAround = 2; // bins on both sides of the fullest: half a degree
+constexpr double kSteps =
+    90.0; // of a quarter turn: a scan that stands about straight is not turned
 constexpr double kQuarter = 0.5 * static_cast<double>(kPi);
 
 /// Area of upright surface by the way it faces, up to quarter turns, as numbers of four times that

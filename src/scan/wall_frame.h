@@ -29,7 +29,7 @@ private:
     float sin_ = 0.0f;
 };
 
-/// By area, up to quarter turns; the scan's own axes where nothing stands upright.
+/// By area, to a degree, up to quarter turns; the scan's own axes where nothing stands upright.
 WallFrame wallFrameOf(const Scan& scan);
 
 } // namespace relamp

@@ -28,11 +28,11 @@ Scan roomTurnedBy(double turn)
 
 } // namespace
 
-TEST(WallFrame, LeavesARoomThatStandsStraight)
+TEST(WallFrame, LeavesARoomThatStandsAboutStraight)
 {
-    const WallFrame frame = wallFrameOf(roomTurnedBy(0.0));
     const glm::vec3 place(1.0f, 2.0f, 3.0f);
-    EXPECT_EQ(frame.fromScan(place), place);
+    for (const double turn : {0.0, 0.005, -0.007})
+        EXPECT_EQ(wallFrameOf(roomTurnedBy(turn)).fromScan(place), place);
 }
 
 TEST(WallFrame, LiesAlongTheWallsHoweverTheyStand)
@@ -42,7 +42,7 @@ TEST(WallFrame, LiesAlongTheWallsHoweverTheyStand)
         const WallFrame frame = wallFrameOf(room);
         for (const glm::vec3 normal : room.meshes[0].normals) {
             const glm::vec3 facing = glm::abs(frame.fromScan(normal));
-            EXPECT_GT(std::max({facing.x, facing.y, facing.z}), 0.99999f) << turn;
+            EXPECT_GT(std::max({facing.x, facing.y, facing.z}), 0.9999f) << turn; // 0.8 degrees
             EXPECT_LT(glm::distance(frame.toScan(frame.fromScan(normal)), normal), 1e-6f);
         }
     }

@@ -19,17 +19,19 @@ namespace
 {
 
 // Numerics.
-constexpr size_t kLooks = 32;    // at an opening, from a place
-constexpr float kTooNear = 4.0f; // areas that a look stands for: squared distance
+constexpr float kLeastArea = 0.01f; // of a scan's surface; what comes by a smaller hole is little
+constexpr size_t kLooks = 32;       // at an opening, from a place
+constexpr float kTooNear = 4.0f;    // areas that a look stands for: squared distance
+
+constexpr uint32_t kParts = 2; // behind an upright opening
 
 struct Opening
 {
-    uint32_t part;  // the first of those behind it
-    uint32_t parts; // 1 or 2
+    uint32_t part; // what lies above the horizon; the next below
     std::vector<uint32_t> squares;
 };
 
-/// What a place sees of the two parts behind an opening, or of one, as shares of all it sees.
+/// What a place sees of the two parts behind an opening, as shares of all it sees.
 struct SeenOpening
 {
     std::array<float, 2> share{};
@@ -41,7 +43,6 @@ std::optional<SeenOpening> lookAt(const OpeningSquares& squares,
                                   std::span<const uint32_t> ofOpening, const SurfelSites& sites,
                                   const RayScene& scene, uint32_t surfel)
 {
-    const bool isUpright = OpeningSquares::isUpright(squares.sideOf(ofOpening.front()));
     const glm::vec2 shift(seededShift(sites.seed(), surfel, 5),
                           seededShift(sites.seed(), surfel, 6));
     SeenOpening seen;
@@ -66,7 +67,7 @@ std::optional<SeenOpening> lookAt(const OpeningSquares& squares,
                 Ray{.origin = origin, .direction = way / distance, .farthest = distance}))
             continue;
         const float share = each * cosines / (kPi * squared * squared);
-        seen.share[isUpright && way.y < 0.0f ? 1 : 0] += share;
+        seen.share[way.y < 0.0f ? 1 : 0] += share;
         squaresSum += share * share;
     }
     const float all = seen.share[0] + seen.share[1];
@@ -144,10 +145,10 @@ void evenPart(const Opening& opening, size_t part, std::span<const std::optional
             const std::span<HitTarget> targets = targetsOf(hits, s);
             for (uint32_t i = 0; i < targets.size(); ++i) {
                 const uint32_t at =
-                    targets[i].isNothing() ? targets[i].part() - opening.part : opening.parts;
+                    targets[i].isNothing() ? targets[i].part() - opening.part : kParts;
                 if (at == part)
                     ofPart.push_back(i);
-                else if (at >= opening.parts)
+                else if (at >= kParts)
                     others.push_back(i);
             }
             setCount(targets, HitTarget::nothing(opening.part + static_cast<uint32_t>(part)),
@@ -158,24 +159,25 @@ void evenPart(const Opening& opening, size_t part, std::span<const std::optional
 
 } // namespace
 
-void evenOpenings(const Texels& texels, const RayScene& scene, HitLists& hits)
+void evenOpenings(const Texels& texels, const RayScene& scene, HitLists& hits, Progress& progress)
 {
     if (hits.shareOfPart.size() == 1) return;
     const OpeningSquares squares(texels.surfels);
+    const auto least = kLeastArea * static_cast<float>(texels.area);
     std::map<uint32_t, Opening> openings; // by their first part
+    for (const Hole& hole : hits.holes)
+        if (hole.parts == kParts && hole.area > least) openings[hole.part].part = hole.part;
     for (uint32_t square = 0; square < squares.count(); ++square) {
-        const uint32_t part = hits.partOfSquare[square];
-        if (part == 0) continue;
-        Opening& opening = openings[part];
-        opening.part = part;
-        opening.parts = OpeningSquares::isUpright(squares.sideOf(square)) ? 2 : 1;
-        opening.squares.push_back(square);
+        const auto opening = openings.find(hits.partOfSquare[square]);
+        if (opening != openings.end()) opening->second.squares.push_back(square);
     }
     const SurfelSites sites(texels);
+    Progress::Stage stage(progress, "openings", openings.size());
     for (const auto& [part, opening] : openings) {
         const auto seen =
             seenByFronts(opening, squares, sites, scene, hits, texels.surfels.count());
-        for (size_t p = 0; p < opening.parts; ++p) evenPart(opening, p, seen, hits);
+        for (size_t p = 0; p < kParts; ++p) evenPart(opening, p, seen, hits);
+        stage.advance();
     }
 }
 

@@ -75,7 +75,7 @@ TEST(EvenOpenings, AreSeenAsByFarMoreRays)
     };
     const double before = apart(missedByFronts(room, hits));
     const std::vector<uint32_t> lengths = hits.firstTarget;
-    evenOpenings(room.texels, room.rays, hits);
+    evenOpenings(room.texels, room.rays, hits, unwatched());
     const std::vector<float> after = missedByFronts(room, hits);
     EXPECT_LT(apart(after), 0.75 * before);
     EXPECT_NEAR(all(after), all(truth), 0.02 * all(truth));
@@ -88,7 +88,7 @@ TEST(EvenOpenings, LeaveAWholeRoomAsItIs)
         scenes::room({3.0f, 2.0f, 2.5f}, 32, scenes::plain(glm::vec3(0.4f))));
     HitLists hits = scenes::hitListsOf(room, kRays);
     const std::vector<float> before = missedByFronts(room, hits);
-    evenOpenings(room.texels, room.rays, hits);
+    evenOpenings(room.texels, room.rays, hits, unwatched());
     EXPECT_EQ(missedByFronts(room, hits), before);
 }
 
