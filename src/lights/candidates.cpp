@@ -248,7 +248,7 @@ std::vector<Candidate> joinCrumbs(const Surfels& surfels, const std::vector<Cand
     };
     std::vector<SmallPatch> small(surfels.count()); // of surfels
     for (uint32_t c = 0; c < candidates.size(); ++c)
-        if (candidates[c].area < kSpeck)
+        if (candidates[c].area < 2.0f * kCrumb)
             for (const ClippedPatch& patch : candidates[c].patches)
                 small[patch.surfel] = {c, &patch};
     DisjointSets sets(candidates.size());
