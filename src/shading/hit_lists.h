@@ -68,7 +68,7 @@ struct HitLists
     std::vector<HitTarget> targets;
     std::vector<float> shareOfPart{0.0f}; // of parts outside: of all light that could reach fronts
     std::vector<Hole> holes;              // by falling area
-    std::vector<uint32_t> partOfSquare;   // of the box around the scan; 0: small holes; see openings
+    std::vector<uint32_t> partOfSquare;   // of OpeningSquares; 0: a small hole
     // Where lamps can be that the scan has no surface for: squares of no surfel just beyond the
     // holes in its top and bottom, which face the room, those first that most rays leave through.
     // What few rays leave through is left out, so a scan that is whole has none.
@@ -102,8 +102,8 @@ private:
 /// that these met. Rays start all over a surfel's texels, so that a list averages over its area.
 ///
 /// Fronts' lists have `rays` rays in the mean: more where these do not agree and much of the light
-/// hangs on them, as in a dark corner that one of them in ten leaves, and no fewer than a quarter, or eight. A
-/// back's has half as many.
+/// hangs on them, as in a dark corner that one of them in ten leaves, and no fewer than a quarter,
+/// or eight. A back's has half as many.
 HitLists castHitLists(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance,
                       size_t rays, Progress& progress);
 

@@ -139,7 +139,7 @@ TEST(Openings, WindowShowsTheFloorTheSkyAndTheCeilingTheGround)
         EXPECT_EQ(missedOn(hits, s)[1], 0.0f);
     }
     EXPECT_GT(sky, 1.0f);
-    EXPECT_NEAR(ground, sky, 0.05f * sky);                         // a box is the same upside down
+    EXPECT_NEAR(ground, sky, 0.05f * sky);         // a box is the same upside down
     EXPECT_THAT(hits.squares, testing::IsEmpty()); // it is far, and no lamp
 }
 
