@@ -20,10 +20,11 @@ namespace
 
 // Numerics.
 constexpr float kLeastArea = 0.01f; // of a scan's surface; what comes by a smaller hole is little
-constexpr size_t kLooks = 32;       // at an opening, from a place
-constexpr float kTooNear = 4.0f;    // areas that a look stands for: squared distance
-
-constexpr uint32_t kParts = 2; // behind an upright opening
+constexpr size_t kFewestLooks = 8;  // at an opening, from a place
+constexpr size_t kMostLooks = 32;
+constexpr size_t kLooks = 8'000'000; // of a scan, for time: about as many as its lists have rays
+constexpr float kTooNear = 4.0f;     // areas that a look stands for: squared distance
+constexpr uint32_t kParts = 2;       // behind an upright opening
 
 struct Opening
 {
@@ -41,13 +42,14 @@ struct SeenOpening
 /// By rays to points all over it; none where it is too near for so few.
 std::optional<SeenOpening> lookAt(const OpeningSquares& squares,
                                   std::span<const uint32_t> ofOpening, const SurfelSites& sites,
-                                  const RayScene& scene, uint32_t surfel)
+                                  const RayScene& scene, uint32_t surfel, size_t looks)
 {
+    const float perLook = 1.0f / static_cast<float>(looks);
     const glm::vec2 shift(seededShift(sites.seed(), surfel, 5),
                           seededShift(sites.seed(), surfel, 6));
     SeenOpening seen;
     float squaresSum = 0.0f;
-    for (size_t i = 0; i < kLooks; ++i) {
+    for (size_t i = 0; i < looks; ++i) {
         const glm::vec2 u = evenPoint(static_cast<float>(i), shift);
         const float at = u.x * static_cast<float>(ofOpening.size());
         const auto k = std::min(static_cast<size_t>(at), ofOpening.size() - 1);
@@ -57,7 +59,7 @@ std::optional<SeenOpening> lookAt(const OpeningSquares& squares,
         const glm::vec3 origin = site.position + kOffSurface * site.normal;
         const glm::vec3 way = point - origin;
         const float squared = glm::dot(way, way);
-        const float each = area * static_cast<float>(ofOpening.size()) / static_cast<float>(kLooks);
+        const float each = area * static_cast<float>(ofOpening.size()) * perLook;
         if (squared < kTooNear * each) return std::nullopt;
         const float cosines =
             std::max(glm::dot(way, site.normal), 0.0f) * std::max(-glm::dot(way, normal), 0.0f);
@@ -71,7 +73,7 @@ std::optional<SeenOpening> lookAt(const OpeningSquares& squares,
         squaresSum += share * share;
     }
     const float all = seen.share[0] + seen.share[1];
-    seen.variance = squaresSum - all * all / static_cast<float>(kLooks);
+    seen.variance = squaresSum - all * all * perLook;
     return seen;
 }
 
@@ -115,12 +117,13 @@ std::vector<std::optional<size_t>> countsOf(std::span<const std::optional<SeenOp
 /// happened to leave there.
 std::vector<std::optional<SeenOpening>>
 seenByFronts(const Opening& opening, const OpeningSquares& squares, const SurfelSites& sites,
-             const RayScene& scene, HitLists& hits, size_t fronts)
+             const RayScene& scene, HitLists& hits, size_t fronts, size_t looks)
 {
     std::vector<std::optional<SeenOpening>> seen(fronts);
     forEachChunk(fronts, 64, [&](size_t begin, size_t end) {
         for (size_t s = begin; s < end; ++s) {
-            seen[s] = lookAt(squares, opening.squares, sites, scene, static_cast<uint32_t>(s));
+            seen[s] =
+                lookAt(squares, opening.squares, sites, scene, static_cast<uint32_t>(s), looks);
             if (!seen[s]) continue;
             const auto count = static_cast<float>(targetsOf(hits, s).size());
             const float all = std::min(seen[s]->share[0] + seen[s]->share[1], 1.0f);
@@ -171,11 +174,13 @@ void evenOpenings(const Texels& texels, const RayScene& scene, HitLists& hits, P
         const auto opening = openings.find(hits.partOfSquare[square]);
         if (opening != openings.end()) opening->second.squares.push_back(square);
     }
+    const size_t fronts = texels.surfels.count();
+    const size_t looks = std::clamp(kLooks / std::max<size_t>(fronts * openings.size(), 1),
+                                    kFewestLooks, kMostLooks);
     const SurfelSites sites(texels);
     Progress::Stage stage(progress, "openings", openings.size());
     for (const auto& [part, opening] : openings) {
-        const auto seen =
-            seenByFronts(opening, squares, sites, scene, hits, texels.surfels.count());
+        const auto seen = seenByFronts(opening, squares, sites, scene, hits, fronts, looks);
         for (size_t p = 0; p < kParts; ++p) evenPart(opening, p, seen, hits);
         stage.advance();
     }

@@ -20,8 +20,6 @@ constexpr uint32_t kMostTimes = 8;  // the mean
 constexpr float kWhitePaper = 0.8f; // albedo of what is seen bright in little gathered light
 constexpr float kBlackPaper = 0.05f;
 constexpr float kBlack = 0.01f;        // radiance
-constexpr size_t kFirst = 4;           // a quarter of the rays tells where the others are needed
-constexpr size_t kFewestFirst = 8;     // of a list
 constexpr size_t kFewerOfBacks = 2;    // few rays meet a back, and their mean is all that matters
 constexpr int kGenerationsOfBacks = 2; // backs seen by backs seen by fronts; beyond is dark anyway
 
@@ -185,7 +183,7 @@ std::vector<Side> newBacks(const HitLists& lists, size_t firstList)
     return backs;
 }
 
-/// Casts the lists of `sides`: of fronts a first quarter of the rays, then the others where these
+/// Casts the lists of `sides`: of fronts a first half of the rays, then the others where these
 /// do not agree.
 void castSides(const Caster& caster, std::span<const Side> sides, size_t raysOfSide,
                HitLists& lists, Progress::Stage& stage)
@@ -196,8 +194,7 @@ void castSides(const Caster& caster, std::span<const Side> sides, size_t raysOfS
         lists.listOfSide[sides[i].index] = static_cast<int32_t>(first + i);
     lists.sideOfList.insert(lists.sideOfList.end(), sides.begin(), sides.end());
 
-    const size_t rays =
-        areFronts ? std::min(raysOfSide, std::max(raysOfSide / kFirst, kFewestFirst)) : raysOfSide;
+    const size_t rays = areFronts ? (raysOfSide + 1) / 2 : raysOfSide;
     std::vector<HitTarget> few(sides.size() * rays, HitTarget::nothing());
     std::vector<Met> met(sides.size());
     const auto ofList = [&](size_t i) { return std::span(few).subspan(i * rays, rays); };

@@ -102,8 +102,8 @@ private:
 /// that these met. Rays start all over a surfel's texels, so that a list averages over its area.
 ///
 /// Fronts' lists have `rays` rays in the mean: more where these do not agree and much of the light
-/// hangs on them, as in a dark corner that one of them in ten leaves, and no fewer than a quarter,
-/// or eight. A back's has half as many.
+/// hangs on them, as in a dark corner that one of them in ten leaves, and no fewer than half. A
+/// back's has half as many.
 HitLists castHitLists(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance,
                       size_t rays, Progress& progress);
 
