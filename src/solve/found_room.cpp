@@ -108,7 +108,7 @@ HitLists cast(const Texels& texels, const RayScene& scene, const FoundRoom& room
 {
     HitLists hits = castHitLists(texels, scene, room.radiance,
                                  static_cast<size_t>(room.options.rays), progress);
-    evenOpenings(texels, scene, hits, progress);
+    if (room.options.quality != Quality::draft) evenOpenings(texels, scene, hits, progress);
     return hits;
 }
 
