@@ -16,8 +16,8 @@ namespace
 {
 
 constexpr double kWhiteNats = 0.1;     // weight of a burnt-out piece being about white
-constexpr double kOutsideSpread = 2.0; // log: how much less small holes show than
-constexpr double kOutsideMore = 0.7;   // log
+constexpr double kOutsideSpread = 2.0; // log: how much less small holes may show than is expected
+constexpr double kOutsideMore = 0.7;   // log: how much more; they are hardly brighter than a room
 constexpr double kOpeningNats = 0.5;   // weight of an opening being as dark as small holes
 constexpr double kAlikeSpread = 0.6;   // log: between lamps of one model
 constexpr double kAlbedoSpread = 0.4;  // log: of that mean between rooms

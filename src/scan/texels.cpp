@@ -77,13 +77,15 @@ double surfelSizeFor(const Texels& texels, const std::vector<PageCoverage>& cove
     return std::max({size, std::sqrt(texels.area / kMostSurfels), extent / SurfelGrid::kMostCells});
 }
 
+/// From the low corner of all triangles: a vertex that none uses may lie anywhere.
 SurfelGrid gridOver(const Scan& scan, float size)
 {
     const WallFrame frame = wallFrameOf(scan);
     glm::vec3 low(std::numeric_limits<float>::max());
     for (const Mesh& mesh : scan.meshes)
-        for (const glm::vec3 position : mesh.positions)
-            low = glm::min(low, frame.fromScan(position));
+        for (const glm::uvec3& triangle : mesh.triangles)
+            for (int c = 0; c < 3; ++c)
+                low = glm::min(low, frame.fromScan(mesh.positions[triangle[c]]));
     return {frame, low, size};
 }
 

@@ -63,6 +63,16 @@ TEST(Texels, AreasSumToTheMeshsArea)
     EXPECT_NEAR(ofSurfels, room.area, 1e-3 * room.area);
 }
 
+// Cells are counted from the low corner: one far away would put all of a room into a single cell.
+TEST(Texels, AVertexThatNoTriangleUsesChangesNoSurfel)
+{
+    Scan room = scenes::room({4.0f, 2.5f, 3.0f}, 64, kGreyPaint);
+    const std::vector<uint64_t> keys = rasterize(room).surfels.key;
+    room.meshes[0].positions.emplace_back(-9e4f);
+    room.meshes[0].uvs.emplace_back(0.0f);
+    EXPECT_EQ(rasterize(room).surfels.key, keys);
+}
+
 TEST(Texels, VerticesShareTheAreaOfTheirTriangles)
 {
     const Scan scan = vertexColored();

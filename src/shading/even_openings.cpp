@@ -117,7 +117,8 @@ std::vector<std::optional<size_t>> countsOf(std::span<const std::optional<SeenOp
 /// happened to leave there.
 std::vector<std::optional<SeenOpening>>
 seenByFronts(const Opening& opening, const OpeningSquares& squares, const SurfelSites& sites,
-             const RayScene& scene, HitLists& hits, size_t fronts, size_t looks)
+             const RayScene& scene, HitLists& hits, size_t fronts, size_t looks,
+             Progress::Stage& stage)
 {
     std::vector<std::optional<SeenOpening>> seen(fronts);
     forEachChunk(fronts, 64, [&](size_t begin, size_t end) {
@@ -129,6 +130,7 @@ seenByFronts(const Opening& opening, const OpeningSquares& squares, const Surfel
             const float all = std::min(seen[s]->share[0] + seen[s]->share[1], 1.0f);
             if (seen[s]->variance > all * (1.0f - all) / count) seen[s].reset();
         }
+        stage.advance(end - begin);
     });
     return seen;
 }
@@ -147,7 +149,7 @@ void evenPart(const Opening& opening, size_t part, std::span<const std::optional
             others.clear();
             const std::span<HitTarget> targets = targetsOf(hits, s);
             for (uint32_t i = 0; i < targets.size(); ++i) {
-                const uint32_t at =
+                const uint32_t at = // of earlier parts a large number: it wraps around
                     targets[i].isNothing() ? targets[i].part() - opening.part : kParts;
                 if (at == part)
                     ofPart.push_back(i);
@@ -178,11 +180,10 @@ void evenOpenings(const Texels& texels, const RayScene& scene, HitLists& hits, P
     const size_t looks = std::clamp(kLooks / std::max<size_t>(fronts * openings.size(), 1),
                                     kFewestLooks, kMostLooks);
     const SurfelSites sites(texels);
-    Progress::Stage stage(progress, "openings", openings.size());
+    Progress::Stage stage(progress, "openings", openings.size() * fronts);
     for (const auto& [part, opening] : openings) {
-        const auto seen = seenByFronts(opening, squares, sites, scene, hits, fronts, looks);
+        const auto seen = seenByFronts(opening, squares, sites, scene, hits, fronts, looks, stage);
         for (size_t p = 0; p < kParts; ++p) evenPart(opening, p, seen, hits);
-        stage.advance();
     }
 }
 
