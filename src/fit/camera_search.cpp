@@ -108,15 +108,21 @@ void LampSearch::bend(size_t pairs)
 /// Of places, by what they show and the colours of lamps so far.
 std::vector<glm::vec3> LampSearch::albedo() const
 {
-    std::vector<glm::vec3> radiance;
-    for (const Piece& piece : pieces_) radiance.push_back(piece.radiance);
-    for (size_t o = 0; o < model_.outsides; ++o) radiance.push_back(outside_[o]);
     std::vector<glm::vec3> albedo(model_.places());
-    forEach(albedo.size(), [&](size_t i) {
-        const glm::vec3 irradiance =
-            irradianceAt<glm::vec3>(model_, i, model_.gathered[i], radiance);
-        albedo[i] = kPi * model_.shown[i] / glm::max(irradiance, glm::vec3(kFaintest));
-    });
+    for (int c = 0; c < 3; ++c) {
+        std::vector<double> radiance;
+        for (const Piece& piece : pieces_)
+            radiance.push_back(static_cast<double>(piece.radiance[c]));
+        for (size_t o = 0; o < model_.outsides; ++o)
+            radiance.push_back(static_cast<double>(outside_[o][c]));
+        std::vector<double> light;
+        for (size_t i = 0; i < albedo.size(); ++i)
+            light.push_back(static_cast<double>(model_.gathered[i][c]));
+        addLight(model_, radiance, 0, light);
+        for (size_t i = 0; i < albedo.size(); ++i)
+            albedo[i][c] =
+                kPi * model_.shown[i][c] / std::max(static_cast<float>(light[i]), kFaintest);
+    }
     return albedo;
 }
 

@@ -23,16 +23,18 @@ constexpr double kPlacesOfRoom = 3000.0; // of fewer, noise of their few rays is
 constexpr size_t kEvidencePlaces = 6000; // all over a scan, so that a small lamp lights a dozen
 constexpr size_t kPlacesOfDraft = 2000;  // likewise, for a first look
 constexpr size_t kLooks = 12;            // from a piece, at the others
+constexpr size_t kRaysToSettle = 2;      // to a lamp at most, for what walls send on of it
 constexpr float kAreaOfRay = 0.05f;      // m^2 of a piece that a ray from an origin is for
 
-std::vector<SoughtLamp> soughtOf(std::span<const Piece> pieces, size_t fewestRays)
+std::vector<SoughtLamp> soughtOf(std::span<const Piece> pieces, size_t fewestRays,
+                                 size_t mostRays = LampEvidence::kMostRays)
 {
     std::vector<SoughtLamp> lamps;
     for (const Piece& piece : pieces) {
         const size_t rays =
             piece.isOpening ? 1 : static_cast<size_t>(piece.candidate.area / kAreaOfRay);
         lamps.push_back({AreaLight(piece.candidate.patches),
-                         std::clamp(rays, fewestRays, LampEvidence::kMostRays) * piece.rays()});
+                         std::clamp(rays, fewestRays, mostRays) * piece.rays()});
     }
     return lamps;
 }
@@ -173,7 +175,7 @@ void LampEvidence::look(std::span<Piece> pieces, size_t fewestRays) const
     }
 }
 
-LightModel LampEvidence::modelOf(std::span<const Piece> pieces)
+LightModel LampEvidence::modelOf(std::span<const Piece> pieces, const PieceSights& sights)
 {
     std::fill(field_.shines.begin(), field_.shines.end(), uint8_t{0});
     for (const Piece& piece : pieces)
@@ -203,43 +205,60 @@ LightModel LampEvidence::modelOf(std::span<const Piece> pieces)
         for (size_t f = 0; f < pieces.size(); ++f)
             model.direct[i * pieces.size() + f] = pieces[f].direct[i];
     });
-    addLightOnPieces(pieces, model);
+    addLightOnPieces(pieces, sights, model);
     return model;
 }
 
-/// Means over some looks from each piece.
-void LampEvidence::addLightOnPieces(std::span<const Piece> pieces, LightModel& model) const
+PieceSights LampEvidence::sightsOf(std::span<const Piece> pieces) const
 {
-    std::vector<uint32_t> lists;
-    std::vector<size_t> first{0};
+    PieceSights sights;
     for (const Piece& piece : pieces) {
         const std::vector<uint32_t> looks = looksFrom(piece);
-        lists.insert(lists.end(), looks.begin(), looks.end());
-        first.push_back(lists.size());
+        sights.lists.insert(sights.lists.end(), looks.begin(), looks.end());
+        sights.first.push_back(sights.lists.size());
     }
+    sights.direct.assign(pieces.size() * pieces.size(), 0.0f);
+    if (sights.lists.empty()) return sights;
+    const auto light = directOfLists(texels_, scene_, hits_, soughtOf(pieces, 1), sights.lists);
+    for (size_t f = 0; f < pieces.size(); ++f)
+        for (size_t other = 0; other < pieces.size(); ++other) {
+            if (pieces[other].body == pieces[f].body) continue;
+            float sum = 0.0f;
+            for (size_t k = sights.first[f]; k < sights.first[f + 1]; ++k)
+                sum += light[other][k].visible;
+            const auto looks = static_cast<float>(sights.first[f + 1] - sights.first[f]);
+            sights.direct[f * pieces.size() + other] = sum / std::max(looks, 1.0f);
+        }
+    return sights;
+}
+
+/// Means over some looks from each piece.
+void LampEvidence::addLightOnPieces(std::span<const Piece> pieces, const PieceSights& sights,
+                                    LightModel& model) const
+{
     model.area.assign(pieces.size(), 0.0f);
     model.coloured.assign(pieces.size(), 0.0f);
-    if (lists.empty()) return;
-    const auto light = directOfLists(texels_, scene_, hits_, soughtOf(pieces, 1), lists);
-    const Gathered gathered = gather(hits_, field_, lists);
-    const std::vector<float> missed = missedOf(hits_, lists, model.outsides);
+    if (sights.lists.empty()) return;
+    const Gathered gathered = gather(hits_, field_, sights.lists);
+    const std::vector<float> missed = missedOf(hits_, sights.lists, model.outsides);
     for (size_t f = 0; f < pieces.size(); ++f) {
         const size_t place = model.placeOf(f);
         for (const ClippedPatch& patch : pieces[f].candidate.patches)
             model.shown[place] += patch.area * patch.radiance;
         model.shown[place] /= pieces[f].candidate.area;
         model.coloured[f] = colouredShare(pieces[f].candidate);
-        if (first[f + 1] == first[f]) continue;
+        const size_t begin = sights.first[f];
+        const size_t end = sights.first[f + 1];
+        if (begin == end) continue;
         model.area[f] = pieces[f].candidate.area;
-        const auto per = 1.0f / static_cast<float>(first[f + 1] - first[f]);
-        for (size_t k = first[f]; k < first[f + 1]; ++k) {
+        std::copy_n(sights.direct.begin() + static_cast<ptrdiff_t>(f * model.pieces), model.pieces,
+                    model.direct.begin() + static_cast<ptrdiff_t>(place * model.pieces));
+        const auto per = 1.0f / static_cast<float>(end - begin);
+        for (size_t k = begin; k < end; ++k) {
             model.gathered[place] += per * gathered.irradiance[k];
             for (size_t part = 0; part < model.outsides; ++part)
                 model.missed[place * model.outsides + part] +=
                     per * missed[k * model.outsides + part];
-            for (size_t other = 0; other < pieces.size(); ++other)
-                if (pieces[other].body != pieces[f].body)
-                    model.direct[place * model.pieces + other] += per * light[other][k].visible;
         }
     }
 }
@@ -248,7 +267,7 @@ LitSides LampEvidence::settle(std::span<Piece> lamps, const OutsideLight& outsid
 {
     std::vector<glm::vec3> direct(hits_.sideOfList.size(), glm::vec3(0.0f));
     std::vector<uint8_t> shines(field_.shines.size(), 0);
-    auto onSides = directOfLists(texels_, scene_, hits_, soughtOf(lamps, 1));
+    auto onSides = directOfLists(texels_, scene_, hits_, soughtOf(lamps, 1, kRaysToSettle));
     for (size_t f = 0; f < lamps.size(); ++f) {
         lamps[f].onSides = std::move(onSides[f]);
         addDirect(lamps[f].onSides, lamps[f].radiance, direct);

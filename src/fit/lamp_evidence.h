@@ -24,6 +24,14 @@ namespace relamp
 std::vector<uint32_t> placesToLookAt(const Surfels& surfels, const SurfelRadiance& radiance,
                                      Quality quality);
 
+/// What pieces see of each other, from some of each one's surfels.
+struct PieceSights
+{
+    std::vector<uint32_t> lists;  // that they look by: fronts
+    std::vector<size_t> first{0}; // of each piece in `lists`, and one more
+    std::vector<float> direct;    // [piece][other]: the other's light, mean over the lists
+};
+
 /// What a scan tells of the lamps in it, whichever these are: places all over its surfaces with
 /// what they show, pairs of them that are of one material, and the light between them.
 ///
@@ -66,8 +74,9 @@ public:
     /// Fills in what each piece does at all places, by no fewer rays from each origin there, and no
     /// more than kMostRays: few rays are noise, which makes the light of a lamp seem weaker.
     void look(std::span<Piece> pieces, size_t fewestRays) const;
+    [[nodiscard]] PieceSights sightsOf(std::span<const Piece> pieces) const;
     /// The light of all of these, emit they or reflect, at places and on the pieces.
-    [[nodiscard]] LightModel modelOf(std::span<const Piece> pieces);
+    [[nodiscard]] LightModel modelOf(std::span<const Piece> pieces, const PieceSights& sights);
     /// Lets burnt-out walls and backs settle in the light of these lamps, and fills in their
     /// `onSides`. Returns their light.
     LitSides settle(std::span<Piece> lamps, const OutsideLight& outside);
@@ -81,7 +90,8 @@ private:
     uint32_t addPlace(uint32_t surfel);
     [[nodiscard]] double meanLogOfPlaces() const;
     void findAround();
-    void addLightOnPieces(std::span<const Piece> pieces, LightModel& model) const;
+    void addLightOnPieces(std::span<const Piece> pieces, const PieceSights& sights,
+                          LightModel& model) const;
 
     const Texels& texels_;
     const RayScene& scene_;

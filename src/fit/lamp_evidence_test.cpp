@@ -33,6 +33,11 @@ struct Told
         evidence.look(pieces, 8);
         return pieces;
     }
+
+    LightModel modelOf(std::span<const Piece> pieces)
+    {
+        return evidence.modelOf(pieces, evidence.sightsOf(pieces));
+    }
 };
 
 } // namespace
@@ -44,7 +49,7 @@ TEST(LampEvidence, PlacesShowTheLightOfTheirLampsAndWalls)
     std::vector<Piece> panel = told.at({LitRoom::kLampCentre});
     panel[0].radiance = LitRoom::kLampRadiance;
     told.evidence.settle(panel, glm::vec3(0.0f));
-    const LightModel model = told.evidence.modelOf(panel);
+    const LightModel model = told.modelOf(panel);
     ASSERT_GT(model.places(), 1000u);
     std::vector<float> albedo;
     for (size_t i = 0; i < model.places(); ++i)
@@ -59,8 +64,8 @@ TEST(LampEvidence, PlacesShowTheLightOfTheirLampsAndWalls)
 TEST(LampEvidence, PiecesSendNoLightAsWalls)
 {
     Told told;
-    const LightModel walls = told.evidence.modelOf({});
-    const LightModel lit = told.evidence.modelOf(told.at({LitRoom::kLampCentre}));
+    const LightModel walls = told.modelOf({});
+    const LightModel lit = told.modelOf(told.at({LitRoom::kLampCentre}));
     ASSERT_EQ(lit.places(), walls.places());
     float ofLit = 0.0f;
     float ofWalls = 0.0f;
@@ -77,8 +82,7 @@ TEST(LampEvidence, PiecesSendNoLightAsWalls)
 TEST(LampEvidence, PiecesLightEachOtherAndNotThemselves)
 {
     Told told;
-    const LightModel model =
-        told.evidence.modelOf(told.at({LitRoom::kLampCentre, LitRoom::kSheetCentre}));
+    const LightModel model = told.modelOf(told.at({LitRoom::kLampCentre, LitRoom::kSheetCentre}));
     const auto panel = told.candidates[nearestTo(told.candidates, LitRoom::kLampCentre)];
     const AreaSample light =
         sampleAreaLight(told.room.rays, AreaLight(panel.patches), LitRoom::kSheetCentre,
@@ -99,7 +103,7 @@ TEST(LampEvidence, PieceOfNoSurfelHasNoArea)
     Told told;
     std::vector<Piece> panel = told.at({LitRoom::kLampCentre});
     for (ClippedPatch& patch : panel[0].candidate.patches) patch.surfel = Surfels::kNone;
-    const LightModel model = told.evidence.modelOf(panel);
+    const LightModel model = told.modelOf(panel);
     EXPECT_EQ(model.area[0], 0.0f);
 }
 
@@ -108,7 +112,7 @@ TEST(LampEvidence, PairsAreOfMeasuredPlaces)
 {
     Told told;
     told.evidence.drawAllPairs();
-    const size_t places = told.evidence.modelOf(told.at({LitRoom::kLampCentre})).places();
+    const size_t places = told.modelOf(told.at({LitRoom::kLampCentre})).places();
     for (const size_t perPlace : {LampEvidence::kPairsFirst, LampEvidence::kPairs}) {
         EXPECT_GT(told.evidence.pairs(perPlace).size(), places / 2);
         for (const MaterialPair pair : told.evidence.pairs(perPlace)) {

@@ -31,6 +31,7 @@ private:
     void takeResponse(const Response& known);
     void takeCandidates(const GatherOptions& options, const SurfelRadiance& radiance);
     void addPieces(LampGroup group);
+    void relatePieces();
     void observe();
     [[nodiscard]] LightFit fitOf(size_t pairs) const;
     [[nodiscard]] double costOf(uint32_t piece) const;
@@ -81,6 +82,7 @@ private:
     LampEvidence evidence_;
     std::vector<Piece> pieces_;
     std::vector<uint8_t> emits_; // of pieces
+    PieceSights sights_;
     LightModel model_;
     Kinship kin_;
     LightEstimate estimate_;

@@ -116,6 +116,7 @@ void LampSearch::takeCandidates(const GatherOptions& options, const SurfelRadian
     }
     emits_.assign(pieces_.size(), 1);
     evidence_.look(pieces_, 1);
+    relatePieces();
     stage_.advance();
 }
 
@@ -134,10 +135,16 @@ void LampSearch::addPieces(LampGroup group)
     pieces_.push_back({.candidate = std::move(unseen), .body = body, .isUnseen = true});
 }
 
+/// What pieces are to each other; once for those that are there.
+void LampSearch::relatePieces()
+{
+    sights_ = evidence_.sightsOf(pieces_);
+    kin_ = kinshipOf(pieces_, scene_);
+}
+
 void LampSearch::observe()
 {
-    model_ = evidence_.modelOf(pieces_);
-    kin_ = kinshipOf(pieces_, scene_);
+    model_ = evidence_.modelOf(pieces_, sights_);
 }
 
 LightFit LampSearch::fitOf(size_t pairs) const
@@ -225,11 +232,11 @@ void LampSearch::drop(const LightFit& fit)
         for (const Removal& removal : removals()) {
             trials.push_back({emits_});
             for (const uint32_t piece : removal.pieces) trials.back().emits[piece] = 0;
-            trials.back().lost = -removal.cost;
+            trials.back().lost = -removal.cost - estimate_.nats;
         }
         forEach(trials.size(), [&](size_t k) {
-            trials[k].estimate = fit.solve(trials[k].emits, estimate_.log, 1.0);
-            trials[k].lost += trials[k].estimate.nats - estimate_.nats;
+            trials[k].estimate = fit.trial(trials[k].emits, estimate_.log, -trials[k].lost);
+            trials[k].lost += trials[k].estimate.nats;
         });
         const auto least =
             std::min_element(trials.begin(), trials.end(),
@@ -262,8 +269,9 @@ std::optional<LampSearch::Addition> LampSearch::bestAddition(const LightFit& fit
         with[a.piece] = 1;
         std::vector<double> start = estimate_.log;
         start[a.piece] = a.log;
-        a.estimate = fit.solve(with, std::move(start), 1.0);
-        a.gain = estimate_.nats - a.estimate.nats - costOf(a.piece);
+        const double most = estimate_.nats - costOf(a.piece);
+        a.estimate = fit.trial(with, std::move(start), most);
+        a.gain = most - a.estimate.nats;
     });
     const auto best =
         std::max_element(additions.begin(), additions.end(),
@@ -339,6 +347,7 @@ bool LampSearch::join()
     for (const Piece& piece : pieces_)
         estimate_.log.push_back(std::log(static_cast<double>(luminance(piece.radiance))));
     estimate_.log.insert(estimate_.log.end(), outside.begin(), outside.end());
+    relatePieces();
     observe();
     return true;
 }

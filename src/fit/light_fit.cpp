@@ -59,9 +59,13 @@ double LightFit::perPair() const
     return effectivePairs(model_) / static_cast<double>(std::max<size_t>(pairs_.size(), 1));
 }
 
-double LightFit::irradiance(size_t place, std::span<const double> radiance) const
+std::vector<double> LightFit::irradiance(std::span<const double> radiance, size_t first,
+                                         size_t end) const
 {
-    return irradianceAt(model_, place, gathered_[place] + kLeastIrradiance, radiance);
+    std::vector<double> light;
+    for (size_t i = first; i < end; ++i) light.push_back(gathered_[i] + kLeastIrradiance);
+    addLight(model_, radiance, first, light);
+    return light;
 }
 
 /// How much too dark a piece is that only reflects, even as the brightest paper, >= 0.
@@ -89,8 +93,7 @@ void LightFit::expectLeaks(const LightEstimate& estimate, const CameraColumns& c
 {
     const std::vector<double> radiance = exponentials(estimate.log);
     const std::vector<double> logAlbedo = this->logAlbedo(estimate, camera);
-    std::vector<double> light(model_.places());
-    forEach(light.size(), [&](size_t i) { light[i] = irradiance(i, radiance); });
+    const std::vector<double> light = irradiance(radiance, 0, model_.places());
     const double usual = medianOfAll(light);
     // A reconstruction, whose contacts stand open, lets in twice what a whole mesh does.
     const auto leakOfModel = static_cast<double>(kLostLight);
@@ -109,7 +112,7 @@ void LightFit::expectLeaks(const LightEstimate& estimate, const CameraColumns& c
 double LightFit::costOfLeak(double leak, std::span<const double> light,
                             std::span<const double> logAlbedo)
 {
-    double cost = 0.0;
+    SumOfLogs cost;
     normalization_ = 0.0;
     for (size_t k = 0; k < pairs_.size(); ++k) {
         const auto [p, q] = pairs_[k];
@@ -118,23 +121,20 @@ double LightFit::costOfLeak(double leak, std::span<const double> light,
         const double residual = logAlbedo[p] - logAlbedo[q];
         const double off = residual / noiseOf(k, residual);
         normalization_ += std::log(0.5 * (noiseAbove_[k] + noiseBelow_[k]));
-        cost += std::log1p(off * off);
+        cost.add(off * off);
     }
-    return cost + normalization_;
+    return cost.value() + normalization_;
 }
 
-double LightFit::reflectedIn(size_t piece, std::span<const double> radiance) const
+std::vector<double> LightFit::reflected(std::span<const double> log) const
 {
-    if (model_.area[piece] <= 0.0f) return std::log(static_cast<double>(kFaintest));
-    const size_t place = model_.placeOf(piece);
-    return std::max(
-        std::log(kBurntOutPaper / static_cast<double>(kPi) * irradiance(place, radiance)),
-        logShown_[place]);
-}
-
-double LightFit::reflected(size_t piece, std::span<const double> log) const
-{
-    return reflectedIn(piece, exponentials(log));
+    std::vector<double> sent = irradiance(exponentials(log), model_.places(), model_.shown.size());
+    for (size_t f = 0; f < sent.size(); ++f)
+        sent[f] = model_.area[f] <= 0.0f
+                      ? std::log(static_cast<double>(kFaintest))
+                      : std::max(std::log(kBurntOutPaper / static_cast<double>(kPi) * sent[f]),
+                                 logShown_[model_.placeOf(f)]);
+    return sent;
 }
 
 double LightFit::gain(const LightEstimate& estimate, size_t piece, double& best) const
@@ -143,27 +143,30 @@ double LightFit::gain(const LightEstimate& estimate, size_t piece, double& best)
     constexpr int kTried = 6; // radiances, each thrice the last
     std::vector<double> radiance = exponentials(estimate.log);
     const double was = std::exchange(radiance[piece], 0.0);
-    std::vector<double> light(model_.places());
+    const std::vector<double> light = irradiance(radiance, 0, model_.places());
+    std::vector<double> perRadiance(light.size()); // of the light at places, what it brings
+    std::vector<double> logAlbedo(light.size());   // without it
     double share = 0.0;
     for (size_t i = 0; i < light.size(); ++i) {
-        light[i] = irradiance(i, radiance);
-        share += static_cast<double>(model_.directAt(i)[piece]) / light[i];
+        perRadiance[i] = static_cast<double>(model_.directAt(i)[piece]) / light[i];
+        logAlbedo[i] = logShown_[i] - std::log(light[i]);
+        share += perRadiance[i];
     }
     if (share <= 0.0) return 0.0;
-    std::vector<double> logAlbedo(light.size());
     const auto nats = [&](double r) {
-        for (size_t i = 0; i < light.size(); ++i)
-            logAlbedo[i] = logShown_[i] -
-                           std::log(light[i] + r * static_cast<double>(model_.directAt(i)[piece]));
-        double sum = 0.0;
+        const auto residual = [&](MaterialPair pair) {
+            return logAlbedo[pair.p] - logAlbedo[pair.q] +
+                   std::log((1.0 + r * perRadiance[pair.q]) / (1.0 + r * perRadiance[pair.p]));
+        };
+        SumOfLogs sum;
         for (size_t k = 0; k < pairs_.size(); ++k) {
-            const double r2 = logAlbedo[pairs_[k].p] - logAlbedo[pairs_[k].q];
+            const double r2 = residual(pairs_[k]);
             const double off = r2 / noiseOf(k, r2);
-            sum += std::log1p(off * off);
+            sum.add(off * off);
         }
         double told = 0.0;
-        for (const auto& [p, q] : told_) told += natsOfTold(logAlbedo[p] - logAlbedo[q]);
-        return perPair() * sum + told;
+        for (const MaterialPair pair : told_) told += natsOfTold(residual(pair));
+        return perPair() * sum.value() + told;
     };
     const double without = nats(was);
     double most = 0.0;
@@ -176,32 +179,31 @@ double LightFit::gain(const LightEstimate& estimate, size_t piece, double& best)
             best = std::log(r);
         }
     }
-    return most + boundCost(piece, std::log(irradiance(model_.placeOf(piece), radiance)));
+    const size_t own = model_.placeOf(piece);
+    return most + boundCost(piece, std::log(irradiance(radiance, own, own + 1).front()));
 }
 
 double LightFit::costOfPairs(size_t first, std::span<const double> log) const
 {
-    const std::vector<double> radiance = exponentials(log);
-    double sum = 0.0;
+    const std::vector<double> light = irradiance(exponentials(log), 0, model_.places());
+    SumOfLogs sum;
     for (size_t k = first; k < pairs_.size(); ++k) {
         const auto [p, q] = pairs_[k];
-        const double residual = logShown_[p] - logShown_[q] - std::log(irradiance(p, radiance)) +
-                                std::log(irradiance(q, radiance));
+        const double residual = logShown_[p] - logShown_[q] + std::log(light[q] / light[p]);
         const double off = residual / noiseOf(k, residual);
-        sum += std::log1p(off * off);
+        sum.add(off * off);
     }
-    return perPair() * sum;
+    return perPair() * sum.value();
 }
 
 std::vector<double> LightFit::logAlbedo(const LightEstimate& estimate,
                                         const CameraColumns& camera) const
 {
-    const std::vector<double> radiance = exponentials(estimate.log);
-    std::vector<double> logAlbedo;
-    for (size_t i = 0; i < model_.places(); ++i) {
-        logAlbedo.push_back(logShown_[i] - std::log(irradiance(i, radiance)));
+    std::vector<double> logAlbedo = irradiance(exponentials(estimate.log), 0, model_.places());
+    for (size_t i = 0; i < logAlbedo.size(); ++i) {
+        logAlbedo[i] = logShown_[i] - std::log(logAlbedo[i]);
         for (size_t k = 0; k < camera.count(); ++k)
-            logAlbedo.back() +=
+            logAlbedo[i] +=
                 (estimate.camera[k] - camera.known[k]) * static_cast<double>(camera.bendAt(i)[k]);
     }
     return logAlbedo;
@@ -218,6 +220,16 @@ LightEstimate LightFit::solve(std::span<const uint8_t> emits, std::vector<double
     const CameraColumns none;
     LightFitSearch search(*this, emits, prior, std::move(start), none);
     search.run(widest);
+    return search.result();
+}
+
+LightEstimate LightFit::trial(std::span<const uint8_t> emits, std::vector<double> start,
+                              double most) const
+{
+    const EmissionPrior prior;
+    const CameraColumns none;
+    LightFitSearch search(*this, emits, prior, std::move(start), none);
+    search.run(1.0, most);
     return search.result();
 }
 

@@ -73,6 +73,10 @@ public:
     /// than its noise the first loss is: the more, the farther off the start may be.
     [[nodiscard]] LightEstimate solve(std::span<const uint8_t> emits, std::vector<double> start,
                                       double widest, const EmissionPrior& prior = {}) const;
+    /// The same by a narrow loss, for an estimate that is of use with less than `most` nats alone:
+    /// the search ends where it will not get there.
+    [[nodiscard]] LightEstimate trial(std::span<const uint8_t> emits, std::vector<double> start,
+                                      double most) const;
     /// The same with what the camera did as further unknowns.
     [[nodiscard]] LightEstimate solve(std::span<const uint8_t> emits, std::vector<double> start,
                                       const CameraColumns& camera, double widest = 1.0) const;
@@ -84,8 +88,8 @@ public:
     /// What a piece gains, in nats, that did not emit and now does, all else as it is: by the best
     /// of a few radiances, which `log` receives.
     [[nodiscard]] double gain(const LightEstimate& estimate, size_t piece, double& log) const;
-    /// Log radiance of a piece if it only reflects, in this light.
-    [[nodiscard]] double reflected(size_t piece, std::span<const double> log) const;
+    /// Log radiance of pieces if they only reflect, in this light.
+    [[nodiscard]] std::vector<double> reflected(std::span<const double> log) const;
     /// Nats of the pairs from `first` on.
     [[nodiscard]] double costOfPairs(size_t first, std::span<const double> log) const;
     /// Log albedo of places by such an estimate, luminance: with a camera that is `camera` at the
@@ -100,8 +104,9 @@ private:
     // Numerics.
     static constexpr double kUnbounded = 1e6; // log: noise of what tells nothing
     [[nodiscard]] double pick(glm::vec3 rgb) const;
-    [[nodiscard]] double irradiance(size_t place, std::span<const double> radiance) const;
-    [[nodiscard]] double reflectedIn(size_t piece, std::span<const double> radiance) const;
+    /// Of places [first, end) by these radiances, > 0.
+    [[nodiscard]] std::vector<double> irradiance(std::span<const double> radiance, size_t first,
+                                                 size_t end) const;
     [[nodiscard]] double boundCost(size_t piece, double logIrradiance) const;
     [[nodiscard]] double lack(size_t piece, double logIrradiance) const;
     [[nodiscard]] double noiseOf(size_t pair, double residual) const

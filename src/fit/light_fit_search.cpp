@@ -27,6 +27,7 @@ constexpr double kWhiterPaper = 0.3;   // log: how much more
 // Numerics.
 constexpr double kConverged = 0.0025;   // nats
 constexpr int kMostSteps = 30;          // for time alone
+constexpr double kStillToCome = 20.0;   // times what a step gained, at most, by all that follow
 constexpr double kLongestStep = 2.0;    // log
 constexpr double kLeastMatters = 0.001; // of the light at places: what paint a wall has that sends
                                         // less changes nothing
@@ -116,25 +117,22 @@ LightFitSearch::Prior LightFitSearch::openingPrior(size_t log, const Point& poin
 /// What reflects, and is no unknown, sends what the light before makes of it, a bounce at a time.
 void LightFitSearch::reflect(Point& at) const
 {
-    at.reflected.resize(model_.pieces);
     for (int bounce = 0; bounce < 3; ++bounce) {
-        const std::vector<double> radiance = exponentials(at.log);
-        for (size_t f = 0; f < model_.pieces; ++f) {
-            at.reflected[f] = fit_.reflectedIn(f, radiance);
+        at.reflected = fit_.reflected(at.log);
+        for (size_t f = 0; f < model_.pieces; ++f)
             if (unknownOf_[f] < 0) at.log[f] = at.reflected[f];
-        }
     }
 }
 
 void LightFitSearch::light(Point& at) const
 {
     reflect(at);
-    const std::vector<double> radiance = exponentials(at.log);
+    at.irradiance = fit_.irradiance(exponentials(at.log), 0, model_.shown.size());
     at.logIrradiance.resize(model_.shown.size());
     at.shown.resize(model_.shown.size());
     forEachChunk(at.logIrradiance.size(), 256, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
-            at.logIrradiance[i] = std::log(fit_.irradiance(i, radiance));
+            at.logIrradiance[i] = std::log(at.irradiance[i]);
             at.shown[i] = shown(at, i);
         }
     });
@@ -226,11 +224,13 @@ double LightFitSearch::costOf(const Point& at) const
     const size_t pairs = fit_.pairs_.size();
     std::vector<double> sums((pairs + kPairsOfChunk - 1) / kPairsOfChunk, 0.0);
     forEachChunk(pairs, kPairsOfChunk, [&](size_t begin, size_t end) {
+        SumOfLogs sum;
         for (size_t k = begin; k < end; ++k) {
             const double r = residual(at, fit_.pairs_[k]);
             const double off = r / (wider_ * fit_.noiseOf(k, r));
-            sums[begin / kPairsOfChunk] += std::log1p(off * off);
+            sum.add(off * off);
         }
+        sums[begin / kPairsOfChunk] = sum.value();
     });
     const double nats = std::accumulate(sums.begin(), sums.end(), fit_.normalization_);
     return perPair() * nats + costOfPriors(at);
@@ -263,7 +263,7 @@ PlaceTable LightFitSearch::sharesOf(const Point& at) const
         for (size_t i = begin; i < end; ++i) {
             float* share = shares.row(i);
             const std::span<const float> direct = model_.directAt(i);
-            const double per = std::exp(-at.logIrradiance[i]);
+            const double per = 1.0 / at.irradiance[i];
             for (size_t u = 0; u < pieceOf_.size(); ++u)
                 share[u] = static_cast<float>(per * radiance[pieceOf_[u]]) * direct[pieceOf_[u]];
             for (size_t o = 0; o < model_.outsides; ++o)
@@ -361,8 +361,8 @@ void LightFitSearch::addLevel(const Point& at, const PlaceTable& shares, Normal&
     normal.slope += level(at) / spreadOfLevel() * row;
 }
 
-/// False where nothing near is better.
-bool LightFitSearch::step()
+/// Nats gained; 0 where nothing near is better.
+double LightFitSearch::step()
 {
     // Numerics.
     constexpr int kAttempts = 6; // of a shorter step, each time by more damping
@@ -380,19 +380,22 @@ bool LightFitSearch::step()
         if (gain > 0.0) {
             here_ = std::move(there);
             damping_ = std::max(damping_ * 0.2, 1e-6);
-            return gain > kConverged;
+            return gain;
         }
         damping_ *= 10.0;
     }
-    return false;
+    return 0.0;
 }
 
-void LightFitSearch::run(double widest)
+void LightFitSearch::run(double widest, double most)
 {
     for (wider_ = widest;; wider_ = std::max(0.5 * wider_, 1.0)) {
         damping_ = 1e-3;
         light(here_);
-        for (int i = 0; i < kMostSteps && step(); ++i) {
+        for (int i = 0; i < kMostSteps; ++i) {
+            const double gained = step();
+            if (gained <= kConverged) break;
+            if (wider_ <= 1.0 && here_.nats - kStillToCome * gained > most) return;
         }
         if (wider_ <= 1.0) return;
     }

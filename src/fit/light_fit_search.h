@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -26,7 +27,8 @@ public:
     LightFitSearch(const LightFit& fit, std::span<const uint8_t> emits, const EmissionPrior& prior,
                    std::vector<double> start, const CameraColumns& camera);
 
-    void run(double widest);
+    /// Ends early where less than `most` nats will not be reached.
+    void run(double widest, double most = std::numeric_limits<double>::infinity());
     [[nodiscard]] LightEstimate result() const;
     [[nodiscard]] std::vector<uint8_t> needless(std::span<const Removal> removals) const;
 
@@ -35,6 +37,7 @@ private:
     {
         std::vector<double> log;       // of pieces, then of parts outside
         std::vector<double> reflected; // log radiance that pieces have if they only reflect
+        std::vector<double> irradiance;
         std::vector<double> logIrradiance;
         std::vector<double> shown; // log radiance of places
         double nats = 0.0;
@@ -58,7 +61,7 @@ private:
     void addLevel(const Point& at, const PlaceTable& shares, Normal& normal) const;
     [[nodiscard]] double level(const Point& at) const;
     [[nodiscard]] double spreadOfLevel() const;
-    bool step();
+    double step();
 
     /// Burnt-out walls tell how bright the lamps are, and pairs alone of what colour: a wall of
     /// warm light burns out in red first.
@@ -115,6 +118,26 @@ private:
     double wider_ = 1.0;
     double damping_ = 1e-3;
     Point here_;
+};
+
+/// Sum of log(1 + x) for many x >= 0, by few logarithms.
+class SumOfLogs
+{
+public:
+    void add(double x)
+    {
+        product_ *= 1.0 + x;
+        if (product_ < kLarge) return;
+        sum_ += std::log(product_);
+        product_ = 1.0;
+    }
+    [[nodiscard]] double value() const { return sum_ + std::log(product_); }
+
+private:
+    static constexpr double kLarge = 1e100; // and another factor may be as large
+
+    double sum_ = 0.0;
+    double product_ = 1.0;
 };
 
 /// 0 of none.

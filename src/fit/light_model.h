@@ -42,18 +42,10 @@ struct LightModel
     }
 };
 
-/// That E at a place: in luminance, in one channel, or in all three. `gathered`: of that place.
-/// `radiance`: of pieces, and then of parts of what lies outside.
-template<typename Light>
-Light irradianceAt(const LightModel& model, size_t place, Light gathered,
-                   std::span<const Light> radiance)
-{
-    const std::span<const float> missed = model.missedAt(place);
-    for (size_t o = 0; o < model.outsides; ++o) gathered += radiance[model.pieces + o] * missed[o];
-    const std::span<const float> direct = model.directAt(place);
-    for (size_t f = 0; f < model.pieces; ++f) gathered += radiance[f] * direct[f];
-    return gathered;
-}
+/// Adds the second and third sum of that E, in luminance or in one channel, to what places from
+/// `first` on gathered. `radiance`: of pieces, and then of parts of what lies outside.
+void addLight(const LightModel& model, std::span<const double> radiance, size_t first,
+              std::span<double> irradiance);
 
 /// What a camera may have done to what the places of a LightModel show, near what is known of it:
 /// log radiance = log shown + sum over coefficients of (coefficient - known) * bend.

@@ -70,7 +70,7 @@ void lookAlong(int y, int samples, const CameraRays& camera, const RayScene& sce
         const float dy = glm::fract(0.5f + 0.618034f * place); // the golden ratio
         for (size_t x = 0; x < width; ++x)
             row.rays[x] = camera.through(static_cast<float>(x) + dx, static_cast<float>(y) + dy);
-        scene.intersect(row.rays, row.hits);
+        scene.intersect(row.rays, row.hits, RayOrder::coherent);
         for (size_t x = 0; x < width; ++x) see(x, row.rays[x], row.hits[x]);
     }
 }

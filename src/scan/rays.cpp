@@ -117,12 +117,13 @@ RayScene::~RayScene() = default;
 RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
-void RayScene::intersect(std::span<const Ray> rays, std::span<Hit> hits) const
+void RayScene::intersect(std::span<const Ray> rays, std::span<Hit> hits, RayOrder order) const
 {
     assert(rays.size() == hits.size());
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    context.flags = order == RayOrder::coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                                : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     for (size_t begin = 0; begin < rays.size(); begin += kPacket) {
         const size_t count = std::min(kPacket, rays.size() - begin);
         alignas(64) int valid[kPacket];

@@ -35,6 +35,9 @@ struct Hit
     [[nodiscard]] bool missed() const { return triangle == kNothing; }
 };
 
+/// How rays next to each other go: nearly the same way, as those of a picture, or all ways.
+enum class RayOrder : uint8_t { coherent, scattered };
+
 /// The scan's surface as something that rays can meet. Thread safe once built.
 class RayScene
 {
@@ -44,9 +47,9 @@ public:
     RayScene(RayScene&&) noexcept;
     RayScene& operator=(RayScene&&) noexcept;
 
-    /// First surface that each ray meets; hits[i] belongs to rays[i]. Neighbouring rays that go
-    /// nearly the same way are traced together and cost less.
-    void intersect(std::span<const Ray> rays, std::span<Hit> hits) const;
+    /// First surface that each ray meets; hits[i] belongs to rays[i]. Many rays at once cost less
+    /// than one by one, and least where neighbouring rays go as `order` says.
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits, RayOrder order) const;
     [[nodiscard]] Hit intersect(const Ray& ray) const;
 
     /// Whether anything lies between `nearest` and `farthest` on each ray: blocked[i] is not 0.

@@ -23,6 +23,9 @@ constexpr float kBlack = 0.01f;        // radiance
 constexpr size_t kFewerOfBacks = 2;    // few rays meet a back, and their mean is all that matters
 constexpr int kGenerationsOfBacks = 2; // backs seen by backs seen by fronts; beyond is dark anyway
 
+// Numerics.
+constexpr size_t kBatch = 64; // rays, of as many sides as it takes
+
 /// Luminance that the rays of a side met.
 struct Met
 {
@@ -35,8 +38,8 @@ class Caster
 public:
     Caster(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance);
 
-    /// Rays from `first` on of a side's sequence.
-    void cast(Side side, size_t first, std::span<HitTarget> out) const;
+    /// Rays of sides, traced together and looked up together, so that waits for memory overlap.
+    class Batch;
     [[nodiscard]] Met metBy(std::span<const HitTarget> targets) const;
     /// Rays that each front gets, `mean` in the mean, by what the first `rays` of them met.
     [[nodiscard]] std::vector<uint32_t> raysOf(std::span<const Met> fronts, size_t rays,
@@ -103,23 +106,37 @@ HitTarget Caster::targetOf(const Ray& ray, const Hit& hit) const
     return hit.front ? target : HitTarget::of(Side::back(target.side().surfel()), false);
 }
 
-/// Rays are traced one by one, for they go everywhere; what they met is looked up for many, so that
-/// the waits for memory overlap.
-void Caster::cast(Side side, size_t first, std::span<HitTarget> out) const
+class Caster::Batch
 {
-    constexpr size_t kBatch = 32;
-    Ray rays[kBatch];
-    Hit hits[kBatch];
-    const RaysOfSide raysOfSide(sites_, side);
-    for (size_t begin = 0; begin < out.size(); begin += kBatch) {
-        const size_t count = std::min(kBatch, out.size() - begin);
-        for (size_t i = 0; i < count; ++i) {
-            rays[i] = raysOfSide[first + begin + i];
-            hits[i] = scene_.intersect(rays[i]);
+public:
+    explicit Batch(const Caster& caster) : caster_(caster) {}
+
+    /// Rays from `first` on of a side's sequence. `out` must stay where it is until finish().
+    void add(Side side, size_t first, std::span<HitTarget> out)
+    {
+        const RaysOfSide raysOfSide(caster_.sites_, side);
+        for (size_t i = 0; i < out.size(); ++i) {
+            rays_[count_] = raysOfSide[first + i];
+            out_[count_] = &out[i];
+            if (++count_ == kBatch) finish();
         }
-        for (size_t i = 0; i < count; ++i) out[begin + i] = targetOf(rays[i], hits[i]);
     }
-}
+
+    /// Fills in all that is left.
+    void finish()
+    {
+        caster_.scene_.intersect({rays_, count_}, {hits_, count_}, RayOrder::scattered);
+        for (size_t i = 0; i < count_; ++i) *out_[i] = caster_.targetOf(rays_[i], hits_[i]);
+        count_ = 0;
+    }
+
+private:
+    const Caster& caster_;
+    Ray rays_[kBatch];
+    Hit hits_[kBatch];
+    HitTarget* out_[kBatch];
+    size_t count_ = 0;
+};
 
 Met Caster::metBy(std::span<const HitTarget> targets) const
 {
@@ -199,10 +216,10 @@ void castSides(const Caster& caster, std::span<const Side> sides, size_t raysOfS
     std::vector<Met> met(sides.size());
     const auto ofList = [&](size_t i) { return std::span(few).subspan(i * rays, rays); };
     forEachChunk(sides.size(), 64, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-            caster.cast(sides[i], 0, ofList(i));
-            met[i] = caster.metBy(ofList(i));
-        }
+        Caster::Batch batch(caster);
+        for (size_t i = begin; i < end; ++i) batch.add(sides[i], 0, ofList(i));
+        batch.finish();
+        for (size_t i = begin; i < end; ++i) met[i] = caster.metBy(ofList(i));
         stage.advance(end - begin);
     });
     const std::vector<uint32_t> counts =
@@ -212,11 +229,13 @@ void castSides(const Caster& caster, std::span<const Side> sides, size_t raysOfS
         lists.firstTarget.push_back(lists.firstTarget.back() + count);
     lists.targets.resize(lists.firstTarget.back(), HitTarget::nothing());
     forEachChunk(sides.size(), 64, [&](size_t begin, size_t end) {
+        Caster::Batch batch(caster);
         for (size_t i = begin; i < end; ++i) {
             const std::span out(lists.targets.data() + lists.firstTarget[first + i], counts[i]);
             std::copy_n(ofList(i).begin(), rays, out.begin());
-            if (counts[i] > rays) caster.cast(sides[i], rays, out.subspan(rays));
+            batch.add(sides[i], rays, out.subspan(rays));
         }
+        batch.finish();
         stage.advance(end - begin);
     });
 }

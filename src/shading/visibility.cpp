@@ -134,8 +134,11 @@ std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const See
             if (states[s] != Seen::some) continue;
             for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {
                 const TexelSite site = sites_.at(s, probe - firstProbe_[s]);
-                sampler.add({&site, 1}, rays[s], seededShift(sites_.seed(), probe, 0),
-                            samples[probe - firstProbe]);
+                const auto count = static_cast<float>(firstProbe_[s + 1] - firstProbe_[s]);
+                const float shift = (static_cast<float>(probe - firstProbe_[s]) +
+                                     seededShift(sites_.seed(), s, 0)) /
+                                    count;
+                sampler.add({&site, 1}, rays[s], shift, samples[probe - firstProbe]);
             }
         }
         sampler.finish();

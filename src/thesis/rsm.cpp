@@ -64,7 +64,8 @@ std::vector<BounceLight> reflectiveShadowMaps(const Texels& texels, const RaySce
         std::array<Hit, kChunk> hits;
         for (size_t i = 0; i < count; ++i)
             rays[i] = {.origin = viewpointOf(light), .direction = pixels[begin + i].direction};
-        scene.intersect(std::span(rays).first(count), std::span(hits).first(count));
+        scene.intersect(std::span(rays).first(count), std::span(hits).first(count),
+                        RayOrder::coherent);
         for (size_t i = 0; i < count; ++i) {
             if (hits[i].missed() || !hits[i].front) continue;
             const auto [page, pixel] = nearestPixelAt(texels, hits[i]);
