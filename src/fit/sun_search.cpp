@@ -1,5 +1,6 @@
 #include "fit/sun_search.h"
 
+#include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "fit/sun.h"
 #include "fit/sun_directions.h"
@@ -79,14 +80,17 @@ std::optional<SunFit> findSun(const Texels& texels, const RayScene& outside, con
         sunDirections(texels, outside, radiance, apparentAlbedo(radiance, light));
     const double tries =
         light.costOfSun + std::log(static_cast<double>(std::max<size_t>(directions.tried, 1)));
-    std::optional<SunFit> best;
-    for (const glm::vec3 towards : directions.towards) {
+    std::vector<std::optional<SunFit>> fits(directions.towards.size());
+    forEach(fits.size(), [&](size_t k) {
+        const glm::vec3 towards = directions.towards[k];
         const AreaLight disc(sunDisc({.direction = towards}, *texels.scan));
-        std::optional<SunFit> fit =
+        fits[k] =
             fitOf({texels, radiance, light, towards, directOfLists(texels, outside, hits, {disc})},
                   light, tries);
+    });
+    std::optional<SunFit> best;
+    for (std::optional<SunFit>& fit : fits)
         if (fit && (!best || fit->evidence > best->evidence)) best = std::move(fit);
-    }
     return best;
 }
 

@@ -47,8 +47,9 @@ std::optional<SeenOpening> lookAt(const OpeningSquares& squares,
     const float perLook = 1.0f / static_cast<float>(looks);
     const glm::vec2 shift(seededShift(sites.seed(), surfel, 5),
                           seededShift(sites.seed(), surfel, 6));
-    SeenOpening seen;
-    float squaresSum = 0.0f;
+    Ray rays[kMostLooks];
+    float shares[kMostLooks];
+    size_t count = 0;
     for (size_t i = 0; i < looks; ++i) {
         const glm::vec2 u = evenPoint(static_cast<float>(i), shift);
         const float at = u.x * static_cast<float>(ofOpening.size());
@@ -65,12 +66,17 @@ std::optional<SeenOpening> lookAt(const OpeningSquares& squares,
             std::max(glm::dot(way, site.normal), 0.0f) * std::max(-glm::dot(way, normal), 0.0f);
         if (cosines <= 0.0f) continue;
         const float distance = std::sqrt(squared);
-        if (scene.occluded(
-                Ray{.origin = origin, .direction = way / distance, .farthest = distance}))
-            continue;
-        const float share = each * cosines / (kPi * squared * squared);
-        seen.share[way.y < 0.0f ? 1 : 0] += share;
-        squaresSum += share * share;
+        shares[count] = each * cosines / (kPi * squared * squared);
+        rays[count++] = {.origin = origin, .direction = way / distance, .farthest = distance};
+    }
+    uint8_t blocked[kMostLooks];
+    scene.occluded({rays, count}, {blocked, count});
+    SeenOpening seen;
+    float squaresSum = 0.0f;
+    for (size_t i = 0; i < count; ++i) {
+        if (blocked[i] != 0) continue;
+        seen.share[rays[i].direction.y < 0.0f ? 1 : 0] += shares[i];
+        squaresSum += shares[i] * shares[i];
     }
     const float all = seen.share[0] + seen.share[1];
     seen.variance = squaresSum - all * all * perLook;

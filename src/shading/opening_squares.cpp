@@ -1,10 +1,12 @@
 #include "shading/opening_squares.h"
 
+#include "base/parallel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace relamp
@@ -42,19 +44,19 @@ void OpeningSquares::makeBox(const Surfels& surfels)
     const double all = std::accumulate(surfels.area.begin(), surfels.area.end(), 0.0);
     std::vector<glm::vec3> position(surfels.count());
     for (size_t s = 0; s < position.size(); ++s) position[s] = frame_.fromScan(surfels.position[s]);
-    std::vector<uint32_t> order(surfels.count());
-    std::iota(order.begin(), order.end(), 0u);
-    for (int axis = 0; axis < 3; ++axis) {
-        std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-            return std::pair(position[a][axis], a) < std::pair(position[b][axis], b);
-        });
+    forEach(3, [&](size_t a) {
+        const auto axis = static_cast<int>(a);
+        std::vector<std::pair<float, float>> heights; // and areas
+        for (size_t s = 0; s < position.size(); ++s)
+            heights.emplace_back(position[s][axis], surfels.area[s]);
+        std::sort(heights.begin(), heights.end());
         double below = 0.0;
-        for (const uint32_t s : order) {
-            if (below <= kCrumbs * all) low_[axis] = position[s][axis];
-            if (below <= (1.0 - kCrumbs) * all) high_[axis] = position[s][axis];
-            below += static_cast<double>(surfels.area[s]);
+        for (const auto& [height, area] : heights) {
+            if (below <= kCrumbs * all) low_[axis] = height;
+            if (below <= (1.0 - kCrumbs) * all) high_[axis] = height;
+            below += static_cast<double>(area);
         }
-    }
+    });
     low_ -= kScanError;
     high_ += kScanError;
 }

@@ -12,10 +12,11 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kProbes = 16;       // of a surfel, at most
-constexpr float kProbeReach = 1.4f;  // steps between probes
-constexpr float kUsualShare = 0.33f; // of all light at a place: such a lamp gets the usual rays
-constexpr float kFewestRays = 0.5f;  // of these
+constexpr size_t kProbes = 16;      // of a surfel, at most
+constexpr float kProbeReach = 1.4f; // steps between probes
+constexpr float kUsualError =
+    0.1f; // of a ray, of all light there: such a place gets the usual rays
+constexpr float kFewestRays = 0.25f; // of these
 constexpr float kMostRays = 2.0f;
 constexpr auto kAll = static_cast<uint8_t>(kShareOfAll);
 constexpr auto kUnknown = static_cast<uint8_t>(kShareUnknown);
@@ -61,16 +62,33 @@ void shareKernel(const ShareArgs& args)
     }
 }
 
-/// Rays to a lamp from each probe of every surfel: where it would bring little beside the other
-/// light, what they err by hardly shows.
-std::vector<uint32_t> raysOfSurfels(size_t surfels, size_t raysPerProbe,
+/// Standard deviation of whether a ray from a surfel or from those around it reaches a lamp.
+float deviationAround(const Surfels& surfels, size_t s, std::span<const AreaSample> coarse)
+{
+    float open = 0.0f;
+    float visible = 0.0f;
+    for (const uint32_t n : surfels.neighborsOf(s)) {
+        if (!surfels.areBeside(s, n)) continue;
+        open += coarse[n].open;
+        visible += coarse[n].visible;
+    }
+    if (open <= 0.0f) return 0.0f;
+    const float share = std::min(visible / open, 1.0f);
+    return std::sqrt(share * (1.0f - share));
+}
+
+/// Rays to a lamp from each probe of every surfel: by what one of them errs by beside all light
+/// there, so that the sum of squared errors is least for so many.
+std::vector<uint32_t> raysOfSurfels(const Surfels& surfels, size_t raysPerProbe,
+                                    std::span<const AreaSample> coarse,
                                     std::span<const float> openShare)
 {
-    std::vector<uint32_t> rays(surfels, static_cast<uint32_t>(raysPerProbe));
-    for (size_t s = 0; s < openShare.size(); ++s) {
-        const float factor = std::clamp(openShare[s] / kUsualShare, kFewestRays, kMostRays);
+    std::vector<uint32_t> rays(surfels.count(), static_cast<uint32_t>(raysPerProbe));
+    forEach(openShare.size(), [&](size_t s) {
+        const float error = openShare[s] * deviationAround(surfels, s, coarse);
+        const float factor = std::clamp(error / kUsualError, kFewestRays, kMostRays);
         rays[s] = static_cast<uint32_t>(std::ceil(factor * static_cast<float>(raysPerProbe)));
-    }
+    });
     return rays;
 }
 
@@ -92,7 +110,7 @@ void Visibility::add(const RayScene& scene, const AreaLight& lamp,
                      std::span<const float> openShare, const TexelMarks& inShade)
 {
     const std::vector<uint32_t> rays =
-        raysOfSurfels(texels_.surfels.count(), raysPerProbe, openShare);
+        raysOfSurfels(texels_.surfels, raysPerProbe, coarse, openShare);
     states_.push_back(seenBySurfels(texels_.surfels, coarse));
     shares_.push_back(look(lamp, states_.back(), scene, rays));
     if (!inShade.empty()) darken(inShade, shares_.back());
