@@ -4,6 +4,7 @@
 #include "base/radiometry.shared.h"
 #include "relight/follow_bounces.h"
 #include "relight/radiosity.shared.h"
+#include "shading/gather.shared.h"
 
 #include <algorithm>
 #include <cmath>
@@ -140,10 +141,10 @@ void Bouncer::arrive(Bounced& bounced)
     forEachChunk(lists.count(), kSurfelChunk, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             bounced.irradiance[i] = glm::vec3(irradiance[i]);
-            const float mean = luminance(bounced.irradiance[i]) / kPi;
             const auto rays = static_cast<float>(lists.first[i + 1] - lists.first[i]);
-            const float variance = std::max(irradiance[i].w / kPi - mean * mean, 0.0f);
-            bounced.noise[i] = kPi * std::sqrt(variance / rays);
+            const float all = rays / kPi; // the sum over rays, of a mean times pi
+            bounced.noise[i] =
+                noiseOfRays(all * luminance(bounced.irradiance[i]), all * irradiance[i].w, rays);
         }
     });
 }

@@ -3,6 +3,7 @@
 #include "base/radiometry.shared.h"
 #include "scenes/axes.h"
 #include "scenes/form_factors.h"
+#include "scenes/lit_room.h"
 #include "scenes/radiosity.h"
 #include "scenes/surfaces.h"
 
@@ -53,6 +54,28 @@ TEST(Gather, FurnaceGivesPiTimesItsRadiance)
         EXPECT_LT(glm::distance(irradiance, kPi * radiance), 2e-3f); // half floats
     EXPECT_THAT(gathered.missed, testing::Each(0.0f));
     EXPECT_THAT(gathered.noise, testing::Each(testing::Lt(2e-3f)));
+}
+
+// Rays that are even err by less than as many at random.
+TEST(Gather, NoiseIsWhatOtherRaysDifferBy)
+{
+    scenes::Surfaces room(scenes::LitRoom().scan);
+    const auto gathered = [&](uint32_t seed) {
+        room.texels.surfels.seed = seed;
+        return gather(scenes::hitListsOf(room, 38), fieldOf(room.radiance));
+    };
+    float differed = 0.0f;
+    float expected = 0.0f;
+    for (const uint32_t seed : {1u, 2u, 3u, 4u}) {
+        const Gathered one = gathered(seed);
+        const Gathered other = gathered(seed + 10);
+        for (size_t s = 0; s < room.texels.surfels.count(); ++s) {
+            const float step = luminance(one.irradiance[s]) - luminance(other.irradiance[s]);
+            differed += step * step;
+            expected += one.noise[s] * one.noise[s] + other.noise[s] * other.noise[s];
+        }
+    }
+    EXPECT_NEAR(differed / expected, 1.0f, 0.1f);
 }
 
 // A wall that a warm lamp burnt out sends no white: what is whole of its colour is known.
