@@ -134,6 +134,7 @@ public:
     [[nodiscard]] double value() const { return sum_ + std::log(product_); }
 
 private:
+    // Numerics.
     static constexpr double kLarge = 1e100; // and another factor may be as large
 
     double sum_ = 0.0;

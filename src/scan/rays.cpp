@@ -92,7 +92,8 @@ void fillPacket(std::span<const Ray> rays, int* valid, RTCRay16& packet)
 
 struct RayScene::Embree
 {
-    Embree() : device(rtcNewDevice("max_spatial_split_replications=2")), scene(rtcNewScene(device)) {}
+    Embree() : device(rtcNewDevice("max_spatial_split_replications=2")), scene(rtcNewScene(device))
+    {}
     ~Embree()
     {
         rtcReleaseScene(scene);

@@ -11,6 +11,7 @@ SHARED_FN float irradiancePerRay(float rays)
     return kPi / rays;
 }
 
+// Numerics.
 // Of the variance of random rays, what even ones have: measured between seeds.
 SHARED_CONST kVarianceOfEven = 0.42f;
 
