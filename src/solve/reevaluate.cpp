@@ -83,13 +83,11 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
     room.lighting = lightOnSurfels(texels.surfels, *room.light);
     room.witnesses = witnessesOf(texels, scene, room.found);
     temper(texels, room.witnesses, room.lighting.irradiance, room.found);
-    std::vector<float> lit;
+    const SurfelLighting light = foundLight(texels, room.found.radiance,
+                                            shadingOf(texels, room.light), room.lighting.spread);
+    std::vector<float> lit; // mostly on one core
     callAll(
-        [&] {
-            lit = correctionOf(texels.surfels, room.found.radiance, room.found.hits,
-                               foundLight(texels, room.found.radiance,
-                                          shadingOf(texels, room.light), room.lighting.spread));
-        },
+        [&] { lit = correctionOf(texels.surfels, room.found.radiance, room.found.hits, light); },
         [&] { meanwhile(room); });
     room.lit = std::move(lit);
     scaleAlbedo(irradianceOf(room), room.found);
