@@ -27,16 +27,6 @@ SHARED_FN vec2 evenPoint(float i, vec2 shift)
     return fract(shift + i * vec2(0.7548776662f, 0.5698402910f));
 }
 
-// Shifts of sequences that are even together: those of consecutive indices fill the square as well.
-// By the first two of R3's generators, which have nothing in common with R2's, as fractions of
-// 2^32.
-SHARED_FN vec2 evenShift(uint index, vec2 shift)
-{
-    const uint x = index * 3518319155u;
-    const uint y = index * 2882110345u;
-    return fract(shift + vec2(float(x >> 8), float(y >> 8)) * (1.0f / 16777216.0f));
-}
-
 // Direction around `normal` with density cos / pi; u in [0, 1)^2.
 SHARED_FN vec3 cosineDirection(vec3 normal, vec2 u)
 {

@@ -80,8 +80,7 @@ struct HitLists
     }
 };
 
-/// The rays of a side's list, as many as one wants: cosine-distributed, all over its texels. Those
-/// of surfels beside each other are even together, for the light of places is a mean over some.
+/// The rays of a side's list, as many as one wants: cosine-distributed, all over its texels.
 class RaysOfSide
 {
 public:
