@@ -10,7 +10,6 @@
 #include <optional>
 #include <utility>
 
-#include <glm/common.hpp>
 
 namespace relamp
 {

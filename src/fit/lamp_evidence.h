@@ -74,6 +74,7 @@ public:
     /// Fills in what each piece does at all places, by no fewer rays from each origin there, and no
     /// more than kMostRays: few rays are noise, which makes the light of a lamp seem weaker.
     void look(std::span<Piece> pieces, size_t fewestRays) const;
+    /// By rays, so once for a set of pieces.
     [[nodiscard]] PieceSights sightsOf(std::span<const Piece> pieces) const;
     /// The light of all of these, emit they or reflect, at places and on the pieces.
     [[nodiscard]] LightModel modelOf(std::span<const Piece> pieces, const PieceSights& sights);

@@ -150,13 +150,12 @@ std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const See
         AreaSampler sampler(scene, lamp, Geometry::scanned);
         for (auto s = static_cast<uint32_t>(begin); s < end; ++s) {
             if (states[s] != Seen::some) continue;
-            for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {
-                const TexelSite site = sites_.at(s, probe - firstProbe_[s]);
-                const auto count = static_cast<float>(firstProbe_[s + 1] - firstProbe_[s]);
-                const float shift = (static_cast<float>(probe - firstProbe_[s]) +
-                                     seededShift(sites_.seed(), s, 0)) /
-                                    count;
-                sampler.add({&site, 1}, rays[s], shift, samples[probe - firstProbe]);
+            const float first = seededShift(sites_.seed(), s, 0); // its probes are even together
+            const uint32_t count = firstProbe_[s + 1] - firstProbe_[s];
+            for (uint32_t i = 0; i < count; ++i) {
+                const TexelSite site = sites_.at(s, i);
+                const float shift = (static_cast<float>(i) + first) / static_cast<float>(count);
+                sampler.add({&site, 1}, rays[s], shift, samples[firstProbe_[s] + i - firstProbe]);
             }
         }
         sampler.finish();
