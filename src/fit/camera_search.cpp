@@ -10,7 +10,6 @@
 #include <optional>
 #include <utility>
 
-
 namespace relamp
 {
 namespace

@@ -36,8 +36,8 @@ public:
 
     /// One more lamp, which comes last; `scene` is what stands before it. `openShare[surfel]`,
     /// where it is known: what the lamp would bring with nothing in the way, of all the light
-    /// there; the more that is, and the less surfels around agree in `coarse`, the more rays. Texels
-    /// that `inShade` marks, if there are such marks, see nothing of it.
+    /// there; the more that is, and the less surfels around agree in `coarse`, the more rays.
+    /// Texels that `inShade` marks, if there are such marks, see nothing of it.
     void add(const RayScene& scene, const AreaLight& lamp, std::span<const AreaSample> coarse,
              size_t raysPerProbe, std::span<const float> openShare = {},
              const TexelMarks& inShade = {});
