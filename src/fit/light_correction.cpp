@@ -40,6 +40,7 @@ constexpr float kOpen = 0.015f; // share of a view that is so near: less, and no
 
 // Numerics.
 constexpr int kDraws = 2; // of pairs that a place is in; each draw gives it two
+constexpr size_t kTexelsOfMean = 32; // of one chart's in a surfel, of which the light is looked at
 
 /// Albedo as the light found makes it, in logarithms.
 struct Paint
@@ -316,6 +317,43 @@ Eigen::VectorXf Settling::run()
 
 } // namespace
 
+namespace
+{
+
+struct TexelRange // of a page
+{
+    size_t begin;
+    size_t end;
+};
+
+/// Texels of a run that tell its mean: where there are many, those of its middle rows.
+TexelRange middleOf(const PageTexels& page, size_t run)
+{
+    const size_t begin = page.runs[run].begin;
+    const size_t end = page.runs[run + 1].begin;
+    const size_t left = end - begin - std::min(end - begin, kTexelsOfMean);
+    return {begin + left / 2, end - (left - left / 2)};
+}
+
+/// Calls `work(begin, count)` for the middles of runs, those that touch together.
+template<class Work>
+void forEachMiddle(const PageTexels& page, size_t firstRun, size_t endRun, const Work& work)
+{
+    TexelRange all = middleOf(page, firstRun);
+    for (size_t run = firstRun + 1; run < endRun; ++run) {
+        const TexelRange next = middleOf(page, run);
+        if (next.begin == all.end && next.end - all.begin <= TexelBlock::kCapacity) {
+            all.end = next.end;
+            continue;
+        }
+        work(all.begin, all.end - all.begin);
+        all = next;
+    }
+    work(all.begin, all.end - all.begin);
+}
+
+} // namespace
+
 SurfelLighting foundLight(const Texels& texels, const SurfelRadiance& radiance,
                           const TexelShading& shade, std::vector<float> spread)
 {
@@ -328,10 +366,7 @@ SurfelLighting foundLight(const Texels& texels, const SurfelRadiance& radiance,
         forEachChunk(page.runs.size() - 1, 64, [&](size_t firstRun, size_t endRun) {
             TexelBlock block;
             ShadingBlock shading;
-            const size_t end = page.runs[endRun].begin;
-            for (size_t begin = page.runs[firstRun].begin; begin < end;
-                 begin += TexelBlock::kCapacity) {
-                const size_t count = std::min(TexelBlock::kCapacity, end - begin);
+            forEachMiddle(page, firstRun, endRun, [&](size_t begin, size_t count) {
                 loader.loadGeometry(begin, count, block);
                 loader.loadSurfel(begin, count, block);
                 shade(p, begin, block, shading);
@@ -345,7 +380,7 @@ SurfelLighting foundLight(const Texels& texels, const SurfelRadiance& radiance,
                                                      shading.direct.g[i] + shading.indirect.g[i],
                                                      shading.direct.b[i] + shading.indirect.b[i]);
                 }
-            }
+            });
         });
     }
     for (size_t s = 0; s < counts.size(); ++s)

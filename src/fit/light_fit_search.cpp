@@ -5,6 +5,7 @@
 #include "fit/camera_columns.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -71,6 +72,7 @@ LightFitSearch::LightFitSearch(const LightFit& fit, std::span<const uint8_t> emi
     }
     here_.log = std::move(start);
     here_.log.insert(here_.log.end(), camera.known.begin(), camera.known.end());
+    slopes_ = slopes();
 }
 
 /// Normal about what is known; else Cauchy about white: a burnt-out piece is a wall or a lamp of
@@ -253,35 +255,31 @@ double LightFitSearch::costOfPriors(const Point& at) const
     return nats + 0.5 * off * off;
 }
 
-/// Of the irradiance at each place, by unknowns: d log E / d log; and a row of zeros.
-PlaceTable LightFitSearch::sharesOf(const Point& at) const
+/// d E / d radiance at each place, by unknowns, and what the camera's do to the radiance shown; and
+/// a row of zeros.
+PlaceTable LightFitSearch::slopes() const
 {
     const size_t rows = model_.shown.size();
-    PlaceTable shares(rows + 1, count());
-    const std::vector<double> radiance = exponentials(at.log);
+    PlaceTable table(rows + 1, lights(), count());
     forEachChunk(rows, 256, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
-            float* share = shares.row(i);
+            float* row = table.row(i);
             const std::span<const float> direct = model_.directAt(i);
-            const double per = 1.0 / at.irradiance[i];
-            for (size_t u = 0; u < pieceOf_.size(); ++u)
-                share[u] = static_cast<float>(per * radiance[pieceOf_[u]]) * direct[pieceOf_[u]];
-            for (size_t o = 0; o < model_.outsides; ++o)
-                share[pieceOf_.size() + o] =
-                    static_cast<float>(per * radiance[model_.pieces + o]) * model_.missedAt(i)[o];
+            for (const size_t piece : pieceOf_) *row++ = direct[piece];
+            row = std::ranges::copy(model_.missedAt(i), row).out;
             if (i < model_.places())
-                for (size_t k = 0; k < camera_.count(); ++k)
-                    share[lights() + k] = -camera_.bendAt(i)[k];
+                std::ranges::transform(camera_.bendAt(i), row, std::negate());
         }
     });
-    return shares;
+    return table;
 }
 
 /// Of all but what ties pieces to each other.
 LightFitSearch::Normal LightFitSearch::normalOfData(const Point& at) const
 {
     const size_t rows = model_.shown.size();
-    const PlaceTable shares = sharesOf(at);
+    std::vector<float> perLight(rows + 1, 0.0f);
+    for (size_t i = 0; i < rows; ++i) perLight[i] = static_cast<float>(1.0 / at.irradiance[i]);
     std::vector<PairResidual> weighed(fit_.pairs_.size());
     forEachChunk(weighed.size(), 2048, [&](size_t begin, size_t end) {
         for (size_t k = begin; k < end; ++k) {
@@ -307,11 +305,15 @@ LightFitSearch::Normal LightFitSearch::normalOfData(const Point& at) const
         weighed.push_back({pair, static_cast<float>(1.0 / kFirstNoise),
                            static_cast<float>(residual(at, pair) / kFirstNoise)});
     const auto n = static_cast<Eigen::Index>(count());
-    const std::vector<double> squares = squaresOf(shares, weighed);
+    const std::vector<double> squares = squaresOf(slopes_, perLight, weighed);
     const Eigen::Map<const RowMajor> all(squares.data(), n + 1, n + 1);
-    Normal normal{all.topLeftCorner(n, n), all.bottomLeftCorner(1, n).transpose()};
+    Eigen::VectorXd radiance = Eigen::VectorXd::Ones(n); // d / d log
+    for (size_t u = 0; u < lights(); ++u)
+        radiance[static_cast<Eigen::Index>(u)] = std::exp(at.log[this->at(u)]);
+    Normal normal{radiance.asDiagonal() * all.topLeftCorner(n, n) * radiance.asDiagonal(),
+                  radiance.asDiagonal() * all.bottomLeftCorner(1, n).transpose()};
     addPriors(at, normal);
-    addLevel(at, shares, normal);
+    addLevel(at, perLight, radiance, normal);
     if (camera_.count() > 0) addCamera(at, normal);
     return normal;
 }
@@ -350,13 +352,25 @@ void LightFitSearch::addAlike(const Point& at, Normal& normal) const
     }
 }
 
-void LightFitSearch::addLevel(const Point& at, const PlaceTable& shares, Normal& normal) const
+void LightFitSearch::addLevel(const Point& at, std::span<const float> perLight,
+                              const Eigen::VectorXd& radiance, Normal& normal) const
 {
+    constexpr size_t kPlacesOfChunk = 256;
+    const size_t places = model_.places();
+    std::vector<std::vector<float>> sums((places + kPlacesOfChunk - 1) / kPlacesOfChunk);
+    forEachChunk(places, kPlacesOfChunk, [&](size_t begin, size_t end) {
+        std::vector<float>& sum = sums[begin / kPlacesOfChunk];
+        sum.assign(count(), 0.0f);
+        for (size_t i = begin; i < end; ++i) {
+            const float* row = slopes_.row(i);
+            for (size_t u = 0; u < lights(); ++u) sum[u] += perLight[i] * row[u];
+            for (size_t u = lights(); u < count(); ++u) sum[u] += row[u];
+        }
+    });
     Eigen::VectorXd row = Eigen::VectorXd::Zero(normal.slope.size());
-    for (size_t i = 0; i < model_.places(); ++i)
-        for (size_t u = 0; u < count(); ++u)
-            row[static_cast<Eigen::Index>(u)] -= static_cast<double>(shares.row(i)[u]);
-    row /= static_cast<double>(model_.places()) * spreadOfLevel();
+    for (const std::vector<float>& sum : sums)
+        row -= Eigen::Map<const Eigen::VectorXf>(sum.data(), row.size()).cast<double>();
+    row.array() *= radiance.array() / (static_cast<double>(places) * spreadOfLevel());
     normal.matrix += row * row.transpose();
     normal.slope += level(at) / spreadOfLevel() * row;
 }

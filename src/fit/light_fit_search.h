@@ -53,12 +53,13 @@ private:
     [[nodiscard]] double residual(const Point& at, MaterialPair pair) const;
     [[nodiscard]] double costOf(const Point& at) const;
     [[nodiscard]] double costOfPriors(const Point& at) const;
-    [[nodiscard]] PlaceTable sharesOf(const Point& at) const;
+    [[nodiscard]] PlaceTable slopes() const;
     [[nodiscard]] Normal normalOfData(const Point& at) const;
     [[nodiscard]] Normal normalAt(const Point& at) const;
     void addPriors(const Point& at, Normal& normal) const;
     void addAlike(const Point& at, Normal& normal) const;
-    void addLevel(const Point& at, const PlaceTable& shares, Normal& normal) const;
+    void addLevel(const Point& at, std::span<const float> perLight, const Eigen::VectorXd& radiance,
+                  Normal& normal) const;
     [[nodiscard]] double level(const Point& at) const;
     [[nodiscard]] double spreadOfLevel() const;
     double step();
@@ -115,6 +116,7 @@ private:
     const CameraColumns& camera_;
     std::vector<size_t> pieceOf_; // of unknowns; the parts outside come behind
     std::vector<int> unknownOf_;  // of pieces; < 0: it reflects as its paint is expected to
+    PlaceTable slopes_{0, 0, 0};  // of light by radiance; of what is shown, by the camera
     double wider_ = 1.0;
     double damping_ = 1e-3;
     Point here_;
