@@ -39,12 +39,14 @@ LightFit::LightFit(const LightModel& model, std::span<const MaterialPair> pairs,
         gathered_.push_back(pick(model.gathered[i]));
     }
     whiteShare_.assign(model.pieces, 0.0);
-    for (size_t i = 0; i < model.places(); ++i)
+    for (size_t i = 0; i < model.places(); ++i) {
+        const double light =
+            std::max(static_cast<double>(kPi) * std::exp(logShown_[i]), kLeastIrradiance);
+        const double share = 1.0 / (light * static_cast<double>(model.places()));
+        const std::span<const float> direct = model.directAt(i);
         for (size_t f = 0; f < model.pieces; ++f)
-            whiteShare_[f] +=
-                static_cast<double>(model.directAt(i)[f]) /
-                std::max(static_cast<double>(kPi) * std::exp(logShown_[i]), kLeastIrradiance) /
-                static_cast<double>(model.places());
+            whiteShare_[f] += share * static_cast<double>(direct[f]);
+    }
     const auto end = logShown_.begin() + static_cast<ptrdiff_t>(model.places());
     outside_ = medianOfAll({logShown_.begin(), end}) + std::log(kOutside);
 }
@@ -143,20 +145,20 @@ double LightFit::gain(const LightEstimate& estimate, size_t piece, double& best)
     constexpr int kTried = 6; // radiances, each thrice the last
     std::vector<double> radiance = exponentials(estimate.log);
     const double was = std::exchange(radiance[piece], 0.0);
-    const std::vector<double> light = irradiance(radiance, 0, model_.places());
-    std::vector<double> perRadiance(light.size()); // of the light at places, what it brings
-    std::vector<double> logAlbedo(light.size());   // without it
+    const std::vector<double> light = irradiance(radiance, 0, model_.places()); // of all others
+    std::vector<double> direct(light.size());
     double share = 0.0;
     for (size_t i = 0; i < light.size(); ++i) {
-        perRadiance[i] = static_cast<double>(model_.directAt(i)[piece]) / light[i];
-        logAlbedo[i] = logShown_[i] - std::log(light[i]);
-        share += perRadiance[i];
+        direct[i] = static_cast<double>(model_.directAt(i)[piece]);
+        share += direct[i] / light[i];
     }
     if (share <= 0.0) return 0.0;
+    std::vector<double> logAlbedo(light.size());
     const auto nats = [&](double r) {
+        for (size_t i = 0; i < light.size(); ++i)
+            logAlbedo[i] = logShown_[i] - std::log(light[i] + r * direct[i]);
         const auto residual = [&](MaterialPair pair) {
-            return logAlbedo[pair.p] - logAlbedo[pair.q] +
-                   std::log((1.0 + r * perRadiance[pair.q]) / (1.0 + r * perRadiance[pair.p]));
+            return logAlbedo[pair.p] - logAlbedo[pair.q];
         };
         SumOfLogs sum;
         for (size_t k = 0; k < pairs_.size(); ++k) {
