@@ -22,6 +22,7 @@ namespace
 constexpr float kLeastArea = 0.01f; // of a scan's surface; what comes by a smaller hole is little
 constexpr size_t kFewestLooks = 8;  // at an opening, from a place
 constexpr size_t kMostLooks = 32;
+constexpr size_t kTogether = 16; // that Embree traces
 constexpr size_t kLooks = 8'000'000; // of a scan, for time: about as many as its lists have rays
 constexpr float kTooNear = 4.0f;     // areas that a look stands for: squared distance
 constexpr uint32_t kParts = 2;       // behind an upright opening
@@ -39,48 +40,82 @@ struct SeenOpening
     float variance = 0.0f;
 };
 
-/// By rays to points all over it; none where it is too near for so few.
-std::optional<SeenOpening> lookAt(const OpeningSquares& squares,
-                                  std::span<const uint32_t> ofOpening, const SurfelSites& sites,
-                                  const RayScene& scene, uint32_t surfel, size_t looks)
+/// Rays from a place to points all over an opening.
+class Looks
 {
-    const float perLook = 1.0f / static_cast<float>(looks);
-    const glm::vec2 shift(seededShift(sites.seed(), surfel, 5),
-                          seededShift(sites.seed(), surfel, 6));
-    Ray rays[kMostLooks];
-    float shares[kMostLooks];
+public:
+    Looks(const OpeningSquares& squares, std::span<const uint32_t> ofOpening,
+          const SurfelSites& sites, const RayScene& scene, uint32_t surfel)
+        : squares_(squares), ofOpening_(ofOpening), sites_(sites), scene_(scene), surfel_(surfel),
+          shift_(seededShift(sites.seed(), surfel, 5), seededShift(sites.seed(), surfel, 6))
+    {}
+
+    /// Casts rays [begin, end) of a sequence; at most kTogether. False where the opening is nearer
+    /// than so few points allow.
+    bool cast(size_t begin, size_t end);
+    /// Whether all that could be seen so far is seen, or nothing.
+    [[nodiscard]] bool agree() const { return seenCount_ == 0 || seenCount_ == facing_; }
+    [[nodiscard]] bool seeNothing() const { return seenCount_ == 0; }
+    [[nodiscard]] SeenOpening seen() const;
+
+private:
+    const OpeningSquares& squares_;
+    std::span<const uint32_t> ofOpening_;
+    const SurfelSites& sites_;
+    const RayScene& scene_;
+    uint32_t surfel_;
+    glm::vec2 shift_;
+    size_t count_ = 0;
+    size_t facing_ = 0;
+    size_t seenCount_ = 0;
+    std::array<float, 2> sum_{}; // of shares, were there one ray
+    float squaresSum_ = 0.0f;
+};
+
+bool Looks::cast(size_t begin, size_t end)
+{
+    Ray rays[kTogether];
+    float shares[kTogether];
     size_t count = 0;
-    for (size_t i = 0; i < looks; ++i) {
-        const glm::vec2 u = evenPoint(static_cast<float>(i), shift);
-        const float at = u.x * static_cast<float>(ofOpening.size());
-        const auto k = std::min(static_cast<size_t>(at), ofOpening.size() - 1);
-        const auto [point, normal, area] =
-            squares.pointOf(ofOpening[k], {at - static_cast<float>(k), u.y});
-        const TexelSite site = sites.at(surfel, i);
+    const auto whole = static_cast<float>(ofOpening_.size());
+    for (size_t i = begin; i < end; ++i) {
+        const glm::vec2 u = evenPoint(static_cast<float>(i), shift_);
+        const float at = u.x * whole;
+        const auto k = std::min(static_cast<size_t>(at), ofOpening_.size() - 1);
+        const auto [point, normal, square] =
+            squares_.pointOf(ofOpening_[k], {at - static_cast<float>(k), u.y});
+        const TexelSite site = sites_.at(surfel_, i);
         const glm::vec3 origin = site.position + kOffSurface * site.normal;
         const glm::vec3 way = point - origin;
         const float squared = glm::dot(way, way);
-        const float each = area * static_cast<float>(ofOpening.size()) * perLook;
-        if (squared < kTooNear * each) return std::nullopt;
+        const float area = square * whole;
+        if (squared * static_cast<float>(end) < kTooNear * area) return false;
         const float cosines =
             std::max(glm::dot(way, site.normal), 0.0f) * std::max(-glm::dot(way, normal), 0.0f);
         if (cosines <= 0.0f) continue;
         const float distance = std::sqrt(squared);
-        shares[count] = each * cosines / (kPi * squared * squared);
+        shares[count] = area * cosines / (kPi * squared * squared);
         rays[count++] = {.origin = origin, .direction = way / distance, .farthest = distance};
     }
-    uint8_t blocked[kMostLooks];
-    scene.occluded({rays, count}, {blocked, count});
-    SeenOpening seen;
-    float squaresSum = 0.0f;
+    uint8_t blocked[kTogether];
+    scene_.occluded({rays, count}, {blocked, count});
     for (size_t i = 0; i < count; ++i) {
         if (blocked[i] != 0) continue;
-        seen.share[rays[i].direction.y < 0.0f ? 1 : 0] += shares[i];
-        squaresSum += shares[i] * shares[i];
+        sum_[rays[i].direction.y < 0.0f ? 1 : 0] += shares[i];
+        squaresSum_ += shares[i] * shares[i];
+        ++seenCount_;
     }
-    const float all = seen.share[0] + seen.share[1];
-    seen.variance = squaresSum - all * all * perLook;
-    return seen;
+    facing_ += count;
+    count_ += end - begin;
+    return true;
+}
+
+SeenOpening Looks::seen() const
+{
+    const float perLook = 1.0f / static_cast<float>(count_);
+    const float all = sum_[0] + sum_[1];
+    return {{perLook * sum_[0], perLook * sum_[1]},
+            perLook * perLook * (squaresSum_ - all * all * perLook)};
 }
 
 /// Gives a list `wanted` targets of a kind, of those and `others`: what is too many becomes others,
@@ -119,8 +154,15 @@ std::vector<std::optional<size_t>> countsOf(std::span<const std::optional<SeenOp
     return counts;
 }
 
+bool leavesBy(const Opening& opening, std::span<const HitTarget> targets)
+{
+    return std::ranges::any_of(targets, [&](HitTarget target) {
+        return target.isNothing() && target.part() - opening.part < kParts; // earlier ones wrap
+    });
+}
+
 /// What fronts see of an opening, where rays to it tell that better than how many of a list's
-/// happened to leave there.
+/// happened to leave there. Where the first see all of it or nothing, they are enough.
 std::vector<std::optional<SeenOpening>>
 seenByFronts(const Opening& opening, const OpeningSquares& squares, const SurfelSites& sites,
              const RayScene& scene, HitLists& hits, size_t fronts, size_t looks,
@@ -129,10 +171,15 @@ seenByFronts(const Opening& opening, const OpeningSquares& squares, const Surfel
     std::vector<std::optional<SeenOpening>> seen(fronts);
     forEachChunk(fronts, 64, [&](size_t begin, size_t end) {
         for (size_t s = begin; s < end; ++s) {
-            seen[s] =
-                lookAt(squares, opening.squares, sites, scene, static_cast<uint32_t>(s), looks);
-            if (!seen[s]) continue;
-            const auto count = static_cast<float>(targetsOf(hits, s).size());
+            Looks look(squares, opening.squares, sites, scene, static_cast<uint32_t>(s));
+            const std::span<const HitTarget> targets = targetsOf(hits, s);
+            bool isFar = look.cast(0, std::min(looks, kTogether));
+            if (!look.agree() || (look.seeNothing() && leavesBy(opening, targets)))
+                for (size_t i = kTogether; i < looks && isFar; i += kTogether)
+                    isFar = look.cast(i, std::min(looks, i + kTogether));
+            if (!isFar) continue;
+            seen[s] = look.seen();
+            const auto count = static_cast<float>(targets.size());
             const float all = std::min(seen[s]->share[0] + seen[s]->share[1], 1.0f);
             if (seen[s]->variance > all * (1.0f - all) / count) seen[s].reset();
         }
