@@ -1,5 +1,7 @@
 #include "base/sampling.shared.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace relamp
@@ -30,6 +32,16 @@ TEST(Sampling, CosineDirectionsAreDenseWhereTheCosineIs)
         }
         const vec3 mean = sum / static_cast<float>(kMany);
         EXPECT_LT(distance(mean, 2.0f / 3.0f * normal), 2e-3f);
+    }
+}
+
+TEST(Sampling, CircleIsThatOfSineAndCosine)
+{
+    for (int i = 0; i <= kMany; ++i) {
+        const float turn = static_cast<float>(i) / static_cast<float>(kMany);
+        const double angle = 6.283185307179586 * static_cast<double>(turn);
+        EXPECT_NEAR(static_cast<double>(onCircle(turn).x), std::cos(angle), 3e-7);
+        EXPECT_NEAR(static_cast<double>(onCircle(turn).y), std::sin(angle), 3e-7);
     }
 }
 

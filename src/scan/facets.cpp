@@ -113,9 +113,10 @@ TexelSite siteOn(const Facet& facet, glm::vec2 pixel)
     constexpr float kCancelled = 1e-6f; // length of a mean of unit normals
     const glm::vec2 way = pixel - facet.pixel;
     const glm::vec3 normal = facet.normal + way.x * facet.normalX + way.y * facet.normalY;
-    const float length = glm::length(normal);
+    const float squared = glm::dot(normal, normal);
     return {facet.position + way.x * facet.positionX + way.y * facet.positionY,
-            length > kCancelled ? normal / length : glm::normalize(facet.normal)};
+            squared > kCancelled * kCancelled ? normal * (1.0f / std::sqrt(squared))
+                                              : glm::normalize(facet.normal)};
 }
 
 PixelTriangle pixelTriangle(const Scan& scan, const Mesh& mesh, const glm::uvec3& triangle)
