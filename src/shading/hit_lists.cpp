@@ -20,7 +20,7 @@ constexpr uint32_t kMostTimes = 8;  // the mean
 constexpr float kWhitePaper = 0.8f; // albedo of what is seen bright in little gathered light
 constexpr float kBlackPaper = 0.05f;
 constexpr float kBlack = 0.01f;        // radiance
-constexpr size_t kFewerOfBacks = 2;    // few rays meet a back, and their mean is all that matters
+constexpr size_t kFewerOfBacks = 5;    // few rays meet a back, and their mean is all that matters
 constexpr int kGenerationsOfBacks = 2; // backs seen by backs seen by fronts; beyond is dark anyway
 
 // Numerics.

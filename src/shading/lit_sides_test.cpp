@@ -104,7 +104,7 @@ TEST(LitSides, BacksAreLitByWhatIsBehindThem)
     const scenes::Surfaces two(
         scenes::panels(std::vector<scenes::Panel>{{{0, 0, 0}, {0, 0, 2}, {2, 0, 0}}, shelf}, 32,
                        scenes::plain(glm::vec3(0.5f))));
-    const HitLists hits = scenes::hitListsOf(two, 64);
+    const HitLists hits = scenes::hitListsOf(two, 160);
     const LitSides sides = litBy(two, hits, everywhere(hits, 0.0f));
     const uint32_t high = two.at({1, 1, 1}, kUp);
     const scenes::Panel floorFromAbove{{0, 0, 0}, {0, 0, 2}, {2, 0, 0}};
