@@ -39,7 +39,7 @@ constexpr float kOneSidedRing = 0.35f; // surfel sizes, of the mean way to those
 constexpr float kOpen = 0.015f; // share of a view that is so near: less, and nothing throws one
 
 // Numerics.
-constexpr int kDraws = 2; // of pairs that a place is in; each draw gives it two
+constexpr int kDraws = 2;            // of pairs that a place is in; each draw gives it two
 constexpr size_t kTexelsOfMean = 32; // of one chart's in a surfel, of which the light is looked at
 
 /// Albedo as the light found makes it, in logarithms.

@@ -267,8 +267,7 @@ PlaceTable LightFitSearch::slopes() const
             const std::span<const float> direct = model_.directAt(i);
             for (const size_t piece : pieceOf_) *row++ = direct[piece];
             row = std::ranges::copy(model_.missedAt(i), row).out;
-            if (i < model_.places())
-                std::ranges::transform(camera_.bendAt(i), row, std::negate());
+            if (i < model_.places()) std::ranges::transform(camera_.bendAt(i), row, std::negate());
         }
     });
     return table;

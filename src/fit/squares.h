@@ -46,8 +46,8 @@ struct PairResidual
 };
 
 /// All that least squares need to know of many residuals r with the Jacobian J: the sum of v v^T of
-/// v = (row of J, r), row after row, columns + 1 square. `factor`: of places. The same on any number
-/// of threads.
+/// v = (row of J, r), row after row, columns + 1 square. `factor`: of places. The same on any
+/// number of threads.
 std::vector<double> squaresOf(const PlaceTable& table, std::span<const float> factor,
                               std::span<const PairResidual> residuals,
                               InstructionSet set = bestInstructionSet());

@@ -22,7 +22,7 @@ namespace
 constexpr float kLeastArea = 0.01f; // of a scan's surface; what comes by a smaller hole is little
 constexpr size_t kFewestLooks = 8;  // at an opening, from a place
 constexpr size_t kMostLooks = 32;
-constexpr size_t kTogether = 16; // that Embree traces
+constexpr size_t kTogether = 16;     // that Embree traces
 constexpr size_t kLooks = 8'000'000; // of a scan, for time: about as many as its lists have rays
 constexpr float kTooNear = 4.0f;     // areas that a look stands for: squared distance
 constexpr uint32_t kParts = 2;       // behind an upright opening
