@@ -40,7 +40,7 @@ constexpr float kOpen = 0.015f; // share of a view that is so near: less, and no
 
 // Numerics.
 constexpr int kDraws = 2;            // of pairs that a place is in; each draw gives it two
-constexpr size_t kTexelsOfMean = 32; // of one chart's in a surfel, of which the light is looked at
+constexpr size_t kTexelsOfMean = 32; // whose light stands for that of a run
 
 /// Albedo as the light found makes it, in logarithms.
 struct Paint

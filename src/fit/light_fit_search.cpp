@@ -30,6 +30,7 @@ constexpr double kConverged = 0.0025;   // nats
 constexpr int kMostSteps = 30;          // for time alone
 constexpr double kStillToCome = 20.0;   // times what a step gained, at most, by all that follow
 constexpr double kLongestStep = 2.0;    // log
+constexpr size_t kPlacesOfChunk = 256;  // that one thread sums
 constexpr double kLeastMatters = 0.001; // of the light at places: what paint a wall has that sends
                                         // less changes nothing
 
@@ -354,7 +355,6 @@ void LightFitSearch::addAlike(const Point& at, Normal& normal) const
 void LightFitSearch::addLevel(const Point& at, std::span<const float> perLight,
                               const Eigen::VectorXd& radiance, Normal& normal) const
 {
-    constexpr size_t kPlacesOfChunk = 256;
     const size_t places = model_.places();
     std::vector<std::vector<float>> sums((places + kPlacesOfChunk - 1) / kPlacesOfChunk);
     forEachChunk(places, kPlacesOfChunk, [&](size_t begin, size_t end) {

@@ -12,6 +12,7 @@ namespace
 
 // Numerics.
 constexpr size_t kTogether = 8; // residuals, so that a sum is loaded and stored once for all
+constexpr size_t kColumns = 4;  // likewise, so that a row is loaded once for all
 
 struct SquaresArgs
 {
@@ -99,7 +100,6 @@ void addProducts(const SquaresArgs& args, const size_t* column)
 
 void squaresKernel(const SquaresArgs& args)
 {
-    constexpr size_t kColumns = 4; // at once, so that a row is loaded once for all
     for (size_t first = 0; first < args.count; first += kTogether) {
         putRows(args, first);
         const size_t columns = findColumns(args);
