@@ -29,8 +29,8 @@ constexpr double kGainSpread = 0.3;   // log: of the gain; automatic exposure by
 constexpr double kGainStep = 0.12;    // log: of the gain from knot to knot
 constexpr float kToneSpacing = 0.6f;  // m: what local tone mapping flattens is larger
 constexpr double kToneSpread = 0.4;   // of 1 / exponent - 1: exponents of 0.6 to 1
-constexpr double kGainWorth = 4.0;    // times N: with a gain on a lattice what errs alike over
-                                      // metres is gone; and as much again where exposure drifted
+constexpr double kGainWorth = 4.0;    // times N, for the evidence of a gain; as much again where
+                                      // exposure drifted: what errs alike over metres is gone then
 
 // Numerics.
 constexpr int kMostKnots = 120;       // in a hall they lie farther apart
@@ -231,14 +231,14 @@ CameraColumns columnsOf(const Gain& known, const TexturePlaces& places)
             columns.bend[i * known.log.size() + weights.knot[k]] -= weights.part[k];
     }
     takeMeansOut(columns);
-    columns.worth = worthOfGain(0.0);
+    columns.worth = kGainWorth;
     columns.precision = precisionOf(known, kGainSpread, kGainStep);
     return columns;
 }
 
 double worthOfGain(double likely)
 {
-    return std::pow(kGainWorth, 1.0 + likely);
+    return std::pow(kGainWorth, 2.0 * likely);
 }
 
 Gain gainOf(Gain lattice, std::span<const double> coefficients)

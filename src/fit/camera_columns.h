@@ -52,8 +52,8 @@ Gain evenGainOver(std::span<const glm::vec3> position);
 /// The logarithms of the gain's knots as unknowns beside the light.
 CameraColumns columnsOf(const Gain& known, const TexturePlaces& places);
 Gain gainOf(Gain lattice, std::span<const double> coefficients);
-/// How many times as many pairs are independent beside that where exposure is `likely`, 0..1, to
-/// have drifted: else what looks like it are errors of the light.
+/// How many times N pairs are worth beside that where exposure is `likely`, 0..1, to have drifted:
+/// where it has not, what looks like it are errors of the light.
 double worthOfGain(double likely);
 
 /// Of a lattice's knots, count * count: each within `spread` of 0, and within `step` of those
