@@ -29,8 +29,7 @@ constexpr double kGainSpread = 0.3;   // log: of the gain; automatic exposure by
 constexpr double kGainStep = 0.12;    // log: of the gain from knot to knot
 constexpr float kToneSpacing = 0.6f;  // m: what local tone mapping flattens is larger
 constexpr double kToneSpread = 0.4;   // of 1 / exponent - 1: exponents of 0.6 to 1
-constexpr double kGainWorth = 4.0;    // times N, for the evidence of a gain; as much again where
-                                      // exposure drifted: what errs alike over metres is gone then
+constexpr double kDriftNats = 5.0;    // log odds of a drift: all but one set of photos in 150
 
 // Numerics.
 constexpr int kMostKnots = 120;       // in a hall they lie farther apart
@@ -236,9 +235,14 @@ CameraColumns columnsOf(const Gain& known, const TexturePlaces& places)
     return columns;
 }
 
+double likelihoodOfDrift(double evidence)
+{
+    return 1.0 / (1.0 + std::exp(-evidence - kDriftNats));
+}
+
 double worthOfGain(double likely)
 {
-    return std::pow(kGainWorth, 2.0 * likely);
+    return std::pow(kGainWorth, 0.5 + 1.5 * likely);
 }
 
 Gain gainOf(Gain lattice, std::span<const double> coefficients)

@@ -17,7 +17,6 @@ namespace
 
 constexpr double kCurvedNats = 1.1; // log odds of a camera with a contrast curve: three in four
 constexpr double kTonedNats = -2.2; // likewise of local tone mapping: one in ten
-constexpr double kDriftNats = 5.0;  // likewise of exposure that drifted: all but one in 150
 
 // Numerics.
 constexpr int kCameraRounds = 2; // of what is gathered and what the camera made of it
@@ -138,7 +137,7 @@ double LampSearch::likelihoodOfDrift() const
         const LightEstimate light = fit.solve(emits_, estimate_.log, *columns[k], kFirstWidth);
         nats[k] = light.nats + light.occam;
     });
-    return 1.0 / (1.0 + std::exp(nats[1] - nats[0] - kDriftNats));
+    return relamp::likelihoodOfDrift(nats[0] - nats[1]);
 }
 
 /// The drift of exposure and white balance, among lamps that are known.
@@ -146,19 +145,20 @@ void LampSearch::findGain()
 {
     camera_.gain = evenGainOver(evidence_.texturePlaces().position);
     if (camera_.gain.isOne()) return;
-    const double worth = worthOfGain(likelihoodOfDrift());
+    const double drifted = likelihoodOfDrift();
     for (int round = 0; round < kCameraRounds; ++round) {
         LightFit fit = fitOf(LampEvidence::kPairsFirst);
         fit.expectLeaks(estimate_.log);
         CameraColumns columns = columnsOf(camera_.gain, evidence_.texturePlaces());
-        columns.worth = worth;
+        columns.worth = worthOfGain(drifted);
         LightEstimate even = fit.solve(emits_, estimate_.log, columns, kFirstWidth);
         camera_.gain = gainOf(std::move(camera_.gain), even.camera);
         seeByCamera(std::move(even.log));
     }
     const TexturePlaces places = evidence_.texturePlaces();
     camera_.gain = withWhiteBalance(std::move(camera_.gain), places.position, albedo(),
-                                    evidence_.pairs(LampEvidence::kPairsFirst), evidence_.told());
+                                    evidence_.pairs(LampEvidence::kPairsFirst), evidence_.told(),
+                                    {drifted, LightFit::effectivePairs(model_)});
     seeByCamera(estimate_.log);
 }
 

@@ -34,14 +34,14 @@ constexpr size_t kPlacesOfChunk = 256;  // that one thread sums
 constexpr double kLeastMatters = 0.001; // of the light at places: what paint a wall has that sends
                                         // less changes nothing
 
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+} // namespace
+
 double logDeterminant(const Eigen::MatrixXd& matrix)
 {
     return 2.0 * matrix.llt().matrixL().toDenseMatrix().diagonal().array().log().sum();
 }
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-} // namespace
 
 double medianOfAll(std::vector<double> values)
 {

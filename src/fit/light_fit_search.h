@@ -143,6 +143,8 @@ private:
     double product_ = 1.0;
 };
 
+/// Of a positive definite one.
+double logDeterminant(const Eigen::MatrixXd& matrix);
 /// 0 of none.
 double medianOfAll(std::vector<double> values);
 std::vector<double> exponentials(std::span<const double> log);

@@ -2,12 +2,13 @@
 
 #include "base/radiometry.shared.h"
 #include "fit/camera_columns.h"
-#include "fit/light_fit.h"
+#include "fit/light_fit_search.h"
 #include "scan/gain.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -48,27 +49,37 @@ std::vector<Row> rowsOf(const Gain& gain, std::span<const glm::vec3> position,
     return rows;
 }
 
-double medianSize(std::vector<double> values)
+/// Cauchy's, of a scale of its own.
+double costOf(std::span<const double> differences, double noise)
 {
-    if (values.empty()) return 0.0;
-    for (double& value : values) value = std::abs(value);
-    const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    double cost = 0.0;
+    for (const double d : differences) cost += std::log(noise + d * d / noise);
+    return cost;
 }
+
+struct TintFit
+{
+    Eigen::VectorXd knots;
+    double evidence; // nats for a drift, with its Occam factor
+};
 
 /// Knots that explain the differences of pairs best, by Cauchy's loss and the prior. Each pair is
 /// `worth` an independent one, but for those from `told` on, which a person named: one each.
-Eigen::VectorXd knotsOf(const std::vector<Row>& rows, const std::vector<double>& difference,
-                        const Eigen::MatrixXd& prior, double worth, size_t told)
+TintFit fitOf(const std::vector<Row>& rows, const std::vector<double>& difference,
+              const Eigen::MatrixXd& prior, double worth, size_t told)
 {
+    const auto noiseOf = [&](const std::vector<double>& left) {
+        std::vector<double> sizes(told);
+        std::transform(left.begin(), left.begin() + static_cast<ptrdiff_t>(told), sizes.begin(),
+                       [](double d) { return std::abs(d); });
+        return std::max(medianOfAll(std::move(sizes)), kLeastTintNoise);
+    };
     Eigen::VectorXd knots = Eigen::VectorXd::Zero(prior.rows());
+    Eigen::MatrixXd matrix;
     std::vector<double> left = difference;
     for (int round = 0; round < kRounds; ++round) {
-        const double noise =
-            std::max(medianSize({left.begin(), left.begin() + static_cast<ptrdiff_t>(told)}),
-                     kLeastTintNoise);
-        Eigen::MatrixXd matrix = prior;
+        const double noise = noiseOf(left);
+        matrix = prior;
         Eigen::VectorXd slope = Eigen::VectorXd::Zero(prior.rows());
         for (size_t i = 0; i < rows.size(); ++i) {
             const Row& row = rows[i];
@@ -87,14 +98,18 @@ Eigen::VectorXd knotsOf(const std::vector<Row>& rows, const std::vector<double>&
                 left[i] -= rows[i].part[a] * knots[rows[i].knot[a]];
         }
     }
-    return knots;
+    const double gained = costOf(std::span(difference).first(told), noiseOf(difference)) -
+                          costOf(std::span(left).first(told), noiseOf(left));
+    const double evidence = worth * gained - 0.5 * knots.dot(prior * knots) -
+                            0.5 * (logDeterminant(matrix) - logDeterminant(prior));
+    return {std::move(knots), evidence};
 }
 
 } // namespace
 
 Gain withWhiteBalance(Gain gain, std::span<const glm::vec3> position,
                       std::span<const glm::vec3> albedo, std::span<const MaterialPair> pairs,
-                      std::span<const MaterialPair> told)
+                      std::span<const MaterialPair> told, const DriftBelief& belief)
 {
     std::vector<Row> rows = rowsOf(gain, position, pairs);
     const std::vector<Row> rowsOfTold = rowsOf(gain, position, told);
@@ -103,21 +118,31 @@ Gain withWhiteBalance(Gain gain, std::span<const glm::vec3> position,
     const auto knotCount = static_cast<Eigen::Index>(gain.log.size());
     const Eigen::MatrixXd prior =
         Eigen::Map<const Eigen::MatrixXd>(precision.data(), knotCount, knotCount);
-    // What is wrong with the light is hardly coloured, so every place tells of its own.
-    const double worth = static_cast<double>(position.size()) /
-                         static_cast<double>(std::max<size_t>(pairs.size(), 1));
-    for (const int channel : {0, 2}) {
+
+    const std::array<int, 2> channels{0, 2};
+    std::array<std::vector<double>, 2> differences;
+    for (size_t c = 0; c < channels.size(); ++c) {
         const auto overGreen = [&](uint32_t place) {
-            return static_cast<double>(logOfLight(albedo[place][channel]) -
+            return static_cast<double>(logOfLight(albedo[place][channels[c]]) -
                                        logOfLight(albedo[place].g));
         };
-        std::vector<double> difference;
         for (const auto some : {pairs, told})
             for (const MaterialPair pair : some)
-                difference.push_back(overGreen(pair.p) - overGreen(pair.q));
-        const Eigen::VectorXd knots = knotsOf(rows, difference, prior, worth, pairs.size());
+                differences[c].push_back(overGreen(pair.p) - overGreen(pair.q));
+    }
+    const double perPair =
+        belief.independent / static_cast<double>(std::max<size_t>(pairs.size(), 1));
+    double evidence = 0.0;
+    for (const std::vector<double>& difference : differences)
+        evidence += fitOf(rows, difference, prior, kGainWorth * perPair, pairs.size()).evidence;
+    const double likely = 1.0 - (1.0 - belief.exposure) * (1.0 - likelihoodOfDrift(evidence));
+    // What is wrong with the light is hardly coloured, so every place tells of its own.
+    const double places = static_cast<double>(position.size()) / belief.independent;
+    const double worth = perPair * std::pow(std::max(places, 1.0), likely);
+    for (size_t c = 0; c < channels.size(); ++c) {
+        const Eigen::VectorXd knots = fitOf(rows, differences[c], prior, worth, pairs.size()).knots;
         glm::vec3 tint(0.0f);
-        tint[channel] = 1.0f;
+        tint[channels[c]] = 1.0f;
         tint -= glm::vec3(luminance(tint));
         for (size_t k = 0; k < gain.log.size(); ++k)
             gain.log[k] += tint * static_cast<float>(knots[static_cast<Eigen::Index>(k)]);

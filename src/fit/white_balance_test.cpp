@@ -20,17 +20,17 @@ struct TintedFloor
     std::vector<glm::vec3> albedo;
     std::vector<MaterialPair> pairs;
 
-    /// Red rises by `rise` (log) from left to right.
-    explicit TintedFloor(float rise)
+    /// Red rises by `rise` (log) from left to right; `noise` (log): of single places.
+    explicit TintedFloor(float rise, float noise = 0.02f)
     {
         std::mt19937 random(7);
         const auto unit = [&] { return static_cast<float>(random() >> 8) / 16777216.0f; };
         for (int i = 0; i < 3000; ++i) {
             position.emplace_back(6.0f * unit(), 0.0f, 6.0f * unit());
             const glm::vec3 paint = i % 2 == 0 ? glm::vec3(0.6f, 0.5f, 0.4f) : glm::vec3(0.2f);
-            const float noise = std::exp(0.02f * (unit() - 0.5f));
+            const float off = std::exp(noise * (unit() - 0.5f));
             albedo.push_back(
-                paint * glm::vec3(noise * std::exp(rise * position.back().x / 6.0f), 1.0f, 1.0f));
+                paint * glm::vec3(off * std::exp(rise * position.back().x / 6.0f), 1.0f, 1.0f));
         }
         for (int i = 0; i < 9000; ++i) {
             const auto p = static_cast<uint32_t>(random() % 3000);
@@ -40,9 +40,10 @@ struct TintedFloor
         }
     }
 
-    [[nodiscard]] Gain found() const
+    [[nodiscard]] Gain found(double exposureDrifted = 0.0) const
     {
-        return withWhiteBalance(latticeOver(position, 1.2f, 120), position, albedo, pairs);
+        return withWhiteBalance(latticeOver(position, 1.2f, 120), position, albedo, pairs, {},
+                                {exposureDrifted, 75.0});
     }
 };
 
@@ -62,6 +63,19 @@ TEST(WhiteBalance, DriftOfOneColorIsFoundAndItsBrightnessStays)
     EXPECT_NEAR(redOverGreen(right) - redOverGreen(left), 0.9f * kRise, 0.1f * kRise);
     EXPECT_NEAR(luminance(right) / luminance(left), 1.0f, 0.005f);
     EXPECT_NEAR(std::log(right.b / right.g), std::log(left.b / left.g), 0.01f);
+}
+
+// A rise that is small beside what places differ by is no evidence; with exposure that drifted it
+// counts.
+TEST(WhiteBalance, WhatIsUnlikelyToBeADriftIsNone)
+{
+    constexpr float kRise = 0.02f;
+    const TintedFloor floor(kRise, 0.4f);
+    const auto rise = [](const Gain& gain) {
+        return redOverGreen(gain.at({5.7f, 0, 3})) - redOverGreen(gain.at({0.3f, 0, 3}));
+    };
+    EXPECT_LT(rise(floor.found()), 0.35f * kRise);
+    EXPECT_GT(rise(floor.found(1.0)), kRise);
 }
 
 TEST(WhiteBalance, PaintsAloneMakeNoDrift)
