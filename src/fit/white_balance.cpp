@@ -105,6 +105,32 @@ TintFit fitOf(const std::vector<Row>& rows, const std::vector<double>& differenc
     return {std::move(knots), evidence};
 }
 
+/// Of red or blue over green, between the places of pairs: logarithms.
+std::vector<double> differencesOf(std::span<const glm::vec3> albedo, int channel,
+                                  std::span<const MaterialPair> pairs,
+                                  std::span<const MaterialPair> told)
+{
+    const auto overGreen = [&](uint32_t place) {
+        return static_cast<double>(logOfLight(albedo[place][channel]) -
+                                   logOfLight(albedo[place].g));
+    };
+    std::vector<double> differences;
+    for (const auto some : {pairs, told})
+        for (const MaterialPair pair : some)
+            differences.push_back(overGreen(pair.p) - overGreen(pair.q));
+    return differences;
+}
+
+/// Of a channel, without a change of brightness.
+void addTint(Gain& gain, int channel, const Eigen::VectorXd& knots)
+{
+    glm::vec3 tint(0.0f);
+    tint[channel] = 1.0f;
+    tint -= glm::vec3(luminance(tint));
+    for (size_t k = 0; k < gain.log.size(); ++k)
+        gain.log[k] += tint * static_cast<float>(knots[static_cast<Eigen::Index>(k)]);
+}
+
 } // namespace
 
 Gain withWhiteBalance(Gain gain, std::span<const glm::vec3> position,
@@ -119,34 +145,20 @@ Gain withWhiteBalance(Gain gain, std::span<const glm::vec3> position,
     const Eigen::MatrixXd prior =
         Eigen::Map<const Eigen::MatrixXd>(precision.data(), knotCount, knotCount);
 
-    const std::array<int, 2> channels{0, 2};
-    std::array<std::vector<double>, 2> differences;
-    for (size_t c = 0; c < channels.size(); ++c) {
-        const auto overGreen = [&](uint32_t place) {
-            return static_cast<double>(logOfLight(albedo[place][channels[c]]) -
-                                       logOfLight(albedo[place].g));
-        };
-        for (const auto some : {pairs, told})
-            for (const MaterialPair pair : some)
-                differences[c].push_back(overGreen(pair.p) - overGreen(pair.q));
-    }
+    const std::vector<double> red = differencesOf(albedo, 0, pairs, told);
+    const std::vector<double> blue = differencesOf(albedo, 2, pairs, told);
     const double perPair =
         belief.independent / static_cast<double>(std::max<size_t>(pairs.size(), 1));
-    double evidence = 0.0;
-    for (const std::vector<double>& difference : differences)
-        evidence += fitOf(rows, difference, prior, kGainWorth * perPair, pairs.size()).evidence;
+    const auto fit = [&](const std::vector<double>& differences, double worth) {
+        return fitOf(rows, differences, prior, worth * perPair, pairs.size());
+    };
+    const double evidence = fit(red, kGainWorth).evidence + fit(blue, kGainWorth).evidence;
     const double likely = 1.0 - (1.0 - belief.exposure) * (1.0 - likelihoodOfDrift(evidence));
     // What is wrong with the light is hardly coloured, so every place tells of its own.
     const double places = static_cast<double>(position.size()) / belief.independent;
-    const double worth = perPair * std::pow(std::max(places, 1.0), likely);
-    for (size_t c = 0; c < channels.size(); ++c) {
-        const Eigen::VectorXd knots = fitOf(rows, differences[c], prior, worth, pairs.size()).knots;
-        glm::vec3 tint(0.0f);
-        tint[channels[c]] = 1.0f;
-        tint -= glm::vec3(luminance(tint));
-        for (size_t k = 0; k < gain.log.size(); ++k)
-            gain.log[k] += tint * static_cast<float>(knots[static_cast<Eigen::Index>(k)]);
-    }
+    const double worth = std::pow(std::max(places, 1.0), likely);
+    addTint(gain, 0, fit(red, worth).knots);
+    addTint(gain, 2, fit(blue, worth).knots);
     return gain;
 }
 

@@ -50,9 +50,9 @@ public:
           shift_(seededShift(sites.seed(), surfel, 5), seededShift(sites.seed(), surfel, 6))
     {}
 
-    /// Casts rays [begin, end) of a sequence; at most kTogether. False where the opening is nearer
-    /// than so few points allow.
-    bool cast(size_t begin, size_t end);
+    /// Casts more rays, at most kTogether. False where the opening is nearer than so few points
+    /// allow.
+    bool cast(size_t more);
     /// Whether all that could be seen so far is seen, or nothing.
     [[nodiscard]] bool agree() const { return seenCount_ == 0 || seenCount_ == facing_; }
     [[nodiscard]] bool seeNothing() const { return seenCount_ == 0; }
@@ -72,13 +72,14 @@ private:
     float squaresSum_ = 0.0f;
 };
 
-bool Looks::cast(size_t begin, size_t end)
+bool Looks::cast(size_t more)
 {
+    const size_t end = count_ + more;
     Ray rays[kTogether];
     float shares[kTogether];
     size_t count = 0;
     const auto whole = static_cast<float>(ofOpening_.size());
-    for (size_t i = begin; i < end; ++i) {
+    for (size_t i = count_; i < end; ++i) {
         const glm::vec2 u = evenPoint(static_cast<float>(i), shift_);
         const float at = u.x * whole;
         const auto k = std::min(static_cast<size_t>(at), ofOpening_.size() - 1);
@@ -106,7 +107,7 @@ bool Looks::cast(size_t begin, size_t end)
         ++seenCount_;
     }
     facing_ += count;
-    count_ += end - begin;
+    count_ = end;
     return true;
 }
 
@@ -173,10 +174,10 @@ seenByFronts(const Opening& opening, const OpeningSquares& squares, const Surfel
         for (size_t s = begin; s < end; ++s) {
             Looks look(squares, opening.squares, sites, scene, static_cast<uint32_t>(s));
             const std::span<const HitTarget> targets = targetsOf(hits, s);
-            bool isFar = look.cast(0, std::min(looks, kTogether));
+            bool isFar = look.cast(std::min(looks, kTogether));
             if (!look.agree() || (look.seeNothing() && leavesBy(opening, targets)))
                 for (size_t i = kTogether; i < looks && isFar; i += kTogether)
-                    isFar = look.cast(i, std::min(looks, i + kTogether));
+                    isFar = look.cast(std::min(looks - i, kTogether));
             if (!isFar) continue;
             seen[s] = look.seen();
             const auto count = static_cast<float>(targets.size());
