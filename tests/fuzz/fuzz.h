@@ -63,7 +63,7 @@ void expectResultOrSentence(Input input, const Work& work)
         work();
     } catch (const Error& error) {
         const std::string_view sentence = error.what();
-        const auto quotes = [&](std::string_view word) { // "\\x0b" may end as it begins
+        const auto quotes = [&](std::string_view word) { // an escape, as \x0b, may end as it begins
             word.remove_prefix(std::isxdigit(static_cast<unsigned char>(word.front())) ? 1 : 0);
             return textOf(input).find(word) != std::string_view::npos;
         };
