@@ -235,9 +235,9 @@ CameraColumns columnsOf(const Gain& known, const TexturePlaces& places)
     return columns;
 }
 
-double likelihoodOfDrift(double evidence)
+double likelihoodByEvidence(double drift)
 {
-    return 1.0 / (1.0 + std::exp(-evidence - kDriftNats));
+    return 1.0 / (1.0 + std::exp(-drift - kDriftNats));
 }
 
 double worthOfGain(double likely)

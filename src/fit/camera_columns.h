@@ -15,8 +15,8 @@ namespace relamp
 /// Radiance: local tone mapping lifts nothing darker.
 inline constexpr float kDarkestBase = 0.01f;
 
-/// Times N, that pairs are worth for the evidence of a drift; as much again where there is one:
-/// what errs alike over metres is gone then.
+/// Times N, that pairs are worth for the evidence of a drift; as much again where there is one, for
+/// what errs alike over metres is gone then, and the root of it where there is none.
 inline constexpr double kGainWorth = 4.0;
 
 /// Slope of an inverse response, and exponent of a tone, at least.
@@ -56,8 +56,8 @@ Gain evenGainOver(std::span<const glm::vec3> position);
 /// The logarithms of the gain's knots as unknowns beside the light.
 CameraColumns columnsOf(const Gain& known, const TexturePlaces& places);
 Gain gainOf(Gain lattice, std::span<const double> coefficients);
-/// How likely a camera drifted, by the evidence of that in nats.
-double likelihoodOfDrift(double evidence);
+/// How likely a camera drifted, by the evidence for `drift` in nats.
+double likelihoodByEvidence(double drift);
 /// How many times N pairs are worth beside that where exposure is `likely`, 0..1, to have drifted:
 /// where it has not, what looks like it are errors of the light.
 double worthOfGain(double likely);

@@ -137,7 +137,7 @@ double LampSearch::likelihoodOfDrift() const
         const LightEstimate light = fit.solve(emits_, estimate_.log, *columns[k], kFirstWidth);
         nats[k] = light.nats + light.occam;
     });
-    return relamp::likelihoodOfDrift(nats[0] - nats[1]);
+    return likelihoodByEvidence(nats[0] - nats[1]);
 }
 
 /// The drift of exposure and white balance, among lamps that are known.

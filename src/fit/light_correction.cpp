@@ -315,11 +315,6 @@ Eigen::VectorXf Settling::run()
     return std::move(lit_);
 }
 
-} // namespace
-
-namespace
-{
-
 struct TexelRange // of a page
 {
     size_t begin;

@@ -153,7 +153,7 @@ Gain withWhiteBalance(Gain gain, std::span<const glm::vec3> position,
         return fitOf(rows, differences, prior, worth * perPair, pairs.size());
     };
     const double evidence = fit(red, kGainWorth).evidence + fit(blue, kGainWorth).evidence;
-    const double likely = 1.0 - (1.0 - belief.exposure) * (1.0 - likelihoodOfDrift(evidence));
+    const double likely = 1.0 - (1.0 - belief.exposure) * (1.0 - likelihoodByEvidence(evidence));
     // What is wrong with the light is hardly coloured, so every place tells of its own.
     const double places = static_cast<double>(position.size()) / belief.independent;
     const double worth = std::pow(std::max(places, 1.0), likely);
