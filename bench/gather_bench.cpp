@@ -26,7 +26,7 @@ struct LampRoom
           texels(rasterizeAtlas(scan, progress, {.texelsAcross = 2.0})),
           radiance(collectRadiance(texels, progress)),
           hits(castHitLists(texels, scene, radiance, kRays, progress)),
-          found(findLamps(texels, scene, hits, radiance, {}, progress))
+          found(findLamps(texels, scene, hits, radiance, {}, 1.0, progress))
     {
         for (const FoundLamp& lamp : found.lamps) {
             areas.emplace_back(lamp.patches);
@@ -88,7 +88,8 @@ void lamps(benchmark::State& state)
 {
     LampRoom& r = room();
     for (auto _ : state)
-        benchmark::DoNotOptimize(findLamps(r.texels, r.scene, r.hits, r.radiance, {}, r.progress));
+        benchmark::DoNotOptimize(
+            findLamps(r.texels, r.scene, r.hits, r.radiance, {}, 1.0, r.progress));
 }
 
 void visibility(benchmark::State& state)

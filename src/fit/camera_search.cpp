@@ -106,6 +106,7 @@ void LampSearch::bend(size_t pairs)
 std::vector<glm::vec3> LampSearch::albedo() const
 {
     std::vector<glm::vec3> albedo(model_.places());
+    const PackedLight packed(model_);
     for (int c = 0; c < 3; ++c) {
         std::vector<double> radiance;
         for (const Piece& piece : pieces_)
@@ -115,7 +116,7 @@ std::vector<glm::vec3> LampSearch::albedo() const
         std::vector<double> light;
         for (size_t i = 0; i < albedo.size(); ++i)
             light.push_back(static_cast<double>(model_.gathered[i][c]));
-        addLight(model_, radiance, 0, light);
+        packed.add(radiance, 0, light);
         for (size_t i = 0; i < albedo.size(); ++i)
             albedo[i][c] =
                 kPi * model_.shown[i][c] / std::max(static_cast<float>(light[i]), kFaintest);

@@ -20,11 +20,14 @@ namespace
 
 // Numerics.
 constexpr double kPlacesOfRoom = 3000.0; // of fewer, noise of their few rays is evidence, too
-constexpr size_t kEvidencePlaces = 6000; // all over a scan, so that a small lamp lights a dozen
-constexpr size_t kPlacesOfDraft = 2000;  // likewise, for a first look
-constexpr size_t kLooks = 12;            // from a piece, at the others
-constexpr size_t kRaysToSettle = 2;      // to a lamp at most, for what walls send on of it
-constexpr float kAreaOfRay = 0.05f;      // m^2 of a piece that a ray from an origin is for
+constexpr size_t kEvidencePlaces =
+    6000; // of a room, all over it, so that a small lamp lights a dozen
+constexpr size_t kPlacesOfDraft = 2000; // likewise, for a first look
+constexpr double kOneRoom = 1.5;     // up to which a small lamp's few places are not to be missed
+constexpr size_t kPlacesOfScout = 4; // see directOfLists()
+constexpr size_t kLooks = 12;        // from a piece, at the others
+constexpr size_t kRaysToSettle = 2;  // to a lamp at most, for what walls send on of it
+constexpr float kAreaOfRay = 0.05f;  // m^2 of a piece that a ray from an origin is for
 
 std::vector<SoughtLamp> soughtOf(std::span<const Piece> pieces, size_t fewestRays,
                                  size_t mostRays = LampEvidence::kMostRays)
@@ -62,26 +65,29 @@ std::vector<uint32_t> looksFrom(const Piece& piece)
 } // namespace
 
 std::vector<uint32_t> placesToLookAt(const Surfels& surfels, const SurfelRadiance& radiance,
-                                     Quality quality)
+                                     Quality quality, double rooms)
 {
     std::vector<uint32_t> good;
     for (uint32_t s = 0; s < surfels.count(); ++s)
         if (radiance.plainArea[s] > 0.0f && radiance.clippedArea[s] < 0.02f * radiance.plainArea[s])
             good.push_back(s);
-    const size_t most = quality == Quality::draft ? kPlacesOfDraft : kEvidencePlaces;
+    const size_t ofRoom = quality == Quality::draft ? kPlacesOfDraft : kEvidencePlaces;
+    const auto most = static_cast<size_t>(static_cast<double>(ofRoom) * rooms);
     std::vector<uint32_t> places(std::min(most, good.size()));
     for (size_t i = 0; i < places.size(); ++i) places[i] = good[i * good.size() / places.size()];
     return places;
 }
 
 LampEvidence::LampEvidence(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                           SurfelRadiance radiance, Quality quality,
+                           SurfelRadiance radiance, Quality quality, double rooms,
                            std::span<const MaterialPair> told)
     : texels_(texels), scene_(scene), hits_(hits), radiance_(std::move(radiance)),
       textureOfAll_(radiance_.plain), field_(fieldOf(radiance_))
 {
-    for (const uint32_t place : placesToLookAt(texels.surfels, radiance_, quality)) addPlace(place);
+    for (const uint32_t place : placesToLookAt(texels.surfels, radiance_, quality, rooms))
+        addPlace(place);
     drawn_ = places_.size();
+    rooms_ = std::clamp(static_cast<double>(drawn_) / kPlacesOfRoom, 1.0, rooms);
     for (const auto& [p, q] : told) told_.push_back({addPlace(p), addPlace(q)});
     findAround();
 }
@@ -151,13 +157,10 @@ Gain LampEvidence::brightnessAround(const Response& response) const
 
 void LampEvidence::drawAllPairs()
 {
-    for (const size_t perPlace : {kPairsFirst, kPairs}) {
-        DrawnPairs drawn =
+    for (const size_t perPlace : {kPairsFirst, kPairs})
+        pairs_[perPlace] =
             drawPairs(std::span(texture_).first(drawn_), std::span(places_).first(drawn_),
                       texels_.surfels, scene_, perPlace);
-        pairs_[perPlace] = std::move(drawn.pairs);
-        rooms_ = std::clamp(static_cast<double>(drawn_) / kPlacesOfRoom, 1.0, drawn.rooms);
-    }
 }
 
 std::span<const MaterialPair> LampEvidence::pairs(size_t perPlace) const
@@ -167,8 +170,8 @@ std::span<const MaterialPair> LampEvidence::pairs(size_t perPlace) const
 
 void LampEvidence::look(std::span<Piece> pieces, size_t fewestRays) const
 {
-    const auto samples =
-        directOfLists(texels_, scene_, hits_, soughtOf(pieces, fewestRays), places_);
+    const auto samples = directOfLists(texels_, scene_, hits_, soughtOf(pieces, fewestRays),
+                                       places_, rooms_ > kOneRoom ? kPlacesOfScout : 1);
     for (size_t f = 0; f < pieces.size(); ++f) {
         pieces[f].direct.clear();
         for (const AreaSample& sample : samples[f]) pieces[f].direct.push_back(sample.visible);

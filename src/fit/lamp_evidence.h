@@ -20,9 +20,9 @@ namespace relamp
 {
 
 /// Surfels to look at: with next to nothing burnt out, evenly along the curve through space that
-/// surfels are sorted by.
+/// surfels are sorted by. As many more as there are `rooms`, >= 1, as roomsOf().
 std::vector<uint32_t> placesToLookAt(const Surfels& surfels, const SurfelRadiance& radiance,
-                                     Quality quality);
+                                     Quality quality, double rooms);
 
 /// What pieces see of each other, from some of each one's surfels.
 struct PieceSights
@@ -42,7 +42,8 @@ public:
     /// `told`: surfels that a person called one paint; they are places, too, behind those that
     /// pairs are drawn of.
     LampEvidence(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                 SurfelRadiance radiance, Quality quality, std::span<const MaterialPair> told = {});
+                 SurfelRadiance radiance, Quality quality, double rooms = 1.0,
+                 std::span<const MaterialPair> told = {});
 
     /// Whether there are pairs to be had.
     [[nodiscard]] bool tells() const { return drawn_ > 1; }

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,8 @@ class LampSearch
 {
 public:
     LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
-               const SurfelRadiance& radiance, const GatherOptions& options, Progress& progress);
+               const SurfelRadiance& radiance, const GatherOptions& options, double rooms,
+               Progress& progress);
 
     FoundLamps run();
 
@@ -46,7 +48,8 @@ private:
         double log = 0.0;  // radiance to start from
         LightEstimate estimate{};
     };
-    [[nodiscard]] std::optional<Addition> bestAddition(const LightFit& fit) const;
+    [[nodiscard]] std::vector<size_t> apart(std::span<const std::vector<uint32_t>> sets) const;
+    [[nodiscard]] std::vector<Addition> bestAdditions(const LightFit& fit) const;
     void drop(const LightFit& fit);
     bool grow(const LightFit& fit);
     void lookCloser();
@@ -79,6 +82,7 @@ private:
     std::vector<glm::vec3> nothingNear_; // see FoundLamps
     std::vector<std::string> warnings_;
     ToldPaint told_; // of surfels
+    double rooms_;   // that there are, >= 1
     LampEvidence evidence_;
     std::vector<Piece> pieces_;
     std::vector<uint8_t> emits_; // of pieces

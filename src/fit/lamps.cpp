@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "fit/lamp_search.h"
+#include "fit/light_gain.h"
 #include "fit/outside.h"
 #include "fit/sun.h"
 #include "fit/sun_search.h"
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -38,10 +40,12 @@ constexpr double kColorSpread = 1.0;  // log: of a lamp's channels about its lum
 
 // Numerics.
 constexpr double kLeanNats = 0.03; // a part of a lamp that no light asks for does not shine
-constexpr size_t kMostPieces = 96; // that may emit; a fit takes the square of their number
+constexpr double kMostPieces =
+    96.0; // of a room, that may emit; a fit takes the square of their number
 constexpr size_t kSearchSteps = 4; // of the search, as progress tells
-constexpr size_t kTries = 4;       // of the most promising pieces, each time one is added
-constexpr int kChoices = 4;        // rounds of taking away and adding, at most
+constexpr double kTries = 4.0;     // of the most promising pieces of a room, each time one is added
+constexpr float kHardlyCommon = 0.01f; // of two lamps' light at places, that comes to the same ones
+constexpr int kChoices = 4;            // rounds of taking away and adding, at most
 
 std::string unknownAt(glm::vec3 place, size_t lamps)
 {
@@ -66,14 +70,15 @@ bool isByCamera(const Scan& scan)
 } // namespace
 
 LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                       const SurfelRadiance& radiance, const GatherOptions& options,
+                       const SurfelRadiance& radiance, const GatherOptions& options, double rooms,
                        Progress& progress)
     : texels_(texels), scene_(scene), hits_(hits), isSunSought_(options.sun),
       isResponseSought_(!options.response && isByCamera(*texels.scan)),
       isGainSought_(options.gain && isByCamera(*texels.scan)),
       stage_(progress, "lamps", kSearchSteps),
-      told_(toldPaintOf(options, texels.surfels, radiance, warnings_)),
-      evidence_(texels, scene, hits, radiance, options.quality, told_.same), noise_(kFirstNoise)
+      told_(toldPaintOf(options, texels.surfels, radiance, warnings_)), rooms_(rooms),
+      evidence_(texels, scene, hits, radiance, options.quality, rooms, told_.same),
+      noise_(kFirstNoise)
 {
     if (options.response) takeResponse(*options.response);
     callAll([&] { takeCandidates(options, radiance); }, [&] { evidence_.drawAllPairs(); });
@@ -105,12 +110,13 @@ void LampSearch::takeCandidates(const GatherOptions& options, const SurfelRadian
     std::erase_if(isGiven, [&](uint8_t) { return isRefused[c++] != 0; });
     c = 0;
     std::erase_if(candidates, [&](const Candidate&) { return isRefused[c++] != 0; });
-    LampGroups lamps = groupLamps(std::move(candidates), isGiven, kMostPieces);
+    const auto most = static_cast<size_t>(kMostPieces * rooms_);
+    LampGroups lamps = groupLamps(std::move(candidates), isGiven, most);
     if (lamps.leftOut > 0)
         warnings_.push_back(fmt::format("{} burnt-out pieces, {:.2f} m^2 together, are more than "
                                         "the {} largest and were taken for no lights; point at "
                                         "those that are with --light",
-                                        lamps.leftOut, lamps.areaLeftOut, kMostPieces));
+                                        lamps.leftOut, lamps.areaLeftOut, most));
     for (LampGroup& group : lamps.groups) addPieces(std::move(group));
     for (const Candidate& square : hits_.squares) {
         const size_t body = pieces_.size();
@@ -220,7 +226,32 @@ void LampSearch::prune(const LightFit& fit)
     }
 }
 
-/// The same by fits without each of them; the least needed goes first.
+/// Which sets of pieces can be decided on at once, from the first on: each lights hardly a place
+/// that one before it lights, as lamps of two rooms do.
+std::vector<size_t> LampSearch::apart(std::span<const std::vector<uint32_t>> sets) const
+{
+    std::vector<size_t> apart;
+    std::vector<std::vector<float>> lights;
+    for (size_t k = 0; k < sets.size(); ++k) {
+        std::vector<float> light(model_.places(), 0.0f);
+        for (size_t i = 0; i < light.size(); ++i)
+            for (const uint32_t piece : sets[k]) light[i] += model_.directAt(i)[piece];
+        const float all = std::accumulate(light.begin(), light.end(), 0.0f);
+        for (float& l : light) l /= std::max(all, kFaintest);
+        const auto isApart = [&](const std::vector<float>& other) {
+            float common = 0.0f;
+            for (size_t i = 0; i < light.size(); ++i) common += std::min(light[i], other[i]);
+            return common < kHardlyCommon;
+        };
+        if (!std::all_of(lights.begin(), lights.end(), isApart)) continue;
+        apart.push_back(k);
+        lights.push_back(std::move(light));
+    }
+    return apart;
+}
+
+/// The same by fits without each of them; the least needed goes first, and with it what is apart
+/// from it.
 void LampSearch::drop(const LightFit& fit)
 {
     struct Trial
@@ -230,41 +261,51 @@ void LampSearch::drop(const LightFit& fit)
         double lost = 0.0; // nats
     };
     for (;;) {
-        std::vector<Trial> trials;
-        for (const Removal& removal : removals()) {
-            trials.push_back({emits_});
-            for (const uint32_t piece : removal.pieces) trials.back().emits[piece] = 0;
-            trials.back().lost = -removal.cost - estimate_.nats;
-        }
+        std::vector<Removal> removals = this->removals();
+        std::vector<Trial> trials(removals.size());
         forEach(trials.size(), [&](size_t k) {
-            trials[k].estimate = fit.trial(trials[k].emits, estimate_.log, -trials[k].lost);
-            trials[k].lost += trials[k].estimate.nats;
+            trials[k].emits = emits_;
+            for (const uint32_t piece : removals[k].pieces) trials[k].emits[piece] = 0;
+            const double most = estimate_.nats + removals[k].cost;
+            trials[k].estimate = fit.trial(trials[k].emits, estimate_.log, most);
+            trials[k].lost = trials[k].estimate.nats - most;
         });
-        const auto least =
-            std::min_element(trials.begin(), trials.end(),
-                             [](const Trial& a, const Trial& b) { return a.lost < b.lost; });
-        if (least == trials.end() || least->lost >= 0.0) return;
-        emits_ = std::move(least->emits);
-        estimate_ = std::move(least->estimate);
+        std::vector<size_t> needless;
+        for (size_t k = 0; k < trials.size(); ++k)
+            if (trials[k].lost < 0.0) needless.push_back(k);
+        if (needless.empty()) return;
+        std::stable_sort(needless.begin(), needless.end(),
+                         [&](size_t a, size_t b) { return trials[a].lost < trials[b].lost; });
+        std::vector<std::vector<uint32_t>> sets;
+        for (const size_t k : needless) sets.push_back(std::move(removals[k].pieces));
+        const std::vector<size_t> gone = apart(sets);
+        for (const size_t set : gone)
+            for (const uint32_t piece : sets[set]) emits_[piece] = 0;
+        estimate_ = gone.size() == 1 ? std::move(trials[needless.front()].estimate)
+                                     : fit.trial(emits_, estimate_.log, INFINITY);
     }
 }
 
-/// The piece whose emission gains most; none where nothing gains.
-std::optional<LampSearch::Addition> LampSearch::bestAddition(const LightFit& fit) const
+/// The pieces whose emission gains most, apart from each other; none where nothing gains.
+std::vector<LampSearch::Addition> LampSearch::bestAdditions(const LightFit& fit) const
 {
     std::vector<Addition> additions;
     for (uint32_t f = 0; f < pieces_.size(); ++f)
         if (emits_[f] == 0 && !pieces_[f].isUnseen &&
             (pieces_[f].isOpening || model_.area[f] > 0.0f))
             additions.push_back({f});
+    const LightGain gain(fit, estimate_);
     forEach(additions.size(), [&](size_t k) {
         Addition& a = additions[k];
-        a.gain = fit.gain(estimate_, a.piece, a.log) - costOf(a.piece);
+        a.gain = gain.of(a.piece, a.log) - costOf(a.piece);
     });
-    std::stable_sort(additions.begin(), additions.end(),
-                     [](const Addition& a, const Addition& b) { return a.gain > b.gain; });
+    const auto sort = [&] {
+        std::stable_sort(additions.begin(), additions.end(),
+                         [](const Addition& a, const Addition& b) { return a.gain > b.gain; });
+    };
+    sort();
     std::erase_if(additions, [](const Addition& a) { return a.log <= 0.0; });
-    additions.resize(std::min(additions.size(), kTries));
+    additions.resize(std::min(additions.size(), static_cast<size_t>(kTries * rooms_)));
     forEach(additions.size(), [&](size_t k) {
         Addition& a = additions[k];
         std::vector<uint8_t> with = emits_;
@@ -275,22 +316,29 @@ std::optional<LampSearch::Addition> LampSearch::bestAddition(const LightFit& fit
         a.estimate = fit.trial(with, std::move(start), most);
         a.gain = most - a.estimate.nats;
     });
-    const auto best =
-        std::max_element(additions.begin(), additions.end(),
-                         [](const Addition& a, const Addition& b) { return a.gain < b.gain; });
-    if (best == additions.end() || best->gain <= 0.0) return std::nullopt;
-    return std::move(*best);
+    std::erase_if(additions, [](const Addition& a) { return a.gain <= 0.0; });
+    sort();
+    std::vector<std::vector<uint32_t>> sets;
+    for (const Addition& a : additions) sets.push_back({a.piece});
+    std::vector<Addition> best;
+    for (const size_t set : apart(sets)) best.push_back(std::move(additions[set]));
+    return best;
 }
 
-/// Lets the piece emit that the light of the room asks for most, again and again; false where none
+/// Lets the pieces emit that the light of the room asks for most, again and again; false where none
 /// is asked for.
 bool LampSearch::grow(const LightFit& fit)
 {
     for (bool isAny = false;; isAny = true) {
-        std::optional<Addition> best = bestAddition(fit);
-        if (!best) return isAny;
-        emits_[best->piece] = 1;
-        estimate_ = std::move(best->estimate);
+        std::vector<Addition> best = bestAdditions(fit);
+        if (best.empty()) return isAny;
+        std::vector<double> start = estimate_.log;
+        for (const Addition& a : best) {
+            emits_[a.piece] = 1;
+            start[a.piece] = a.log;
+        }
+        estimate_ = best.size() == 1 ? std::move(best.front().estimate)
+                                     : fit.trial(emits_, std::move(start), INFINITY);
     }
 }
 
@@ -303,8 +351,9 @@ void LampSearch::choose(size_t pairs)
     prune(fit);
     for (int round = 0; round < kChoices; ++round) {
         drop(fit);
-        if (!grow(fit)) return;
+        if (!grow(fit)) break;
     }
+    if (estimate_.error.empty()) estimate_ = fit.solve(emits_, estimate_.log, 1.0);
 }
 
 std::vector<Piece> LampSearch::lamps() const
@@ -514,10 +563,10 @@ FoundLamps LampSearch::run()
 }
 
 FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                     const SurfelRadiance& radiance, const GatherOptions& options,
+                     const SurfelRadiance& radiance, const GatherOptions& options, double rooms,
                      Progress& progress)
 {
-    return LampSearch(texels, scene, hits, radiance, options, progress).run();
+    return LampSearch(texels, scene, hits, radiance, options, rooms, progress).run();
 }
 
 std::vector<std::span<const ClippedPatch>> singlesOf(const FoundLamp& lamp)

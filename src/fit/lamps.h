@@ -70,9 +70,10 @@ struct FoundLamps
 /// equally bright become one lamp. What a person says of a place in `options` is not doubted;
 /// where such a lamp lights too little to tell how bright it is, a warning says so; pairs of
 /// places that are called one paint count as data. Beyond 96
-/// candidates, alike neighbours are one unknown and come out as one FoundLamp.
+/// candidates a room (`rooms` >= 1: how many there are, as roomsOf()), alike neighbours are one
+/// unknown and come out as one FoundLamp.
 FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists& hits,
-                     const SurfelRadiance& radiance, const GatherOptions& options,
+                     const SurfelRadiance& radiance, const GatherOptions& options, double rooms,
                      Progress& progress);
 
 /// The patches of each lamp of a group, or of the one that it is.

@@ -1,5 +1,6 @@
 #include "fit/lamps.h"
 
+#include "fit/pairs.h"
 #include "scenes/lit_room.h"
 #include "scenes/many_lamps.h"
 #include "scenes/surfaces.h"
@@ -18,7 +19,22 @@ FoundLamps lampsOf(const scenes::Surfaces& room, const GatherOptions& options)
 {
     Progress progress;
     return findLamps(room.texels, room.rays, scenes::hitListsOf(room, 64), room.radiance, options,
-                     progress);
+                     roomsOf(room.texels.surfels, room.rays), progress);
+}
+
+/// The same room so often, each `apart` metres beside the last along x.
+Scan rowOf(const Scan& room, int count, float apart)
+{
+    Scan row;
+    for (int k = 0; k < count; ++k) {
+        row.pages.push_back(room.pages.front());
+        for (Mesh mesh : room.meshes) {
+            mesh.page = k;
+            for (glm::vec3& place : mesh.positions) place.x += apart * static_cast<float>(k);
+            row.meshes.push_back(std::move(mesh));
+        }
+    }
+    return row;
 }
 
 /// What is found in the room with the panel and the burnt-out sheet.
@@ -123,6 +139,27 @@ TEST(Lamps, LampThatLightsNothingSeenIsNotDetermined)
     EXPECT_NEAR(lamps.powers.lamps[1].g, 1.0f, 0.1f);
     EXPECT_THAT(lamps.warnings, testing::ElementsAre(testing::HasSubstr(
                                     "how bright the light at 1.25, 3.00, 1.25 is")));
+}
+
+// A house has as many places to look at a room as a room has, and no lamp of one lights another.
+TEST(Lamps, EveryRoomOfAHouseHasItsOwn)
+{
+    constexpr int kRooms = 4;
+    constexpr float kApart = LitRoom::kSize.x + 0.2f;
+    const LitRoom room;
+    ASSERT_EQ(room.scan.pages.size(), 1u);
+    const FoundLamps lamps = lampsOf(scenes::Surfaces(rowOf(room.scan, kRooms, kApart)), {});
+    ASSERT_EQ(lamps.lamps.size(), size_t{kRooms});
+    for (int k = 0; k < kRooms; ++k) {
+        const glm::vec3 centre =
+            LitRoom::kLampCentre + glm::vec3(kApart * static_cast<float>(k), 0.0f, 0.0f);
+        size_t here = lamps.lamps.size();
+        for (size_t l = 0; l < lamps.lamps.size(); ++l)
+            if (distanceTo(lamps.lamps[l], centre) < 0.1f) here = l;
+        ASSERT_LT(here, lamps.lamps.size()) << "room " << k;
+        EXPECT_NEAR(powerOf(lamps, here).g / (LitRoom::kLampArea * LitRoom::kLampRadiance.g), 1.0f,
+                    0.1f);
+    }
 }
 
 TEST(Lamps, ThreeHundredCeilingPanelsAreFoundInGroups)

@@ -28,7 +28,7 @@ constexpr double kLeastIrradiance = 1e-3; // radiance sr, that no place falls be
 
 LightFit::LightFit(const LightModel& model, std::span<const MaterialPair> pairs,
                    std::span<const AlikePieces> alike, double noise, int channel)
-    : model_(model), pairs_(pairs), alike_(alike), channel_(channel), noise_(noise),
+    : model_(model), light_(model), pairs_(pairs), alike_(alike), channel_(channel), noise_(noise),
       noiseAbove_(pairs.size(), noise), noiseBelow_(pairs.size(), noise),
       paintShare_(pairs.size(), 1.0),
       normalization_(static_cast<double>(pairs.size()) * std::log(noise))
@@ -66,7 +66,7 @@ std::vector<double> LightFit::irradiance(std::span<const double> radiance, size_
 {
     std::vector<double> light;
     for (size_t i = first; i < end; ++i) light.push_back(gathered_[i] + kLeastIrradiance);
-    addLight(model_, radiance, first, light);
+    light_.add(radiance, first, light);
     return light;
 }
 
@@ -139,52 +139,6 @@ std::vector<double> LightFit::reflected(std::span<const double> log) const
     return sent;
 }
 
-double LightFit::gain(const LightEstimate& estimate, size_t piece, double& best) const
-{
-    // Numerics.
-    constexpr int kTried = 6; // radiances, each thrice the last
-    std::vector<double> radiance = exponentials(estimate.log);
-    const double was = std::exchange(radiance[piece], 0.0);
-    const std::vector<double> light = irradiance(radiance, 0, model_.places()); // of all others
-    std::vector<double> direct(light.size());
-    double share = 0.0;
-    for (size_t i = 0; i < light.size(); ++i) {
-        direct[i] = static_cast<double>(model_.directAt(i)[piece]);
-        share += direct[i] / light[i];
-    }
-    if (share <= 0.0) return 0.0;
-    std::vector<double> logAlbedo(light.size());
-    const auto nats = [&](double r) {
-        for (size_t i = 0; i < light.size(); ++i)
-            logAlbedo[i] = logShown_[i] - std::log(light[i] + r * direct[i]);
-        const auto residual = [&](MaterialPair pair) {
-            return logAlbedo[pair.p] - logAlbedo[pair.q];
-        };
-        SumOfLogs sum;
-        for (size_t k = 0; k < pairs_.size(); ++k) {
-            const double r2 = residual(pairs_[k]);
-            const double off = r2 / noiseOf(k, r2);
-            sum.add(off * off);
-        }
-        double told = 0.0;
-        for (const MaterialPair pair : told_) told += natsOfTold(residual(pair));
-        return perPair() * sum.value() + told;
-    };
-    const double without = nats(was);
-    double most = 0.0;
-    double r = 0.01 * static_cast<double>(light.size()) / share; // 1 % of the light at places
-    for (int tried = 0; tried < kTried; ++tried, r *= 3.0) {
-        if (r < was) continue;
-        const double gained = without - nats(r);
-        if (gained > most) {
-            most = gained;
-            best = std::log(r);
-        }
-    }
-    const size_t own = model_.placeOf(piece);
-    return most + boundCost(piece, std::log(irradiance(radiance, own, own + 1).front()));
-}
-
 double LightFit::costOfPairs(size_t first, std::span<const double> log) const
 {
     const std::vector<double> light = irradiance(exponentials(log), 0, model_.places());
@@ -232,7 +186,7 @@ LightEstimate LightFit::trial(std::span<const uint8_t> emits, std::vector<double
     const CameraColumns none;
     LightFitSearch search(*this, emits, prior, std::move(start), none);
     search.run(1.0, most);
-    return search.result();
+    return search.light();
 }
 
 LightEstimate LightFit::solve(std::span<const uint8_t> emits, std::vector<double> start,

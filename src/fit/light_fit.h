@@ -73,8 +73,8 @@ public:
     /// than its noise the first loss is: the more, the farther off the start may be.
     [[nodiscard]] LightEstimate solve(std::span<const uint8_t> emits, std::vector<double> start,
                                       double widest, const EmissionPrior& prior = {}) const;
-    /// The same by a narrow loss, for an estimate that is of use with less than `most` nats alone:
-    /// the search ends where it will not get there.
+    /// The same by a narrow loss, and without errors, for an estimate that is of use with less than
+    /// `most` nats alone: the search ends where it will not get there.
     [[nodiscard]] LightEstimate trial(std::span<const uint8_t> emits, std::vector<double> start,
                                       double most) const;
     /// The same with what the camera did as further unknowns.
@@ -85,9 +85,6 @@ public:
     [[nodiscard]] std::vector<uint8_t> needless(const LightEstimate& estimate,
                                                 std::span<const uint8_t> emits,
                                                 std::span<const Removal> removals) const;
-    /// What a piece gains, in nats, that did not emit and now does, all else as it is: by the best
-    /// of a few radiances, which `log` receives.
-    [[nodiscard]] double gain(const LightEstimate& estimate, size_t piece, double& log) const;
     /// Log radiance of pieces if they only reflect, in this light.
     [[nodiscard]] std::vector<double> reflected(std::span<const double> log) const;
     /// Nats of the pairs from `first` on.
@@ -101,6 +98,7 @@ public:
 
 private:
     friend class LightFitSearch;
+    friend class LightGain;
     // Numerics.
     static constexpr double kUnbounded = 1e6; // log: noise of what tells nothing
     [[nodiscard]] double pick(glm::vec3 rgb) const;
@@ -120,6 +118,7 @@ private:
                       std::span<const double> logAlbedo);
 
     const LightModel& model_;
+    PackedLight light_;
     std::span<const MaterialPair> pairs_;
     std::span<const AlikePieces> alike_;
     std::span<const MaterialPair> told_;

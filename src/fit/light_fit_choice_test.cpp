@@ -1,6 +1,7 @@
 #include "base/radiometry.shared.h"
 #include "fit/light_fit.h"
 #include "fit/light_fit_test.h"
+#include "fit/light_gain.h"
 
 #include <cmath>
 
@@ -125,7 +126,7 @@ struct LitFloor
         std::vector<double> gains;
         for (const size_t lamp : {left, middle, right, nowhere}) {
             double at = 0.0;
-            gains.push_back(fit.gain(estimate, lamp, at));
+            gains.push_back(LightGain(fit, estimate).of(lamp, at));
             if (lamp == middle) log = at;
         }
         return gains;
@@ -158,7 +159,7 @@ TEST(LightFit, GainIsNoMoreThanAFitGains)
     const LightFit fit = floor.fit();
     const LightEstimate without = fit.solve(std::vector<uint8_t>{1, 0}, fit.beginning(), kWide);
     double log = 0.0;
-    const double gain = fit.gain(without, 1, log);
+    const double gain = LightGain(fit, without).of(1, log);
     const LightEstimate with = fit.solve(floor.emits(), {without.log[0], log, without.log[2]}, 1.0);
     EXPECT_GT(gain, kLampCosts);
     EXPECT_LT(gain, without.nats - with.nats + 1.0); // priors
@@ -174,7 +175,7 @@ TEST(LightFit, BurntOutPieceInTheDarkGainsByEmitting)
     const auto gain = [&](float direct) {
         floor.burnOut(1, 0, direct);
         const LightFit fit = floor.fit();
-        return fit.gain(fit.solve(emits, fit.beginning(), kWide), 1, log);
+        return LightGain(fit, fit.solve(emits, fit.beginning(), kWide)).of(1, log);
     };
     const double lit = gain(1.0f);
     EXPECT_GT(gain(0.01f), lit + 0.5);

@@ -30,7 +30,6 @@ constexpr double kConverged = 0.0025;   // nats
 constexpr int kMostSteps = 30;          // for time alone
 constexpr double kStillToCome = 20.0;   // times what a step gained, at most, by all that follow
 constexpr double kLongestStep = 2.0;    // log
-constexpr size_t kPlacesOfChunk = 256;  // that one thread sums
 constexpr double kLeastMatters = 0.001; // of the light at places: what paint a wall has that sends
                                         // less changes nothing
 
@@ -64,7 +63,7 @@ LightFitSearch::LightFitSearch(const LightFit& fit, std::span<const uint8_t> emi
     : fit_(fit), model_(fit.model_), emits_(emits), prior_(prior), camera_(camera),
       unknownOf_(emits.size(), -1)
 {
-    for (size_t f = 0; f < emits.size(); ++f) {
+    for (const size_t f : fit.light_.order) {
         if (emits[f] == 0 &&
             (!prior.log.empty() || model_.area[f] <= 0.0f || fit.whiteShare_[f] < kLeastMatters))
             continue;
@@ -73,7 +72,7 @@ LightFitSearch::LightFitSearch(const LightFit& fit, std::span<const uint8_t> emi
     }
     here_.log = std::move(start);
     here_.log.insert(here_.log.end(), camera.known.begin(), camera.known.end());
-    slopes_ = slopes();
+    slopes_.emplace(slopes());
 }
 
 /// Normal about what is known; else Cauchy about white: a burnt-out piece is a wall or a lamp of
@@ -258,20 +257,25 @@ double LightFitSearch::costOfPriors(const Point& at) const
 
 /// d E / d radiance at each place, by unknowns, and what the camera's do to the radiance shown; and
 /// a row of zeros.
-PlaceTable LightFitSearch::slopes() const
+PackedRows LightFitSearch::slopes() const
 {
     const size_t rows = model_.shown.size();
-    PlaceTable table(rows + 1, lights(), count());
-    forEachChunk(rows, 256, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-            float* row = table.row(i);
-            const std::span<const float> direct = model_.directAt(i);
-            for (const size_t piece : pieceOf_) *row++ = direct[piece];
-            row = std::ranges::copy(model_.missedAt(i), row).out;
-            if (i < model_.places()) std::ranges::transform(camera_.bendAt(i), row, std::negate());
-        }
-    });
-    return table;
+    const PackedLight& light = fit_.light_;
+    std::vector<size_t> columnOf(lights()); // of unknowns, in `light`
+    for (size_t k = 0; k < light.rows.columns(); ++k) {
+        const bool isPiece = k < model_.pieces;
+        const int u = isPiece ? unknownOf_[light.order[k]]
+                              : static_cast<int>(pieceOf_.size() + k - model_.pieces);
+        if (u >= 0) columnOf[static_cast<size_t>(u)] = k;
+    }
+    return {rows + 1, count(), [&](size_t i, std::span<float> row) {
+                if (i == rows) return;
+                light.rows.pick(i, columnOf, row);
+                if (i < model_.places())
+                    std::ranges::transform(camera_.bendAt(i),
+                                           row.begin() + static_cast<ptrdiff_t>(lights()),
+                                           std::negate());
+            }};
 }
 
 /// Of all but what ties pieces to each other.
@@ -305,7 +309,7 @@ LightFitSearch::Normal LightFitSearch::normalOfData(const Point& at) const
         weighed.push_back({pair, static_cast<float>(1.0 / kFirstNoise),
                            static_cast<float>(residual(at, pair) / kFirstNoise)});
     const auto n = static_cast<Eigen::Index>(count());
-    const std::vector<double> squares = squaresOf(slopes_, perLight, weighed);
+    const std::vector<double> squares = squaresOf(*slopes_, lights(), perLight, weighed);
     const Eigen::Map<const RowMajor> all(squares.data(), n + 1, n + 1);
     Eigen::VectorXd radiance = Eigen::VectorXd::Ones(n); // d / d log
     for (size_t u = 0; u < lights(); ++u)
@@ -356,19 +360,8 @@ void LightFitSearch::addLevel(const Point& at, std::span<const float> perLight,
                               const Eigen::VectorXd& radiance, Normal& normal) const
 {
     const size_t places = model_.places();
-    std::vector<std::vector<float>> sums((places + kPlacesOfChunk - 1) / kPlacesOfChunk);
-    forEachChunk(places, kPlacesOfChunk, [&](size_t begin, size_t end) {
-        std::vector<float>& sum = sums[begin / kPlacesOfChunk];
-        sum.assign(count(), 0.0f);
-        for (size_t i = begin; i < end; ++i) {
-            const float* row = slopes_.row(i);
-            for (size_t u = 0; u < lights(); ++u) sum[u] += perLight[i] * row[u];
-            for (size_t u = lights(); u < count(); ++u) sum[u] += row[u];
-        }
-    });
-    Eigen::VectorXd row = Eigen::VectorXd::Zero(normal.slope.size());
-    for (const std::vector<float>& sum : sums)
-        row -= Eigen::Map<const Eigen::VectorXf>(sum.data(), row.size()).cast<double>();
+    const std::vector<double> sum = sumOf(*slopes_, lights(), perLight.first(places));
+    Eigen::VectorXd row = -Eigen::Map<const Eigen::VectorXd>(sum.data(), normal.slope.size());
     row.array() *= radiance.array() / (static_cast<double>(places) * spreadOfLevel());
     normal.matrix += row * row.transpose();
     normal.slope += level(at) / spreadOfLevel() * row;
@@ -414,13 +407,19 @@ void LightFitSearch::run(double widest, double most)
     }
 }
 
-LightEstimate LightFitSearch::result() const
+LightEstimate LightFitSearch::light() const
 {
     LightEstimate estimate{.log = here_.log, .nats = here_.nats};
     const auto lightsEnd =
         here_.log.begin() + static_cast<ptrdiff_t>(model_.pieces + model_.outsides);
     estimate.camera.assign(lightsEnd, here_.log.end());
     estimate.log.resize(model_.pieces + model_.outsides);
+    return estimate;
+}
+
+LightEstimate LightFitSearch::result() const
+{
+    LightEstimate estimate = light();
     estimate.error.assign(here_.log.size(), 0.0);
     const Normal normal = normalAt(here_);
     const auto n = static_cast<Eigen::Index>(count());

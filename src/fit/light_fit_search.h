@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,7 @@ public:
 
     /// Ends early where less than `most` nats will not be reached.
     void run(double widest, double most = std::numeric_limits<double>::infinity());
+    [[nodiscard]] LightEstimate light() const; // with no errors
     [[nodiscard]] LightEstimate result() const;
     [[nodiscard]] std::vector<uint8_t> needless(std::span<const Removal> removals) const;
 
@@ -53,7 +55,7 @@ private:
     [[nodiscard]] double residual(const Point& at, MaterialPair pair) const;
     [[nodiscard]] double costOf(const Point& at) const;
     [[nodiscard]] double costOfPriors(const Point& at) const;
-    [[nodiscard]] PlaceTable slopes() const;
+    [[nodiscard]] PackedRows slopes() const;
     [[nodiscard]] Normal normalOfData(const Point& at) const;
     [[nodiscard]] Normal normalAt(const Point& at) const;
     void addPriors(const Point& at, Normal& normal) const;
@@ -114,9 +116,9 @@ private:
     std::span<const uint8_t> emits_;
     const EmissionPrior& prior_;
     const CameraColumns& camera_;
-    std::vector<size_t> pieceOf_; // of unknowns; the parts outside come behind
-    std::vector<int> unknownOf_;  // of pieces; < 0: it reflects as its paint is expected to
-    PlaceTable slopes_{0, 0, 0};  // of light by radiance; of what is shown, by the camera
+    std::vector<size_t> pieceOf_;      // of unknowns; the parts outside come behind
+    std::vector<int> unknownOf_;       // of pieces; < 0: it reflects as its paint is expected to
+    std::optional<PackedRows> slopes_; // of light by radiance; of what is shown, by the camera
     double wider_ = 1.0;
     double damping_ = 1e-3;
     Point here_;

@@ -4,18 +4,41 @@
 #include "base/lanes.h"
 #include "base/parallel.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace relamp
 {
 namespace
 {
 
-// Numerics.
-constexpr size_t kSums = 8; // that do not wait for each other
+/// Places are in the order of a curve through space, so that the mean number of those that a piece
+/// lights says where it is.
+std::vector<uint32_t> orderOf(const LightModel& model)
+{
+    std::vector<double> sum(model.pieces, 0.0);
+    std::vector<double> weighed(model.pieces, 0.0);
+    for (size_t i = 0; i < model.places(); ++i) {
+        const std::span<const float> direct = model.directAt(i);
+        for (size_t f = 0; f < model.pieces; ++f) {
+            sum[f] += static_cast<double>(direct[f]);
+            weighed[f] += static_cast<double>(direct[f]) * static_cast<double>(i);
+        }
+    }
+    std::vector<double> mean(model.pieces, 0.0);
+    for (size_t f = 0; f < model.pieces; ++f)
+        if (sum[f] > 0.0) mean[f] = weighed[f] / sum[f];
+    std::vector<uint32_t> order(model.pieces);
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](uint32_t a, uint32_t b) { return mean[a] < mean[b]; });
+    return order;
+}
 
 struct LightArgs
 {
-    const LightModel* model;
-    const double* radiance;
+    const PackedRows* rows;
+    const double* radiance; // in their columns, padded to lanes
     double* irradiance;
     size_t first; // place of the first of these
     size_t begin;
@@ -24,22 +47,18 @@ struct LightArgs
 
 void lightKernel(const LightArgs& args)
 {
-    const size_t pieces = args.model->pieces;
-    const size_t outsides = args.model->outsides;
-    const double* outside = args.radiance + pieces;
     for (size_t i = args.begin; i < args.end; ++i) {
-        const float* direct = args.model->direct.data() + (args.first + i) * pieces;
-        const float* missed = args.model->missed.data() + (args.first + i) * outsides;
-        double sums[kSums] = {};
-        size_t f = 0;
-        for (; f + kSums <= pieces; f += kSums) {
+        const PackedRows::Row row = args.rows->row(args.first + i);
+        const float* values = row.values;
+        double sums[kLanes] = {}; // that do not wait for each other
+        for (const size_t group : row.groups) {
+            const double* radiance = args.radiance + group * kLanes;
             RELAMP_KEEP_LOOP
-            for (size_t k = 0; k < kSums; ++k)
-                sums[k] += args.radiance[f + k] * static_cast<double>(direct[f + k]);
+            for (size_t lane = 0; lane < kLanes; ++lane)
+                sums[lane] += radiance[lane] * static_cast<double>(values[lane]);
+            values += kLanes;
         }
         double sum = 0.0;
-        for (; f < pieces; ++f) sum += args.radiance[f] * static_cast<double>(direct[f]);
-        for (size_t o = 0; o < outsides; ++o) sum += outside[o] * static_cast<double>(missed[o]);
         for (const double part : sums) sum += part;
         args.irradiance[i] += sum;
     }
@@ -47,11 +66,24 @@ void lightKernel(const LightArgs& args)
 
 } // namespace
 
-void addLight(const LightModel& model, std::span<const double> radiance, size_t first,
-              std::span<double> irradiance)
+PackedLight::PackedLight(const LightModel& model)
+    : order(orderOf(model)),
+      rows(model.shown.size(), model.pieces + model.outsides, [&](size_t i, std::span<float> row) {
+          const std::span<const float> direct = model.directAt(i);
+          std::transform(order.begin(), order.end(), row.begin(),
+                         [&](uint32_t piece) { return direct[piece]; });
+          std::ranges::copy(model.missedAt(i), row.begin() + static_cast<ptrdiff_t>(model.pieces));
+      })
+{}
+
+void PackedLight::add(std::span<const double> radiance, size_t first,
+                      std::span<double> irradiance) const
 {
+    std::vector<double> columns(paddedToLanes(rows.columns()), 0.0);
+    for (size_t k = 0; k < order.size(); ++k) columns[k] = radiance[order[k]];
+    for (size_t k = order.size(); k < rows.columns(); ++k) columns[k] = radiance[k];
     forEachChunk(irradiance.size(), 256, [&](size_t begin, size_t end) {
-        const LightArgs args{&model, radiance.data(), irradiance.data(), first, begin, end};
+        const LightArgs args{&rows, columns.data(), irradiance.data(), first, begin, end};
         runKernel<lightKernel>(bestInstructionSet(), args);
     });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/radiometry.shared.h"
+#include "fit/packed_rows.h"
 
 #include <cstdint>
 #include <span>
@@ -42,10 +43,21 @@ struct LightModel
     }
 };
 
-/// Adds the second and third sum of that E, in luminance or in one channel, to what places from
-/// `first` on gathered. `radiance`: of pieces, and then of parts of what lies outside.
-void addLight(const LightModel& model, std::span<const double> radiance, size_t first,
-              std::span<double> irradiance);
+/// The second and third sum of that E, for as many radiances as are asked for.
+class PackedLight
+{
+public:
+    explicit PackedLight(const LightModel& model);
+
+    /// Pieces by where their light is, so that those of one room are together: columns of `rows`.
+    /// The parts outside come behind.
+    std::vector<uint32_t> order;
+    PackedRows rows; // of places and pieces
+
+    /// Adds them, in luminance or in one channel, to what places from `first` on gathered.
+    /// `radiance`: of pieces, and then of parts of what lies outside; more is passed over.
+    void add(std::span<const double> radiance, size_t first, std::span<double> irradiance) const;
+};
 
 /// What a camera may have done to what the places of a LightModel show, near what is known of it:
 /// log radiance = log shown + sum over coefficients of (coefficient - known) * bend.

@@ -19,6 +19,7 @@ constexpr float kSameColor =
 constexpr float kDarkestPaired = 0.004f; // luminance; below, a byte's steps are too coarse
 
 // Numerics.
+constexpr size_t kPairsForRooms = 3000;
 constexpr int kDrawings = 8; // of drawing for what lay in other rooms, as in a house of several
 
 /// Colour without brightness, in logs.
@@ -46,10 +47,15 @@ std::vector<PairPlace> placesOf(std::span<const glm::vec3> shown, std::span<cons
     return places;
 }
 
+bool isWithinError(float offPlane)
+{
+    return std::abs(offPlane) <= 2.5f * kScanError;
+}
+
 bool areOnOnePlane(glm::vec3 p, glm::vec3 normalOfP, glm::vec3 q, glm::vec3 normalOfQ)
 {
     return glm::dot(normalOfP, normalOfQ) >= kSamePlane &&
-           std::abs(glm::dot(q - p, normalOfP)) <= 2.5f * kScanError;
+           isWithinError(glm::dot(q - p, normalOfP));
 }
 
 bool couldBeOneMaterial(const PairPlace& p, const PairPlace& q)
@@ -89,21 +95,6 @@ std::vector<uint8_t> markedInRoom(std::span<const PairPlace> places,
     return isInRoom;
 }
 
-/// Of pairs drawn at random. All of a storey is on the planes of its floors and ceilings; a wall's
-/// is mostly that of one room.
-double roomsBy(std::span<const PairPlace> places, std::span<const MaterialPair> pairs,
-               std::span<const uint8_t> isInRoom)
-{
-    size_t all = 0;
-    size_t inRoom = 0;
-    for (size_t k = 0; k < pairs.size(); ++k) {
-        if (std::abs(places[pairs[k].p].normal.y) < kSamePlane) continue;
-        ++all;
-        inRoom += isInRoom[k];
-    }
-    return inRoom > 0 ? static_cast<double>(all) / static_cast<double>(inRoom) : 1.0;
-}
-
 } // namespace
 
 bool areOnOnePlane(const Surfels& surfels, uint32_t p, uint32_t q)
@@ -118,10 +109,40 @@ bool haveOneColor(glm::vec3 shownP, glm::vec3 shownQ)
            glm::distance(chromaOf(shownP), chromaOf(shownQ)) < kSameColor;
 }
 
-DrawnPairs drawPairs(std::span<const glm::vec3> shown, std::span<const uint32_t> surfels,
-                     const Surfels& all, const RayScene& scene, size_t perPlace)
+double roomsOf(const Surfels& surfels, const RayScene& scene)
 {
-    DrawnPairs result;
+    std::vector<uint32_t> level;
+    for (uint32_t s = 0; s < surfels.count(); ++s)
+        if (std::abs(surfels.normal[s].y) >= kSamePlane) level.push_back(s);
+    if (level.empty()) return 1.0;
+    std::mt19937 random(surfels.seed);
+    std::vector<MaterialPair> drawn;
+    for (size_t attempt = 0; attempt < kPairsForRooms * 32 && drawn.size() < kPairsForRooms;
+         ++attempt) {
+        const uint32_t p = level[random() % level.size()];
+        const uint32_t q = level[random() % level.size()];
+        const auto height = [&](uint32_t s) { return surfels.position[s].y; };
+        // By heights: normals are off by too much for planes as long as a house.
+        if (p != q && surfels.normal[p].y * surfels.normal[q].y > 0.0f &&
+            isWithinError(height(p) - height(q)))
+            drawn.push_back({p, q});
+    }
+    std::vector<uint8_t> isInRoom(drawn.size());
+    forEach(drawn.size(), [&](size_t k) {
+        const auto facing = [&](uint32_t s) {
+            return FacingPlace{surfels.position[s], surfels.normal[s]};
+        };
+        isInRoom[k] = areInOneRoomOfPlane(scene, facing(drawn[k].p), facing(drawn[k].q)) ? 1 : 0;
+    });
+    const auto inRoom = std::count(isInRoom.begin(), isInRoom.end(), uint8_t{1});
+    return inRoom > 0 ? static_cast<double>(drawn.size()) / static_cast<double>(inRoom) : 1.0;
+}
+
+std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
+                                    std::span<const uint32_t> surfels, const Surfels& all,
+                                    const RayScene& scene, size_t perPlace)
+{
+    std::vector<MaterialPair> result;
     const std::vector<PairPlace> places = placesOf(shown, surfels, all);
     if (places.size() < 2) return result;
     std::mt19937 random(
@@ -130,11 +151,10 @@ DrawnPairs drawPairs(std::span<const glm::vec3> shown, std::span<const uint32_t>
     for (int round = 0; round < kDrawings; ++round) {
         const std::vector<MaterialPair> drawn = drawOnPlanes(places, wanted, random);
         const std::vector<uint8_t> isInRoom = markedInRoom(places, drawn, scene);
-        if (round == 0) result.rooms = roomsBy(places, drawn, isInRoom);
         std::fill(wanted.begin(), wanted.end(), size_t{0});
         for (size_t k = 0; k < drawn.size(); ++k)
             if (isInRoom[k] != 0)
-                result.pairs.push_back(drawn[k]);
+                result.push_back(drawn[k]);
             else
                 ++wanted[drawn[k].p];
     }

@@ -15,13 +15,10 @@ bool areOnOnePlane(const Surfels& surfels, uint32_t p, uint32_t q);
 /// Whether two radiances do not rule out one material under differently coloured light.
 bool haveOneColor(glm::vec3 shownP, glm::vec3 shownQ);
 
-struct DrawnPairs
-{
-    std::vector<MaterialPair> pairs;
-    // Of one size, >= 1: the inverse of the chance that two places of one floor, or of one ceiling,
-    // are in one room.
-    double rooms = 1.0;
-};
+/// How many rooms of one size a scan is worth, >= 1: the inverse of the chance that two places of
+/// one floor, or of one ceiling, are in one room. All of a storey is on the planes of its floors
+/// and ceilings; a wall's is mostly that of one room.
+double roomsOf(const Surfels& surfels, const RayScene& scene);
 
 /// Draws pairs of places that lie on one plane, as walls, floors and table tops do, near and far,
 /// in one room (scan/one_room.h), and whose colours do not rule out one material under differently
@@ -29,7 +26,8 @@ struct DrawnPairs
 ///
 /// `shown` is the radiance of places, `surfels` their indices into `all`. Deterministic. At most
 /// `perPlace` pairs begin at each place.
-DrawnPairs drawPairs(std::span<const glm::vec3> shown, std::span<const uint32_t> surfels,
-                     const Surfels& all, const RayScene& scene, size_t perPlace);
+std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
+                                    std::span<const uint32_t> surfels, const Surfels& all,
+                                    const RayScene& scene, size_t perPlace);
 
 } // namespace relamp

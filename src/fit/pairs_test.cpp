@@ -29,9 +29,9 @@ struct Places
 
     [[nodiscard]] std::vector<MaterialPair> pairs(size_t perPlace) const
     {
-        return pairsIn({}, perPlace).pairs;
+        return pairsIn({}, perPlace);
     }
-    [[nodiscard]] DrawnPairs pairsIn(const Scan& around, size_t perPlace) const
+    [[nodiscard]] std::vector<MaterialPair> pairsIn(const Scan& around, size_t perPlace) const
     {
         std::vector<uint32_t> all(surfels.count());
         std::iota(all.begin(), all.end(), 0u);
@@ -86,11 +86,27 @@ TEST(Pairs, LieInOneRoom)
     });
     const scenes::Panel wall{{1.99f, 0, -9}, {0, 0, 18}, {0, 9, 0}};
     const Scan house = scenes::panels(std::span(&wall, 1), 8, scenes::plain(glm::vec3(0.5f)));
-    const DrawnPairs drawn = places.pairsIn(house, 4);
-    EXPECT_GT(drawn.pairs.size(), 390u);
-    EXPECT_NEAR(drawn.rooms, 2.0, 0.2);
-    EXPECT_EQ(places.pairsIn({}, 4).rooms, 1.0);
-    for (const MaterialPair pair : drawn.pairs) EXPECT_EQ(pair.p < 50, pair.q < 50);
+    const std::vector<MaterialPair> drawn = places.pairsIn(house, 4);
+    EXPECT_GT(drawn.size(), 390u);
+    EXPECT_NEAR(roomsOf(places.surfels, RayScene(house)), 2.0, 0.2);
+    EXPECT_EQ(roomsOf(places.surfels, RayScene(Scan{})), 1.0);
+    for (const MaterialPair pair : drawn) EXPECT_EQ(pair.p < 50, pair.q < 50);
+}
+
+// Out of a window and in by another leads no way from room to room.
+TEST(Pairs, RoomsAreCountedByTheirFloors)
+{
+    const scenes::Panel wall{{1.99f, -1, -0.5f}, {0, 0, 1}, {0, 4, 0}};
+    const scenes::Panel floor{{0, -1, -0.5f}, {0, 0, 1}, {4, 0, 0}};
+    const Places places = hundred([](Places& room, float x, int) {
+        room.add({x, 0.0f, 0.0f}, kUp, glm::vec3(0.5f));
+    });
+    const auto roomsIn = [&](std::initializer_list<scenes::Panel> house) {
+        return roomsOf(places.surfels, RayScene(scenes::panels(std::vector(house), 8,
+                                                               scenes::plain(glm::vec3(0.5f)))));
+    };
+    EXPECT_NEAR(roomsIn({floor, wall}), 2.0, 0.2);
+    EXPECT_EQ(roomsIn({floor}), 1.0);
 }
 
 TEST(Pairs, BlackPlacesHaveNone)

@@ -16,15 +16,22 @@ using ::testing::Pointwise;
 
 constexpr size_t kSquarePlaces = 50;
 
-PlaceTable tableOf(size_t columns, size_t scaled)
+using Table = std::vector<std::vector<float>>; // of places
+
+Table tableOf(size_t columns)
 {
     std::mt19937 random(3);
-    PlaceTable table(kSquarePlaces, scaled, columns);
-    for (size_t place = 0; place < kSquarePlaces; ++place)
-        for (size_t f = 0; f < columns; ++f)
-            table.row(place)[f] =
-                random() % 4 == 0 ? static_cast<float>(random() % 1000) / 1000.0f : 0.0f;
+    Table table(kSquarePlaces, std::vector<float>(columns));
+    for (std::vector<float>& row : table)
+        for (float& value : row)
+            value = random() % 4 == 0 ? static_cast<float>(random() % 1000) / 1000.0f : 0.0f;
     return table;
+}
+
+PackedRows packed(const Table& table)
+{
+    return {table.size(), table.front().size(),
+            [&](size_t i, std::span<float> row) { std::ranges::copy(table[i], row.begin()); }};
 }
 
 std::vector<float> factors()
@@ -48,17 +55,17 @@ std::vector<PairResidual> residualsOf(size_t count)
     return residuals;
 }
 
-std::vector<double> oneByOne(const PlaceTable& table, const std::vector<float>& factor,
+std::vector<double> oneByOne(const Table& table, size_t scaled, const std::vector<float>& factor,
                              const std::vector<PairResidual>& residuals)
 {
-    const size_t size = table.columns() + 1;
+    const size_t size = table.front().size() + 1;
     std::vector<double> sum(size * size, 0.0);
     for (const auto& [pair, slope, value] : residuals) {
         std::vector<double> v;
-        for (size_t f = 0; f < table.columns(); ++f)
+        for (size_t f = 0; f + 1 < size; ++f)
             v.push_back(static_cast<double>(
-                slope * ((f < table.scaled() ? factor[pair.q] : 1.0f) * table.row(pair.q)[f] -
-                         (f < table.scaled() ? factor[pair.p] : 1.0f) * table.row(pair.p)[f])));
+                slope * ((f < scaled ? factor[pair.q] : 1.0f) * table[pair.q][f] -
+                         (f < scaled ? factor[pair.p] : 1.0f) * table[pair.p][f])));
         v.push_back(static_cast<double>(value));
         for (size_t i = 0; i < size; ++i)
             for (size_t j = 0; j < size; ++j) sum[i * size + j] += v[i] * v[j];
@@ -73,21 +80,34 @@ TEST(Squares, AreThoseOfEveryResidualByItself)
     const std::vector<float> factor = factors();
     for (const size_t columns : {1u, 15u, 16u, 40u, 90u})
         for (const size_t count : {1u, 8u, 3001u}) {
-            const PlaceTable table = tableOf(columns, columns / 2);
+            const size_t scaled = columns / 2;
+            const Table table = tableOf(columns);
             const auto residuals = residualsOf(count);
-            const std::vector<double> expected = oneByOne(table, factor, residuals);
+            const std::vector<double> expected = oneByOne(table, scaled, factor, residuals);
             for (const auto set :
                  {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
                 if (set > bestInstructionSet()) continue;
-                EXPECT_THAT(squaresOf(table, factor, residuals, set),
+                EXPECT_THAT(squaresOf(packed(table), scaled, factor, residuals, set),
                             Pointwise(DoubleNear(1e-5 * expected.back()), expected));
             }
         }
 }
 
+TEST(Squares, RowsAreSummedTimesTheirFactors)
+{
+    const std::vector<float> factor = factors();
+    const Table table = tableOf(40);
+    std::vector<double> expected(40, 0.0);
+    for (size_t i = 0; i < 30; ++i)
+        for (size_t j = 0; j < expected.size(); ++j)
+            expected[j] += static_cast<double>((j < 20 ? factor[i] : 1.0f) * table[i][j]);
+    EXPECT_THAT(sumOf(packed(table), 20, std::span(factor).first(30)),
+                Pointwise(DoubleNear(1e-4), expected));
+}
+
 TEST(Squares, OfNothingAreNothing)
 {
-    EXPECT_THAT(squaresOf(tableOf(3, 1), factors(), {}), Each(0.0));
+    EXPECT_THAT(squaresOf(packed(tableOf(3)), 1, factors(), {}), Each(0.0));
 }
 
 } // namespace

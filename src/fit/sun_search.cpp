@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
+#include "fit/light_gain.h"
 #include "fit/sun.h"
 #include "fit/sun_directions.h"
 
@@ -48,7 +49,8 @@ std::optional<SunFit> fitOf(SunTrial trial, const LightSoFar& light, double trie
     sunny.believe(light.told);
     const size_t sun = trial.sun();
     double log = 0.0;
-    if (sunny.gain({.log = start}, sun, log) < tries) return std::nullopt; // saves two fits
+    if (LightGain(sunny, {.log = start}).of(sun, log) < tries)
+        return std::nullopt; // saves two fits
 
     LightFit shade(trial.without, pairs, light.alike, light.noise);
     shade.believe(light.told);

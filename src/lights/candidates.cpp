@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <span>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace relamp
@@ -371,13 +373,27 @@ size_t nearestTo(std::span<const Candidate> candidates, glm::vec3 place)
     return nearest;
 }
 
+Bounds boundsAround(const Candidate& candidate, float reach)
+{
+    Bounds bounds{glm::vec3(std::numeric_limits<float>::max()),
+                  glm::vec3(std::numeric_limits<float>::lowest())};
+    for (const ClippedPatch& patch : candidate.patches) {
+        bounds.low = glm::min(bounds.low, patch.position - reach);
+        bounds.high = glm::max(bounds.high, patch.position + reach);
+    }
+    return bounds;
+}
+
 bool areWithin(const Candidate& a, const Candidate& b, float reach)
 {
-    for (const ClippedPatch& p : a.patches)
-        for (const ClippedPatch& q : b.patches) {
+    const Bounds around = boundsAround(a, reach);
+    for (const ClippedPatch& q : b.patches) {
+        if (!around.contains(q.position)) continue;
+        for (const ClippedPatch& p : a.patches) {
             const glm::vec3 way = p.position - q.position;
             if (glm::dot(way, way) < reach * reach) return true;
         }
+    }
     return false;
 }
 

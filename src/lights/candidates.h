@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lights/surfel_radiance.h"
+#include "relamp/scan.h"
 #include "scan/texels.h"
 
 #include <span>
@@ -58,6 +59,9 @@ inline constexpr float kPointedAt = 0.3f; // m around a place that a person name
 /// The candidate that a person points at: the one with the patch nearest to `place`, within that;
 /// candidates.size() where there is none.
 size_t nearestTo(std::span<const Candidate> candidates, glm::vec3 place);
+
+/// The box around its patches and so much more on all sides; nothing is in that of none.
+Bounds boundsAround(const Candidate& candidate, float reach);
 
 /// Whether some patches of both are less than `reach` metres apart.
 bool areWithin(const Candidate& a, const Candidate& b, float reach);

@@ -79,7 +79,9 @@ public:
     Pieces(const Texels& texels, Progress& progress)
         : heights_(heightsOf(texels.surfels)), reach_(kReach * texels.surfels.size),
           pieces_(piecesOf(texels, progress))
-    {}
+    {
+        for (const Candidate& piece : pieces_) around_.push_back(boundsAround(piece, reach_));
+    }
 
     [[nodiscard]] int count() const { return static_cast<int>(pieces_.size()); }
 
@@ -102,6 +104,7 @@ private:
     Heights heights_;
     float reach_; // m
     std::vector<Candidate> pieces_;
+    std::vector<Bounds> around_; // of pieces: what is further is not near one
 };
 
 /// The piece with the patch nearest to a place; their count where none is near.
@@ -109,13 +112,15 @@ size_t Pieces::nearestTo(glm::vec3 place) const
 {
     size_t nearest = pieces_.size();
     float least = reach_ * reach_;
-    for (size_t p = 0; p < pieces_.size(); ++p)
+    for (size_t p = 0; p < pieces_.size(); ++p) {
+        if (!around_[p].contains(place)) continue;
         for (const ClippedPatch& patch : pieces_[p].patches) {
             const glm::vec3 way = patch.position - place;
             if (glm::dot(way, way) >= least) continue;
             least = glm::dot(way, way);
             nearest = p;
         }
+    }
     return nearest;
 }
 

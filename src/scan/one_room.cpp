@@ -22,14 +22,16 @@ bool isFree(const RayScene& scene, glm::vec3 from, glm::vec3 to, float nearest =
                                               way + kOffSurface}); // ends on nothing
 }
 
-/// Whether a way without a corner or with one leads from one to the other, beside `normal`.
+/// Whether a way without a corner or with one leads from one to the other, beside `normal`. One
+/// that leaves the scan's box leads out of a window and in by another.
 bool isReachable(const RayScene& scene, glm::vec3 from, glm::vec3 to, glm::vec3 normal)
 {
     const glm::vec3 aside = glm::cross(normal, to - from);
     return isFree(scene, from, to) ||
            std::any_of(kCorners.begin(), kCorners.end(), [&](float corner) {
                const glm::vec3 by = 0.5f * (from + to) + corner * aside;
-               return isFree(scene, from, by) && isFree(scene, by, to);
+               return scene.bounds().contains(by) && isFree(scene, from, by) &&
+                      isFree(scene, by, to);
            });
 }
 

@@ -106,7 +106,7 @@ struct RayScene::Embree
     RTCScene scene;
 };
 
-RayScene::RayScene(const Scan& scan) : embree_(std::make_unique<Embree>())
+RayScene::RayScene(const Scan& scan) : embree_(std::make_unique<Embree>()), bounds_(boundsOf(scan))
 {
     const RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     fillBuffers(geometry, scan);

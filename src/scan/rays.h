@@ -56,9 +56,13 @@ public:
     void occluded(std::span<const Ray> rays, std::span<uint8_t> blocked) const;
     [[nodiscard]] bool occluded(const Ray& ray) const;
 
+    /// The box around all surfaces.
+    [[nodiscard]] const Bounds& bounds() const { return bounds_; }
+
 private:
     struct Embree;
     std::unique_ptr<Embree> embree_;
+    Bounds bounds_;
 };
 
 } // namespace relamp

@@ -17,6 +17,9 @@ namespace
 constexpr size_t kOrigins = 4;       // texels of a surfel that a lamp is looked for from
 constexpr size_t kOriginsOfBack = 2; // of which only the mean of many counts
 
+// Numerics.
+constexpr size_t kSidesOfScout = 8; // of all, which follow each other through space
+
 std::vector<glm::vec3> meanOfNeighbors(const Surfels& surfels, std::span<const glm::vec3> values)
 {
     std::vector<glm::vec3> means(values.size());
@@ -57,15 +60,19 @@ public:
         sides_[count_].first = block_.count;
     }
 
+    /// Whether anything of a lamp is seen.
+    [[nodiscard]] bool see(const RayScene& scene, const SoughtLamp& lamp) const
+    {
+        AreaSample seen[kMost];
+        castRays(scene, lamp, seen);
+        return std::any_of(seen, seen + count_, [](AreaSample s) { return s.visible > 0.0f; });
+    }
+
     /// What all see of a lamp: rays say which share of it, all its patches how much that is.
     void look(const RayScene& scene, const SoughtLamp& lamp, const LampPatches& patches,
               std::span<AreaSample> seen) const
     {
-        AreaSampler sampler(scene, lamp.light, Geometry::scanned);
-        for (size_t i = 0; i < count_; ++i)
-            sampler.add(originsOf(i), lamp.raysPerOrigin,
-                        seededShift(sites_.seed(), sides_[i].side.index, 0), seen[i]);
-        sampler.finish();
+        castRays(scene, lamp, seen);
         float open[TexelBlock::kPadded];
         openIrradiance(block_, patches, Geometry::scanned, open);
         for (size_t i = 0; i < count_; ++i) {
@@ -88,6 +95,15 @@ private:
     [[nodiscard]] std::span<const TexelSite> originsOf(size_t i) const
     {
         return {origins_ + sides_[i].first, origins_ + sides_[i + 1].first};
+    }
+
+    void castRays(const RayScene& scene, const SoughtLamp& lamp, std::span<AreaSample> seen) const
+    {
+        AreaSampler sampler(scene, lamp.light, Geometry::scanned);
+        for (size_t i = 0; i < count_; ++i)
+            sampler.add(originsOf(i), lamp.raysPerOrigin,
+                        seededShift(sites_.seed(), sides_[i].side.index, 0), seen[i]);
+        sampler.finish();
     }
 
     const SurfelSites& sites_;
@@ -156,20 +172,35 @@ void guessBurntOut(const Texels& texels, const SurfelRadiance& radiance,
 std::vector<std::vector<AreaSample>> directOfLists(const Texels& texels, const RayScene& scene,
                                                    const HitLists& hits,
                                                    std::span<const SoughtLamp> lamps,
-                                                   std::span<const uint32_t> lists)
+                                                   std::span<const uint32_t> lists, size_t perScout)
 {
     const SurfelSites sites(texels);
     const size_t count = lists.empty() ? hits.sideOfList.size() : lists.size();
     std::vector<LampPatches> patches;
     for (const SoughtLamp& lamp : lamps) patches.emplace_back(lamp.light);
     std::vector<std::vector<AreaSample>> direct(lamps.size(), std::vector<AreaSample>(count));
-    forEachChunk(count, Lookouts::kMost, [&](size_t begin, size_t end) {
+    const auto lookoutsOf = [&](size_t begin, size_t end, size_t step) {
         Lookouts lookouts(sites);
-        for (size_t i = begin; i < end; ++i)
+        for (size_t i = begin; i < end; i += step)
             lookouts.add(hits.sideOfList[lists.empty() ? i : lists[i]]);
-        for (size_t l = 0; l < lamps.size(); ++l)
-            lookouts.look(scene, lamps[l], patches[l],
-                          std::span(direct[l]).subspan(begin, end - begin));
+        return lookouts;
+    };
+    if (lists.empty()) perScout = kSidesOfScout;
+    forEachChunk(count, perScout * Lookouts::kMost, [&](size_t begin, size_t end) {
+        std::vector<uint8_t> isSeen(lamps.size(), 1);
+        if (perScout > 1) {
+            const Lookouts scouts = lookoutsOf(begin, end, perScout);
+            for (size_t l = 0; l < lamps.size(); ++l)
+                isSeen[l] = scouts.see(scene, lamps[l]) ? 1 : 0;
+        }
+        for (size_t first = begin; first < end; first += Lookouts::kMost) {
+            const size_t last = std::min(first + Lookouts::kMost, end);
+            const Lookouts lookouts = lookoutsOf(first, last, 1);
+            for (size_t l = 0; l < lamps.size(); ++l)
+                if (isSeen[l] != 0)
+                    lookouts.look(scene, lamps[l], patches[l],
+                                  std::span(direct[l]).subspan(first, last - first));
+        }
     });
     return direct;
 }

@@ -29,11 +29,14 @@ struct SoughtLamp
     size_t raysPerOrigin = 1;
 };
 
-/// Irradiance from each lamp at radiance 1 on the sides that `lists` name; all where empty.
+/// Irradiance from each lamp at radiance 1 on the sides that `lists` name; all where empty. Where a
+/// lamp is seen from none of 64 sides, each the first of `perScout` that follow each other, it is
+/// from none of these: light that does not reach a room costs little there.
 std::vector<std::vector<AreaSample>> directOfLists(const Texels& texels, const RayScene& scene,
                                                    const HitLists& hits,
                                                    std::span<const SoughtLamp> lamps,
-                                                   std::span<const uint32_t> lists = {});
+                                                   std::span<const uint32_t> lists = {},
+                                                   size_t perScout = 1);
 
 /// From one lamp on all sides.
 std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scene,

@@ -6,6 +6,7 @@
 #include "scenes/surfaces.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -112,6 +113,32 @@ TEST(LitSides, BacksAreLitByWhatIsBehindThem)
     const auto back = static_cast<size_t>(hits.listOfSide[Side::back(high).index]);
     EXPECT_NEAR(sides.gathered.irradiance[back].g, fromFloor, 0.05f * fromFloor);
     EXPECT_NEAR(sides.field.back[high].g, sides.albedo[high].g * fromFloor / kPi, 0.02f);
+}
+
+// Of two rooms one has a lamp. All sides together are asked by scouts, those that somebody names
+// one by one.
+TEST(LitSides, ScoutsFindALampWhereverItIsSeen)
+{
+    std::vector<scenes::Panel> walls = scenes::wallsOf({6.0f, 1.5f, 3.0f});
+    walls.push_back({{2.9f, 0, 0}, {0, 1.5f, 0}, {0, 0, 3}});
+    walls.push_back({{3.1f, 0, 0}, {0, 0, 3}, {0, 1.5f, 0}});
+    const scenes::Surfaces two(scenes::panels(walls, 96, scenes::plain(glm::vec3(0.4f))));
+    const HitLists hits = scenes::hitListsOf(two, 8);
+    const SoughtLamp lamp{scenes::lightOf({{1.0f, 1.4f, 1.3f}, {0.4f, 0, 0}, {0, 0, 0.4f}}, 4)};
+    std::vector<uint32_t> names(two.texels.surfels.count());
+    std::iota(names.begin(), names.end(), 0u);
+    const auto named = directOfLists(two.texels, two.rays, hits, {&lamp, 1}, names).front();
+    const std::vector<AreaSample> all = directOfLists(two.texels, two.rays, hits, lamp);
+    size_t lit = 0;
+    for (const uint32_t s : names) {
+        EXPECT_EQ(all[s].visible, named[s].visible);
+        lit += named[s].visible > 0.0f ? size_t{1} : size_t{0};
+        if (two.texels.surfels.position[s].x > 3.05f) {
+            EXPECT_EQ(all[s].visible, 0.0f);
+        }
+    }
+    EXPECT_GT(lit, names.size() / 4);
+    EXPECT_LT(lit, names.size() / 2);
 }
 
 // A lamp's light on lists is that of its panel: Lambert's formula, with the shadows of a few rays.

@@ -152,9 +152,9 @@ float unevennessOfChroma(const Witnesses& witnesses, std::span<const glm::vec3> 
 
 Witnesses witnessesOf(const Surfels& surfels, const RayScene& scene,
                       std::span<const glm::vec3> texture, const SurfelRadiance& radiance,
-                      std::span<const float> changeUnseen, Quality quality)
+                      std::span<const float> changeUnseen, Quality quality, double rooms)
 {
-    Witnesses found{.surfels = placesToLookAt(surfels, radiance, quality)};
+    Witnesses found{.surfels = placesToLookAt(surfels, radiance, quality, rooms)};
     found.unseen.assign(changeUnseen.begin(), changeUnseen.end());
     found.unseen.resize(found.surfels.size(), 0.0f);
     std::vector<int> fold;
@@ -168,8 +168,7 @@ Witnesses witnessesOf(const Surfels& surfels, const RayScene& scene,
             cubes.try_emplace({cube.x, cube.y, cube.z}, found.cubes).first->second);
         found.cubes = static_cast<uint32_t>(cubes.size());
     }
-    found.pairs =
-        drawPairs(found.texture, found.surfels, surfels, scene, LampEvidence::kPairs).pairs;
+    found.pairs = drawPairs(found.texture, found.surfels, surfels, scene, LampEvidence::kPairs);
     const auto place = [&](uint32_t i) { return surfels.position[found.surfels[i]]; };
     std::erase_if(found.pairs, [&](MaterialPair pair) {
         return fold[pair.p] != fold[pair.q] ||

@@ -37,7 +37,7 @@ struct Witnesses
 /// empty; as changeUnseen() has it, of the places that `quality` makes a fit look at.
 Witnesses witnessesOf(const Surfels& surfels, const RayScene& scene,
                       std::span<const glm::vec3> texture, const SurfelRadiance& radiance,
-                      std::span<const float> changeUnseen, Quality quality);
+                      std::span<const float> changeUnseen, Quality quality, double rooms = 1.0);
 
 /// How far a shading is to be believed that brings `irradiance` to surfels: to the power under
 /// which places of one paint agree best, in steps of a tenth; to all of it unless a smaller power

@@ -6,6 +6,7 @@
 #include "fit/glowing.h"
 #include "fit/lamp_groups.h"
 #include "fit/outside.h"
+#include "fit/pairs.h"
 #include "fit/reliability.h"
 #include "lights/candidates.h"
 #include "lights/fixture_map.h"
@@ -35,12 +36,12 @@ constexpr float kTooMuchLack = 1.25f;   // times the light found: a scale that i
 constexpr float kFaintestLight = 1e-4f; // irradiance, that divides
 constexpr float kNoFacing = 0.3f; // length of a mean normal below which a lamp shines all around
 
-/// Rays of a scan and of its places, by quality.
+/// Rays of a room and of its places, by quality.
 struct Effort
 {
-    size_t raysOfScan; // for bounce light, of all surfels together
-    int fewestRays;    // of a surfel
-    int mostRays;
+    double raysOfRoom; // for bounce light, of all surfels together
+    double fewestRays; // of a surfel
+    double mostRays;
     int shadowRays;
 };
 
@@ -48,20 +49,22 @@ Effort effortFor(Quality quality)
 {
     switch (quality) {
     case Quality::draft:
-        return {250'000, 8, 32, 2};
+        return {250e3, 8, 32, 2};
     case Quality::high:
-        return {20'000'000, 64, 512, 64};
+        return {20e6, 64, 512, 64};
     case Quality::standard:
         break;
     }
-    return {5'000'000, 16, 128, 16}; // more would not be seen beside the noise of a photo
+    return {5e6, 16, 128, 16}; // more would not be seen beside the noise of a photo
 }
 
-GatherOptions withRays(GatherOptions options, size_t surfels)
+GatherOptions withRays(GatherOptions options, size_t surfels, double rooms)
 {
     const Effort effort = effortFor(options.quality);
-    const auto share = static_cast<int>(effort.raysOfScan / std::max<size_t>(surfels, 1));
-    if (options.rays == 0) options.rays = std::clamp(share, effort.fewestRays, effort.mostRays);
+    const double share =
+        rooms * effort.raysOfRoom / static_cast<double>(std::max<size_t>(surfels, 1));
+    if (options.rays == 0)
+        options.rays = static_cast<int>(std::clamp(share, effort.fewestRays, effort.mostRays));
     if (options.shadowRays == 0) options.shadowRays = effort.shadowRays;
     return options;
 }
@@ -153,7 +156,8 @@ void linearize(const Texels& texels, FoundRoom& room)
 void searchOnce(const Texels& texels, const RayScene& scene, std::span<const Glowing> glowing,
                 Progress& progress, FoundRoom& room)
 {
-    room.found = findLamps(texels, scene, room.hits, room.radiance, room.options, progress);
+    room.found =
+        findLamps(texels, scene, room.hits, room.radiance, room.options, room.rooms, progress);
     room.warnings = room.found.warnings;
     linearize(texels, room);
     addGlowing(glowing, room.radiance, room.found);
@@ -279,7 +283,8 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
                    Progress& progress, const FoundRoom* before)
 {
     FoundRoom room;
-    room.options = withRays(options.gather, texels.surfels.count());
+    room.rooms = roomsOf(texels.surfels, scene);
+    room.options = withRays(options.gather, texels.surfels.count(), room.rooms);
     const bool isBefore = before != nullptr && before->glowing.areNone();
     room.radiance = isBefore && before->linearization.isNeutral()
                         ? before->radiance

@@ -32,6 +32,7 @@ struct FoundRoom
     SurfelRadiance radiance;        // by it
     std::vector<glm::vec3> texture; // what SurfelRadiance::plain was without it; empty: the same
     GatherOptions options;          // with what was left open filled in
+    double rooms = 1.0;             // that there are: roomsOf()
     HitLists hits;
     FoundLamps found;     // or as a person gave them
     bool isGiven = false; // the latter

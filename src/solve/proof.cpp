@@ -16,7 +16,7 @@ Witnesses witnessesOf(const Texels& texels, const RayScene& scene, const FoundRo
 {
     const auto& texture = room.texture.empty() ? room.radiance.plain : room.texture;
     return witnessesOf(texels.surfels, scene, texture, room.radiance, room.found.changeUnseen,
-                       room.options.quality);
+                       room.options.quality, room.rooms);
 }
 
 void temper(const Texels& texels, const Witnesses& witnesses, std::span<const glm::vec3> irradiance,

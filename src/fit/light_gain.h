@@ -1,0 +1,29 @@
+#pragma once
+
+#include "fit/light_fit.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace relamp
+{
+
+/// What single pieces would gain at an estimate of the light, all else as it is. The fit must
+/// outlive this.
+class LightGain
+{
+public:
+    LightGain(const LightFit& fit, const LightEstimate& estimate);
+
+    /// In nats, of a piece that did not emit and now does: by the best of a few radiances, which
+    /// `log` receives.
+    [[nodiscard]] double of(size_t piece, double& log) const;
+
+private:
+    const LightFit& fit_;
+    std::vector<double> radiance_;  // of pieces, then of parts outside
+    std::vector<double> light_;     // irradiance of places
+    std::vector<double> logAlbedo_; // likewise
+};
+
+} // namespace relamp
