@@ -18,6 +18,7 @@
 #include "shading/lit_sides.shared.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -34,7 +35,8 @@ namespace
 constexpr double kLargestSurfel = 0.04; // m; light changes within more
 constexpr float kTooMuchLack = 1.25f;   // times the light found: a scale that is off lacks less
 constexpr float kFaintestLight = 1e-4f; // irradiance, that divides
-constexpr float kNoFacing = 0.3f; // length of a mean normal below which a lamp shines all around
+constexpr double kMostRooms = 8.0; // that are searched as finely as one; time grows with the square
+constexpr float kNoFacing = 0.3f;  // length of a mean normal below which a lamp shines all around
 
 /// Rays of a room and of its places, by quality.
 struct Effort
@@ -283,7 +285,7 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
                    Progress& progress, const FoundRoom* before)
 {
     FoundRoom room;
-    room.rooms = roomsOf(texels.surfels, scene);
+    room.rooms = std::min(std::round(roomsOf(texels.surfels, scene)), kMostRooms);
     room.options = withRays(options.gather, texels.surfels.count(), room.rooms);
     const bool isBefore = before != nullptr && before->glowing.areNone();
     room.radiance = isBefore && before->linearization.isNeutral()
