@@ -42,18 +42,19 @@ public:
     };
     [[nodiscard]] Row row(size_t i) const { return chunks_[i / kRows].row(i % kRows); }
     [[nodiscard]] size_t columns() const { return columns_; }
-    /// The numbers that a row has in some columns.
+    /// The numbers that a row has in some columns, ascending.
     void pick(size_t i, std::span<const size_t> columns, std::span<float> numbers) const
     {
-        thread_local std::vector<float> all;
-        all.assign(paddedToLanes(columns_), 0.0f);
         const Row of = row(i);
-        const float* values = of.values;
-        for (const size_t group : of.groups) {
-            std::copy_n(values, kLanes, all.begin() + static_cast<std::ptrdiff_t>(group * kLanes));
-            values += kLanes;
+        size_t k = 0;
+        for (size_t g = 0; g < of.groups.size(); ++g) {
+            const size_t first = of.groups[g] * kLanes;
+            for (; k < columns.size() && columns[k] < first; ++k) numbers[k] = 0.0f;
+            for (; k < columns.size() && columns[k] < first + kLanes; ++k)
+                numbers[k] = of.values[g * kLanes + columns[k] - first];
         }
-        for (size_t k = 0; k < columns.size(); ++k) numbers[k] = all[columns[k]];
+        std::fill(numbers.begin() + static_cast<std::ptrdiff_t>(k),
+                  numbers.begin() + static_cast<std::ptrdiff_t>(columns.size()), 0.0f);
     }
 
 private:

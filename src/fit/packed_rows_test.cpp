@@ -42,9 +42,9 @@ TEST(PackedRows, GiveWhatIsInTheColumnsThatOneAsksFor)
 {
     const PackedRows rows = diagonal();
     std::vector<float> numbers(3);
-    rows.pick(51, std::vector<size_t>{52, 51, 0}, numbers);
+    rows.pick(51, std::vector<size_t>{0, 51, 52}, numbers);
     EXPECT_THAT(numbers, ElementsAre(0.0f, 52.0f, 0.0f));
-    rows.pick(350, std::vector<size_t>{52, 51, 0}, numbers);
+    rows.pick(350, std::vector<size_t>{0, 51, 52}, numbers);
     EXPECT_THAT(numbers, Each(0.0f));
 }
 
