@@ -184,8 +184,10 @@ LightModel LampEvidence::modelOf(std::span<const Piece> pieces, const PieceSight
     for (const Piece& piece : pieces)
         for (const ClippedPatch& patch : piece.candidate.patches)
             if (patch.surfel != Surfels::kNone) field_.shines[patch.surfel] = 1;
-    LightModel model{
-        .pieces = pieces.size(), .outsides = hits_.shareOfPart.size(), .rooms = rooms_};
+    LightModel model{.pieces = pieces.size(),
+                     .outsides = hits_.shareOfPart.size(),
+                     .roomsOfHoles = hits_.rooms,
+                     .rooms = rooms_};
     const size_t rows = places_.size() + pieces.size();
     model.shown.resize(rows, glm::vec3(0.0f));
     model.gathered.resize(rows, glm::vec3(0.0f));

@@ -22,6 +22,7 @@ std::vector<double> LightFit::beginning() const
     }
     log.resize(model_.pieces + model_.outsides, outside_);
     for (size_t o = 1; o < model_.outsides; ++o) {
+        if (model_.areSmallHoles(o)) continue;
         double gathered = 0.0;
         double missed = 0.0;
         for (size_t i = 0; i < model_.places(); ++i) {

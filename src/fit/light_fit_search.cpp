@@ -82,7 +82,8 @@ LightFitSearch::Prior LightFitSearch::priorOf(size_t unknown, const Point& point
 {
     const bool isOutside = unknown >= pieceOf_.size();
     const double log = point.log[at(unknown)];
-    if (unknown > pieceOf_.size()) return openingPrior(at(unknown), point);
+    if (isOutside && !model_.areSmallHoles(unknown - pieceOf_.size()))
+        return openingPrior(at(unknown), point);
     if (!isOutside && emits_[pieceOf_[unknown]] == 0) {
         const double off = log - point.reflected[pieceOf_[unknown]];
         const double paper = off > 0.0 ? kWhiterPaper : kDarkerPaper;

@@ -24,14 +24,19 @@ struct LightModel
     std::vector<float> missed; // [place * outsides + part]: irradiance of directions that leave the
                                // scan for a part of what lies outside, at radiance 1
     size_t outsides = 1;       // parts; the first are small holes
-    std::vector<float> direct; // [place * pieces + piece]: irradiance of it at radiance 1
-    std::vector<float> area;   // of pieces, m^2; 0: nothing of it was seen
+    size_t roomsOfHoles = 1; // of which small holes are a part by themselves; the others come last
+    std::vector<float> direct;       // [place * pieces + piece]: irradiance of it at radiance 1
+    std::vector<float> area;         // of pieces, m^2; 0: nothing of it was seen
     std::vector<float> coloured;     // of pieces, share that some channel is not burnt out in: its
                                      // radiance is seen there; empty: none is
     double rooms = 1.0;              // that its places are as much as, >= 1
     std::vector<uint8_t> isBurntOut; // of places that sent more than they show; empty: none did
 
     [[nodiscard]] size_t places() const { return shown.size() - pieces; } // that are measured
+    [[nodiscard]] bool areSmallHoles(size_t part) const
+    {
+        return part == 0 || part + roomsOfHoles > outsides;
+    }
     [[nodiscard]] size_t placeOf(size_t piece) const { return places() + piece; }
     [[nodiscard]] std::span<const float> missedAt(size_t place) const
     {

@@ -64,7 +64,8 @@ bool areOneModel(const Piece& a, const Piece& b)
            (colouredShare(p) > 0.5f) == (colouredShare(q) > 0.5f);
 }
 
-/// Whether some part of one is in a room with some part of the other.
+/// Whether most parts of one are in a room with most parts of the other. Through gaps of a
+/// reconstruction some are that do not belong together.
 bool areInOneRoom(const RayScene& scene, const Candidate& a, const Candidate& b)
 {
     // Numerics.
@@ -74,10 +75,11 @@ bool areInOneRoom(const RayScene& scene, const Candidate& a, const Candidate& b)
         const ClippedPatch& patch = of.patches[k * of.patches.size() / kParts];
         return FacingPlace{patch.position, patch.normal};
     };
+    size_t together = 0;
     for (size_t i = 0; i < kParts; ++i)
         for (size_t j = 0; j < kParts; ++j)
-            if (areInOneRoom(scene, part(a, i), part(b, j))) return true;
-    return false;
+            together += areInOneRoom(scene, part(a, i), part(b, j)) ? size_t{1} : size_t{0};
+    return 2 * together > kParts * kParts;
 }
 
 } // namespace

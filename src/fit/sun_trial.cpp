@@ -89,6 +89,7 @@ void SunTrial::addRows(const SurfelRadiance& radiance, const Surfels& surfels,
     const LightModel& before = light.model;
     without.pieces = before.pieces + 1;
     without.outsides = before.outsides;
+    without.roomsOfHoles = before.roomsOfHoles;
     without.area = before.area;
     without.area.push_back(0.0f);
     without.coloured = before.coloured;

@@ -28,7 +28,9 @@ struct Side
 class HitTarget
 {
 public:
-    static constexpr uint32_t kMostParts = 32; // of what lies outside
+    static constexpr uint32_t kMostOfOpenings = 32; // parts of what lies outside, and small holes
+    static constexpr uint32_t kMostRooms = 32;      // whose small holes are a part by themselves
+    static constexpr uint32_t kMostParts = kMostOfOpenings + kMostRooms;
 
     static HitTarget nothing(uint32_t part = 0) { return HitTarget(~part); }
     static HitTarget of(Side side, bool clipped)
@@ -67,8 +69,9 @@ struct HitLists
     std::vector<uint32_t> firstTarget{0}; // of lists, and one more
     std::vector<HitTarget> targets;
     std::vector<float> shareOfPart{0.0f}; // of parts outside: of all light that could reach fronts
-    std::vector<Hole> holes;              // by falling area
-    std::vector<uint32_t> partOfSquare;   // of OpeningSquares; 0: a small hole
+    size_t rooms = 1;                   // with small holes of their own: part 0 and the last of all
+    std::vector<Hole> holes;            // by falling area
+    std::vector<uint32_t> partOfSquare; // of OpeningSquares; 0: a small hole
     // Where lamps can be that the scan has no surface for: squares of no surfel just beyond the
     // holes in its top and bottom, which face the room, those first that most rays leave through.
     // What few rays leave through is left out, so a scan that is whole has none.

@@ -77,7 +77,7 @@ Parts partsOf(const OpeningSquares& squares, std::span<const double> shares)
     std::vector<uint32_t> firstOf(squares.count(), 0);
     Parts parts{std::vector<uint32_t>(squares.count(), 0)};
     for (const uint32_t opening : order) {
-        if (whole[opening] < kLeastOpening || parts.count + 2 > HitTarget::kMostParts) break;
+        if (whole[opening] < kLeastOpening || parts.count + 2 > HitTarget::kMostOfOpenings) break;
         firstOf[opening] = parts.count;
         parts.count += OpeningSquares::isUpright(squares.sideOf(opening)) ? 2u : 1u;
     }

@@ -16,6 +16,7 @@
 #include "shading/direct_sum.h"
 #include "shading/even_openings.h"
 #include "shading/lit_sides.shared.h"
+#include "shading/rooms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -114,6 +115,8 @@ HitLists cast(const Texels& texels, const RayScene& scene, const FoundRoom& room
     HitLists hits = castHitLists(texels, scene, room.radiance,
                                  static_cast<size_t>(room.options.rays), progress);
     if (room.options.quality != Quality::draft) evenOpenings(texels, scene, hits, progress);
+    if (room.rooms > 1.0)
+        tellHolesApart(texels, roomsOfSurfels(texels, hits, HitTarget::kMostRooms), hits);
     return hits;
 }
 
