@@ -241,6 +241,7 @@ private:
 
 std::vector<uint8_t> roomsOfSurfels(const Texels& texels, const HitLists& hits, size_t most)
 {
+    if (texels.surfels.count() == 0) return {};
     Labels labels(texels, hits);
     labels.spread();
     labels.gather();
@@ -253,6 +254,7 @@ std::vector<uint8_t> roomsOfSurfels(const Texels& texels, const HitLists& hits, 
 
 void tellHolesApart(const Texels& texels, std::span<const uint8_t> roomOfSurfel, HitLists& hits)
 {
+    if (roomOfSurfel.empty()) return;
     const auto behind = static_cast<uint32_t>(hits.shareOfPart.size());
     hits.rooms = 1 + *std::max_element(roomOfSurfel.begin(), roomOfSurfel.end());
     if (hits.rooms == 1) return;
