@@ -19,7 +19,7 @@ constexpr float kSameColor =
 constexpr float kDarkestPaired = 0.004f; // luminance; below, a byte's steps are too coarse
 
 // Numerics.
-constexpr size_t kPairsForRooms = 3000;
+constexpr size_t kPairsForRooms = 1000;
 constexpr int kDrawings = 8; // of drawing for what lay in other rooms, as in a house of several
 
 /// Colour without brightness, in logs.
