@@ -20,11 +20,9 @@ namespace
 
 // Numerics.
 constexpr double kPlacesOfRoom = 3000.0; // of fewer, noise of their few rays is evidence, too
-constexpr size_t kEvidencePlaces =
-    6000; // of a room, all over it, so that a small lamp lights a dozen
-constexpr size_t kPlacesOfDraft = 2000; // likewise, for a first look
-constexpr double kOneRoom = 1.5;     // up to which a small lamp's few places are not to be missed
-constexpr size_t kPlacesOfScout = 4; // see directOfLists()
+constexpr size_t kEvidencePlaces = 6000; // all over a room, so that a small lamp lights a dozen
+constexpr size_t kPlacesOfDraft = 2000;  // likewise, for a first look
+constexpr size_t kPlacesOfScout = 4; // of a house; in one room a small lamp has few places to lose
 constexpr size_t kLooks = 12;        // from a piece, at the others
 constexpr size_t kRaysToSettle = 2;  // to a lamp at most, for what walls send on of it
 constexpr float kAreaOfRay = 0.05f;  // m^2 of a piece that a ray from an origin is for
@@ -171,7 +169,7 @@ std::span<const MaterialPair> LampEvidence::pairs(size_t perPlace) const
 void LampEvidence::look(std::span<Piece> pieces, size_t fewestRays) const
 {
     const auto samples = directOfLists(texels_, scene_, hits_, soughtOf(pieces, fewestRays),
-                                       places_, rooms_ > kOneRoom ? kPlacesOfScout : 1);
+                                       places_, rooms_ > 1.0 ? kPlacesOfScout : 1);
     for (size_t f = 0; f < pieces.size(); ++f) {
         pieces[f].direct.clear();
         for (const AreaSample& sample : samples[f]) pieces[f].direct.push_back(sample.visible);

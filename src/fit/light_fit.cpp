@@ -186,7 +186,7 @@ LightEstimate LightFit::trial(std::span<const uint8_t> emits, std::vector<double
     const CameraColumns none;
     LightFitSearch search(*this, emits, prior, std::move(start), none);
     search.run(1.0, most);
-    return search.light();
+    return search.estimate();
 }
 
 LightEstimate LightFit::solve(std::span<const uint8_t> emits, std::vector<double> start,

@@ -408,7 +408,7 @@ void LightFitSearch::run(double widest, double most)
     }
 }
 
-LightEstimate LightFitSearch::light() const
+LightEstimate LightFitSearch::estimate() const
 {
     LightEstimate estimate{.log = here_.log, .nats = here_.nats};
     const auto lightsEnd =
@@ -420,7 +420,7 @@ LightEstimate LightFitSearch::light() const
 
 LightEstimate LightFitSearch::result() const
 {
-    LightEstimate estimate = light();
+    LightEstimate estimate = this->estimate();
     estimate.error.assign(here_.log.size(), 0.0);
     const Normal normal = normalAt(here_);
     const auto n = static_cast<Eigen::Index>(count());

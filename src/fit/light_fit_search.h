@@ -30,7 +30,7 @@ public:
 
     /// Ends early where less than `most` nats will not be reached.
     void run(double widest, double most = std::numeric_limits<double>::infinity());
-    [[nodiscard]] LightEstimate light() const; // with no errors
+    [[nodiscard]] LightEstimate estimate() const; // without errors
     [[nodiscard]] LightEstimate result() const;
     [[nodiscard]] std::vector<uint8_t> needless(std::span<const Removal> removals) const;
 

@@ -19,7 +19,7 @@ constexpr float kSameColor =
 constexpr float kDarkestPaired = 0.004f; // luminance; below, a byte's steps are too coarse
 
 // Numerics.
-constexpr size_t kPairsForRooms = 1000;
+constexpr size_t kPairsForRooms = 1000; // to tell how many rooms there are
 constexpr int kDrawings = 8; // of drawing for what lay in other rooms, as in a house of several
 
 /// Colour without brightness, in logs.
@@ -82,15 +82,14 @@ std::vector<MaterialPair> drawOnPlanes(std::span<const PairPlace> places,
     return pairs;
 }
 
-std::vector<uint8_t> markedInRoom(std::span<const PairPlace> places,
-                                  std::span<const MaterialPair> pairs, const RayScene& scene)
+/// Which pairs are in one room. `placeOf`: the FacingPlace of a place.
+template<class PlaceOf>
+std::vector<uint8_t> markedInRoom(std::span<const MaterialPair> pairs, const RayScene& scene,
+                                  const PlaceOf& placeOf)
 {
     std::vector<uint8_t> isInRoom(pairs.size());
     forEach(pairs.size(), [&](size_t k) {
-        const PairPlace& p = places[pairs[k].p];
-        const PairPlace& q = places[pairs[k].q];
-        isInRoom[k] =
-            areInOneRoomOfPlane(scene, {p.position, p.normal}, {q.position, q.normal}) ? 1 : 0;
+        isInRoom[k] = areInOneRoomOfPlane(scene, placeOf(pairs[k].p), placeOf(pairs[k].q)) ? 1 : 0;
     });
     return isInRoom;
 }
@@ -127,12 +126,8 @@ double roomsOf(const Surfels& surfels, const RayScene& scene)
             isWithinError(height(p) - height(q)))
             drawn.push_back({p, q});
     }
-    std::vector<uint8_t> isInRoom(drawn.size());
-    forEach(drawn.size(), [&](size_t k) {
-        const auto facing = [&](uint32_t s) {
-            return FacingPlace{surfels.position[s], surfels.normal[s]};
-        };
-        isInRoom[k] = areInOneRoomOfPlane(scene, facing(drawn[k].p), facing(drawn[k].q)) ? 1 : 0;
+    const auto isInRoom = markedInRoom(drawn, scene, [&](uint32_t s) {
+        return FacingPlace{surfels.position[s], surfels.normal[s]};
     });
     const auto inRoom = std::count(isInRoom.begin(), isInRoom.end(), uint8_t{1});
     return inRoom > 0 ? static_cast<double>(drawn.size()) / static_cast<double>(inRoom) : 1.0;
@@ -150,7 +145,9 @@ std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
     std::vector<size_t> wanted(places.size(), perPlace);
     for (int round = 0; round < kDrawings; ++round) {
         const std::vector<MaterialPair> drawn = drawOnPlanes(places, wanted, random);
-        const std::vector<uint8_t> isInRoom = markedInRoom(places, drawn, scene);
+        const auto isInRoom = markedInRoom(drawn, scene, [&](uint32_t p) {
+            return FacingPlace{places[p].position, places[p].normal};
+        });
         std::fill(wanted.begin(), wanted.end(), size_t{0});
         for (size_t k = 0; k < drawn.size(); ++k)
             if (isInRoom[k] != 0)

@@ -144,7 +144,7 @@ void tellPartsApart(const Texels& texels, HitLists& hits)
     const std::vector<double> shares = sharesOf(squares, texels, hits);
     const Parts parts = partsOf(squares, shares);
     hits.partOfSquare = parts.ofSquare;
-    hits.shareOfPart.assign(parts.count, parts.count > 1 ? 0.0f : 1.0f);
+    hits.shareOfPart.assign(parts.count, 1.0f);
     if (parts.count == 1) return;
     const SurfelSites sites(texels);
     forEachChunk(hits.sideOfList.size(), 256, [&](size_t begin, size_t end) {
@@ -156,13 +156,20 @@ void tellPartsApart(const Texels& texels, HitLists& hits)
             target = HitTarget::nothing(part + (isBelow ? 1u : 0u));
         });
     });
+    hits.shareOfPart = sharesOfParts(texels, hits, parts.count);
+    hits.holes = holesOf(squares, shares, parts, hits.shareOfPart);
+    hits.squares = squaresOf(squares, shares, parts);
+}
+
+std::vector<float> sharesOfParts(const Texels& texels, const HitLists& hits, size_t parts)
+{
+    std::vector<float> shares(parts, 0.0f);
     for (size_t s = 0; s < texels.surfels.count(); ++s) {
         const float perRay = texels.surfels.area[s] / static_cast<float>(hits.targetsOf(s).size());
         for (const HitTarget target : hits.targetsOf(s))
-            if (target.isNothing()) hits.shareOfPart[target.part()] += perRay;
+            if (target.isNothing()) shares[target.part()] += perRay;
     }
-    hits.holes = holesOf(squares, shares, parts, hits.shareOfPart);
-    hits.squares = squaresOf(squares, shares, parts);
+    return shares;
 }
 
 } // namespace relamp

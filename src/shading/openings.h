@@ -3,6 +3,9 @@
 #include "scan/texels.h"
 #include "shading/hit_lists.h"
 
+#include <cstddef>
+#include <vector>
+
 namespace relamp
 {
 
@@ -12,5 +15,8 @@ namespace relamp
 /// together. Fills in the parts of targets that are nothing,
 /// HitLists::shareOfPart, HitLists::holes and HitLists::squares.
 void tellPartsApart(const Texels& texels, HitLists& hits);
+
+/// HitLists::shareOfPart of so many, by what left for each.
+std::vector<float> sharesOfParts(const Texels& texels, const HitLists& hits, size_t parts);
 
 } // namespace relamp

@@ -1,6 +1,7 @@
 #include "shading/rooms.h"
 
 #include "base/parallel.h"
+#include "shading/openings.h"
 
 #include <algorithm>
 #include <numeric>
@@ -48,12 +49,11 @@ public:
 
     /// Makes one label of all that are of one room, roughly: what sees each other most is joined
     /// first, and then what was joined last is parted again where that is by little.
-    void gather()
+    void group()
     {
         Sights sees = sights();
-        std::vector<Node> nodes(kSeeds);
-        for (size_t k = 0; k < kSeeds; ++k)
-            nodes[k].seen = std::accumulate(sees[k].begin(), sees[k].end(), 0.0);
+        std::vector<Node> nodes;
+        for (const double seen : sumsOf(sees)) nodes.push_back({.seen = seen});
         std::vector<size_t> tops(kSeeds); // node of each row of `sees` that is left
         std::iota(tops.begin(), tops.end(), size_t{0});
         std::erase_if(tops, [&](size_t k) { return nodes[k].seen <= 0.0; });
@@ -65,8 +65,7 @@ public:
             const Node& right = nodes[tops[b]];
             const double share = both / (2.0 * std::min(left.seen, right.seen));
             nodes.push_back({tops[a], tops[b], left.seen + right.seen, share});
-            for (const size_t k : rows) sees[rows[a]][k] += sees[rows[b]][k];
-            for (const size_t k : rows) sees[k][rows[a]] += sees[k][rows[b]];
+            addTo(sees, rows[a], rows[b]);
             tops[a] = nodes.size() - 1;
             tops.erase(tops.begin() + static_cast<std::ptrdiff_t>(b));
             rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(b));
@@ -81,11 +80,11 @@ public:
     /// Makes one of rooms that see each other by more than a door, most first.
     void join()
     {
+        Sights sees = sights();
+        std::vector<double> seen = sumsOf(sees);
+        std::vector<uint16_t> roomOf(kSeeds + 1);
+        std::iota(roomOf.begin(), roomOf.end(), uint16_t{0});
         for (;;) {
-            const Sights sees = sights();
-            std::vector<double> seen;
-            for (const auto& row : sees)
-                seen.push_back(std::accumulate(row.begin(), row.end(), 0.0));
             double most = kDoor;
             size_t into = 0;
             size_t from = 0;
@@ -97,10 +96,13 @@ public:
                     into = a;
                     from = b;
                 }
-            if (into == from) return;
-            std::replace(label_.begin(), label_.end(), static_cast<uint16_t>(from),
+            if (into == from) break;
+            addTo(sees, into, from);
+            seen[into] += std::exchange(seen[from], 0.0);
+            std::replace(roomOf.begin(), roomOf.end() - 1, static_cast<uint16_t>(from),
                          static_cast<uint16_t>(into));
         }
+        for (uint16_t& label : label_) label = roomOf[label];
     }
 
     /// Keeps the `most` largest, without those that are no rooms, by falling area.
@@ -140,6 +142,20 @@ private:
         double seen = 0.0;  // m^2
         double share = 1.0; // of what the lesser sees, that is the other
     };
+
+    static std::vector<double> sumsOf(const Sights& sees)
+    {
+        std::vector<double> sums;
+        for (const auto& row : sees) sums.push_back(std::accumulate(row.begin(), row.end(), 0.0));
+        return sums;
+    }
+
+    /// Both see, and are seen, as one.
+    static void addTo(Sights& sees, size_t into, size_t from)
+    {
+        for (size_t k = 0; k < kSeeds; ++k) sees[into][k] += sees[from][k];
+        for (size_t k = 0; k < kSeeds; ++k) sees[k][into] += sees[k][from];
+    }
 
     /// Which two see most of each other beside what they would by their sizes alone: a < b.
     [[nodiscard]] static std::optional<std::pair<size_t, size_t>>
@@ -244,7 +260,7 @@ std::vector<uint8_t> roomsOfSurfels(const Texels& texels, const HitLists& hits, 
     if (texels.surfels.count() == 0) return {};
     Labels labels(texels, hits);
     labels.spread();
-    labels.gather();
+    labels.group();
     labels.spread();
     labels.join();
     labels.keep(most);
@@ -267,12 +283,7 @@ void tellHolesApart(const Texels& texels, std::span<const uint8_t> roomOfSurfel,
                     hits.targets[t] = HitTarget::nothing(behind + room - 1);
         }
     });
-    hits.shareOfPart.assign(behind + hits.rooms - 1, 0.0f);
-    for (size_t s = 0; s < texels.surfels.count(); ++s) {
-        const float perRay = texels.surfels.area[s] / static_cast<float>(hits.targetsOf(s).size());
-        for (const HitTarget target : hits.targetsOf(s))
-            if (target.isNothing()) hits.shareOfPart[target.part()] += perRay;
-    }
+    hits.shareOfPart = sharesOfParts(texels, hits, behind + hits.rooms - 1);
 }
 
 } // namespace relamp
