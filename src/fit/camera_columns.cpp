@@ -24,15 +24,15 @@ constexpr std::array<double, Response::kKnots> kShape{1.0, 1.02, 1.1, 1.27, 1.5}
 constexpr double kUsualSlope = 0.85;                                              // in the shadows
 constexpr double kContrastSpread = 0.3;                                           // of that slope
 constexpr double kShapeSpread = 0.12; // of each slope by itself
-constexpr float kKnotSpacing = 1.2f;  // m: automatic exposure drifts over metres
+constexpr float kKnotSpacing = 0.9f;  // m: automatic exposure drifts over metres
 constexpr double kGainSpread = 0.3;   // log: of the gain; automatic exposure by half a stop
-constexpr double kGainStep = 0.12;    // log: of the gain from knot to knot
+constexpr double kGainStep = 0.25;    // log: of the gain from knot to knot; most of it in two
 constexpr float kToneSpacing = 0.6f;  // m: what local tone mapping flattens is larger
 constexpr double kToneSpread = 0.4;   // of 1 / exponent - 1: exponents of 0.6 to 1
-constexpr double kDriftNats = 5.0;    // log odds of a drift: all but one set of photos in 150
+constexpr double kDriftNats = 8.0;    // log odds of a drift: hardly a set of photos has none
 
 // Numerics.
-constexpr int kMostKnots = 120;       // in a hall they lie farther apart
+constexpr int kMostKnots = 250;       // in a hall they lie farther apart
 constexpr int kMostToneKnots = 20000; // in a hall they lie farther apart
 
 double logLuminance(glm::vec3 log) // near 1
@@ -242,7 +242,7 @@ double likelihoodByEvidence(double drift)
 
 double worthOfGain(double likely)
 {
-    return std::pow(kGainWorth, 0.5 + 1.5 * likely);
+    return std::pow(kGainWorth, 2.0 * likely);
 }
 
 Gain gainOf(Gain lattice, std::span<const double> coefficients)

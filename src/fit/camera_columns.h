@@ -16,7 +16,7 @@ namespace relamp
 inline constexpr float kDarkestBase = 0.01f;
 
 /// Times N, that pairs are worth for the evidence of a drift; as much again where there is one, for
-/// what errs alike over metres is gone then, and the root of it where there is none.
+/// what errs alike over metres is gone then, and nothing where there is none.
 inline constexpr double kGainWorth = 4.0;
 
 /// Slope of an inverse response, and exponent of a tone, at least.

@@ -124,8 +124,9 @@ std::vector<glm::vec3> LampSearch::albedo() const
     return albedo;
 }
 
-/// How likely the exposure drifted, by an even gain beside the lamps that are known.
-double LampSearch::likelihoodOfDrift() const
+/// How likely the exposure drifted, by an even gain beside the lamps that are known. What is
+/// likelier than not is undone.
+double LampSearch::findDrift()
 {
     const CameraColumns drift = columnsOf(camera_.gain, evidence_.texturePlaces());
     CameraColumns none;
@@ -133,28 +134,35 @@ double LampSearch::likelihoodOfDrift() const
     LightFit fit = fitOf(LampEvidence::kPairsFirst);
     fit.expectLeaks(estimate_.log);
     const std::array<const CameraColumns*, 2> columns{&none, &drift};
-    std::array<double, 2> nats{};
-    forEach(nats.size(), [&](size_t k) {
-        const LightEstimate light = fit.solve(emits_, estimate_.log, *columns[k], kFirstWidth);
-        nats[k] = light.nats + light.occam;
+    std::array<LightEstimate, 2> fits;
+    forEach(fits.size(), [&](size_t k) {
+        fits[k] = fit.solve(emits_, estimate_.log, *columns[k], kFirstWidth);
     });
-    return likelihoodByEvidence(nats[0] - nats[1]);
+    const double drifted =
+        likelihoodByEvidence(fits[0].nats + fits[0].occam - fits[1].nats - fits[1].occam);
+    if (drifted > 0.5) undoDrift(std::move(fits[1]));
+    return drifted;
 }
 
-/// The drift of exposure and white balance, among lamps that are known.
+void LampSearch::undoDrift(LightEstimate found)
+{
+    camera_.gain = gainOf(std::move(camera_.gain), found.camera);
+    seeByCamera(std::move(found.log));
+}
+
+/// The drift of exposure and white balance, among lamps that are known. What is gathered hardly
+/// changes by what no drift is.
 void LampSearch::findGain()
 {
     camera_.gain = evenGainOver(evidence_.texturePlaces().position);
     if (camera_.gain.isOne()) return;
-    const double drifted = likelihoodOfDrift();
-    for (int round = 0; round < kCameraRounds; ++round) {
-        LightFit fit = fitOf(LampEvidence::kPairsFirst);
-        fit.expectLeaks(estimate_.log);
+    const double drifted = findDrift();
+    for (int round = 0; round < (drifted > 0.5 ? kCameraRounds : 1); ++round) {
         CameraColumns columns = columnsOf(camera_.gain, evidence_.texturePlaces());
         columns.worth = worthOfGain(drifted);
-        LightEstimate even = fit.solve(emits_, estimate_.log, columns, kFirstWidth);
-        camera_.gain = gainOf(std::move(camera_.gain), even.camera);
-        seeByCamera(std::move(even.log));
+        LightFit fit = fitOf(LampEvidence::kPairsFirst);
+        fit.expectLeaks(estimate_.log);
+        undoDrift(fit.solve(emits_, estimate_.log, columns, kFirstWidth));
     }
     const TexturePlaces places = evidence_.texturePlaces();
     camera_.gain = withWhiteBalance(std::move(camera_.gain), places.position, albedo(),

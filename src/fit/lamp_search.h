@@ -62,7 +62,8 @@ private:
                                               const std::optional<Gain>& around) const;
     void findContrast();
     void bend(size_t pairs);
-    [[nodiscard]] double likelihoodOfDrift() const;
+    double findDrift();
+    void undoDrift(LightEstimate found);
     void findGain();
     [[nodiscard]] std::vector<glm::vec3> albedo() const;
     void seeByCamera(std::vector<double> log);
