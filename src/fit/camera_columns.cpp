@@ -24,12 +24,13 @@ constexpr std::array<double, Response::kKnots> kShape{1.0, 1.02, 1.1, 1.27, 1.5}
 constexpr double kUsualSlope = 0.85;                                              // in the shadows
 constexpr double kContrastSpread = 0.3;                                           // of that slope
 constexpr double kShapeSpread = 0.12; // of each slope by itself
-constexpr float kKnotSpacing = 0.9f;  // m: automatic exposure drifts over metres
+constexpr float kKnotSpacing = 0.8f;  // m: automatic exposure drifts over metres
 constexpr double kGainSpread = 0.3;   // log: of the gain; automatic exposure by half a stop
-constexpr double kGainStep = 0.25;    // log: of the gain from knot to knot; most of it in two
-constexpr float kToneSpacing = 0.6f;  // m: what local tone mapping flattens is larger
-constexpr double kToneSpread = 0.4;   // of 1 / exponent - 1: exponents of 0.6 to 1
-constexpr double kDriftNats = 8.0;    // log odds of a drift: hardly a set of photos has none
+constexpr double kGainStep =
+    0.25; // log: of the gain from knot to knot; little of it is left at two
+constexpr float kToneSpacing = 0.6f; // m: what local tone mapping flattens is larger
+constexpr double kToneSpread = 0.4;  // of 1 / exponent - 1: exponents of 0.6 to 1
+constexpr double kDriftNats = 8.0;   // log odds of a drift: hardly a set of photos has none
 
 // Numerics.
 constexpr int kMostKnots = 250;       // in a hall they lie farther apart
@@ -212,7 +213,7 @@ CameraColumns together(const CameraColumns& first, const CameraColumns& second)
 
 Gain evenGainOver(std::span<const glm::vec3> position)
 {
-    constexpr int kFewest = 3; // along some side: a drift has a middle and two ends
+    constexpr int kFewest = 4; // along some side: a cupboard has no drift
     Gain gain = latticeOver(position, kKnotSpacing, kMostKnots);
     if (gain.isOne() || *std::max_element(gain.count.begin(), gain.count.end()) < kFewest)
         return {};

@@ -15,8 +15,8 @@ namespace relamp
 /// Radiance: local tone mapping lifts nothing darker.
 inline constexpr float kDarkestBase = 0.01f;
 
-/// Times N, that pairs are worth for the evidence of a drift; as much again where there is one, for
-/// what errs alike over metres is gone then, and nothing where there is none.
+/// Times N, that pairs are worth for the evidence of a drift; as many times more where there is
+/// one, for what errs alike over metres is gone then, and no more than N where there is none.
 inline constexpr double kGainWorth = 4.0;
 
 /// Slope of an inverse response, and exponent of a tone, at least.

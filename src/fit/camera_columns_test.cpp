@@ -175,7 +175,7 @@ TEST(CameraColumns, EvenLightHasNoGain)
 
 TEST(CameraColumns, ACupboardHasNoLatticeAndAHallNoMoreKnotsThanARoom)
 {
-    const std::vector<glm::vec3> cupboard{{0, 0, 0}, {0.5f, 0.8f, 0.6f}};
+    const std::vector<glm::vec3> cupboard{{0, 0, 0}, {0.5f, 1.0f, 0.6f}};
     EXPECT_TRUE(evenGainOver(cupboard).isOne());
     EXPECT_TRUE(evenGainOver({}).isOne());
     const std::vector<glm::vec3> hall{{0, 0, 0}, {80.0f, 12.0f, 1000.0f}};

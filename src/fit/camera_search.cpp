@@ -21,6 +21,11 @@ constexpr double kTonedNats = -2.2; // likewise of local tone mapping: one in te
 // Numerics.
 constexpr int kCameraRounds = 2; // of what is gathered and what the camera made of it
 
+bool isLikely(double belief)
+{
+    return belief > 0.5;
+}
+
 } // namespace
 
 /// Those of what a camera may have done to contrast, near what is known of it.
@@ -69,7 +74,7 @@ void LampSearch::findContrast()
         n = std::exp(least - n);
         sum += n;
     }
-    const auto sought = [](double belief) { return belief > 0.5 ? belief : 0.0; };
+    const auto sought = [](double belief) { return isLikely(belief) ? belief : 0.0; };
     const double likely = (nats[1] + nats[3]) / sum;
     curved_ = sought(likely);
     if (likely > 0.0)
@@ -124,8 +129,8 @@ std::vector<glm::vec3> LampSearch::albedo() const
     return albedo;
 }
 
-/// How likely the exposure drifted, by an even gain beside the lamps that are known. What is
-/// likelier than not is undone.
+/// Undoes a drift of exposure that is likelier than not, and returns how likely it is: by an even
+/// gain beside the lamps that are known.
 double LampSearch::findDrift()
 {
     const CameraColumns drift = columnsOf(camera_.gain, evidence_.texturePlaces());
@@ -140,7 +145,7 @@ double LampSearch::findDrift()
     });
     const double drifted =
         likelihoodByEvidence(fits[0].nats + fits[0].occam - fits[1].nats - fits[1].occam);
-    if (drifted > 0.5) undoDrift(std::move(fits[1]));
+    if (isLikely(drifted)) undoDrift(std::move(fits[1]));
     return drifted;
 }
 
@@ -150,14 +155,14 @@ void LampSearch::undoDrift(LightEstimate found)
     seeByCamera(std::move(found.log));
 }
 
-/// The drift of exposure and white balance, among lamps that are known. What is gathered hardly
-/// changes by what no drift is.
+/// The drift of exposure and white balance, among lamps that are known. One round is enough where
+/// none is likely: what is gathered hardly changes then.
 void LampSearch::findGain()
 {
     camera_.gain = evenGainOver(evidence_.texturePlaces().position);
     if (camera_.gain.isOne()) return;
     const double drifted = findDrift();
-    for (int round = 0; round < (drifted > 0.5 ? kCameraRounds : 1); ++round) {
+    for (int round = 0; round < (isLikely(drifted) ? kCameraRounds : 1); ++round) {
         CameraColumns columns = columnsOf(camera_.gain, evidence_.texturePlaces());
         columns.worth = worthOfGain(drifted);
         LightFit fit = fitOf(LampEvidence::kPairsFirst);

@@ -62,7 +62,7 @@ private:
                                               const std::optional<Gain>& around) const;
     void findContrast();
     void bend(size_t pairs);
-    double findDrift();
+    [[nodiscard]] double findDrift();
     void undoDrift(LightEstimate found);
     void findGain();
     [[nodiscard]] std::vector<glm::vec3> albedo() const;

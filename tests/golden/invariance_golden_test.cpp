@@ -28,7 +28,7 @@ namespace
 {
 
 constexpr double kMostChange = 0.3; // dB
-constexpr double kMostLeakChange = 0.025;
+constexpr double kMostLeakChange = 0.02;
 constexpr float kMostStep = 0.3f; // of log power: other rays alone make 0.28
 constexpr float kMostOff = 0.1f;  // m, of a lamp's centre
 constexpr float kDarker = 0.7f;
