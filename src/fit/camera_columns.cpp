@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <Eigen/LU>
 #include <glm/common.hpp>
@@ -20,12 +21,12 @@ namespace
 
 // Of measured responses (Grossberg and Nayar 2004) and what raw developers and exposure fusion
 // apply: a contrast of 0.6 to 1.5 in the shadows, less to the light, as film has a shoulder.
-constexpr std::array<double, Response::kKnots> kShape{1.0, 1.02, 1.1, 1.27, 1.5}; // of the slopes
-constexpr double kUsualSlope = 0.85;                                              // in the shadows
-constexpr double kContrastSpread = 0.3;                                           // of that slope
-constexpr double kShapeSpread = 0.12; // of each slope by itself
-constexpr float kKnotSpacing = 0.8f;  // m: automatic exposure drifts over metres
-constexpr double kGainSpread = 0.3;   // log: of the gain; automatic exposure by half a stop
+constexpr std::array<double, Response::kKnots> kUsualSlopes{0.85, 0.867, 0.935, 1.08, 1.275};
+constexpr double kContrastSpread = 0.3; // of all of them
+constexpr double kShapeSpread = 0.12;   // of each slope by itself
+constexpr double kOpenFlattens = 0.16;  // of the contrast: what leaks where a mesh is open
+constexpr float kKnotSpacing = 0.8f;    // m: automatic exposure drifts over metres
+constexpr double kGainSpread = 0.3;     // log: of the gain; automatic exposure by half a stop
 constexpr double kGainStep =
     0.25; // log: of the gain from knot to knot; little of it is left at two
 constexpr float kToneSpacing = 0.6f; // m: what local tone mapping flattens is larger
@@ -131,9 +132,31 @@ CameraColumns columnsOf(const Response& known, const TexturePlaces& places)
         for (size_t k = 0; k < n; ++k) columns.slopeKnown[i] += known.slope[k] * slope[k];
     }
     takeMeansOut(columns);
-    for (size_t k = 0; k < n; ++k) columns.expected[k] = kUsualSlope * kShape[k] - 1.0;
+    for (size_t k = 0; k < n; ++k) columns.expected[k] = kUsualSlopes[k] - 1.0;
     columns.precision = precisionOfSlopes();
     return columns;
+}
+
+CameraColumns evenSlope(const CameraColumns& slopes)
+{
+    // Numerics.
+    constexpr double kHeld = 1e6; // precision of what is not sought
+
+    const auto sumOf = [](std::span<const float> all) {
+        return std::accumulate(all.begin(), all.end(), 0.0f);
+    };
+    CameraColumns even{.known = {0.0}, .expected = {0.0}, .slopeKnown = slopes.slopeKnown};
+    for (size_t i = 0; i < slopes.slopeKnown.size(); ++i) {
+        even.bend.push_back(sumOf(slopes.bendAt(i)));
+        even.slope.push_back(sumOf(slopes.slopeAt(i)));
+    }
+    even.precision = {kHeld};
+    return even;
+}
+
+double flattenedBy(double open)
+{
+    return -kOpenFlattens * open;
 }
 
 Response responseOf(std::span<const double> coefficients, double share)

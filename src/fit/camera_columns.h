@@ -31,6 +31,11 @@ struct TexturePlaces
 
 /// The slopes of the response, less 1, as unknowns beside the light.
 CameraColumns columnsOf(const Response& known, const TexturePlaces& places);
+/// All of them as one, which is no unknown but what is expected of it.
+CameraColumns evenSlope(const CameraColumns& slopes);
+/// That of a straight camera, less 1, where the mesh is `open`, 0..1: what leaks to dark places
+/// looks like contrast.
+double flattenedBy(double open);
 /// `share`, 0..1, of the way from a straight one.
 Response responseOf(std::span<const double> coefficients, double share = 1.0);
 /// By how much that may be wrong where a curve is `likely`, 0..1, and else it is straight: what the

@@ -96,6 +96,45 @@ TEST(CameraColumns, AWallThatIsStraightStaysStraight)
     EXPECT_NEAR(responseOf(light.camera).contrast(), 1.0f, 0.05f);
 }
 
+TEST(CameraColumns, AnEvenSlopeIsThatSlopeAtAllBrightnesses)
+{
+    const LitWall wall(0.03);
+    const CameraColumns even = evenSlope(columnsOf(Response{}, wall.asSeen()));
+    ASSERT_EQ(even.count(), 1u);
+    Response flat;
+    flat.slope.fill(0.8f);
+    const auto off = [&](size_t i) {
+        const float shown = wall.model.shown[i].g;
+        return std::log(flat(shown) / shown) - (0.8f - 1.0f) * even.bend[i];
+    };
+    for (size_t i = 0; i < wall.places(); ++i) {
+        EXPECT_NEAR(off(i), off(0), 1e-4f); // the mean over places is taken out of the columns
+        EXPECT_NEAR(even.slope[i], 1.0f, 1e-5f);
+    }
+}
+
+// Light that leaks to dark places takes as much of a wall's contrast as a flat curve would.
+TEST(CameraColumns, WhatLeaksIsNoCurve)
+{
+    LitWall wall(0.03);
+    for (size_t i = 0; i < wall.places(); ++i) {
+        glm::vec3& shown = wall.model.shown[i];
+        shown = glm::vec3(0.18f * std::pow(shown.g / 0.18f, static_cast<float>(1.0 / 0.85)));
+    }
+    const CameraColumns curved = columnsOf(Response{}, wall.asSeen());
+    CameraColumns straight = evenSlope(curved);
+    const auto evidence = [&](const CameraColumns& columns) {
+        const LightEstimate light = wall.solve(columns);
+        return light.nats + light.occam;
+    };
+    const double whole = evidence(straight) - evidence(curved); // for a curve
+    straight.expected = {flattenedBy(0.75)};
+    const double open = evidence(straight) - evidence(curved);
+    EXPECT_GT(whole, 1.0);
+    EXPECT_LT(open, 0.0);
+    EXPECT_NEAR(wall.solve(straight).camera.front(), -0.15, 0.005);
+}
+
 // The exposure rises by half a stop from left to right, which no lamp explains.
 TEST(CameraColumns, GainIsWhatNoLampExplains)
 {

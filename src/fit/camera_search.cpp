@@ -32,22 +32,29 @@ bool isLikely(double belief)
 CameraColumns LampSearch::contrastColumns(bool isCurved, const std::optional<Gain>& around) const
 {
     const TexturePlaces places = evidence_.texturePlaces();
-    CameraColumns columns;
-    if (isCurved) columns = columnsOf(camera_.response, places);
+    CameraColumns columns = columnsOf(camera_.response, places);
+    if (!isCurved) columns = evenSlope(columns);
     return around ? together(columns, columnsOf(camera_.tone, *around, places)) : columns;
 }
 
-/// By a camera that did this, with the leaks that are likeliest then; `nats` are those against it.
+/// By a camera that did this, with the leaks that are likeliest then.
+LightEstimate LampSearch::solveContrast(const LightEstimate& start, CameraColumns columns,
+                                        bool isCurved, size_t pairs) const
+{
+    LightFit fit = fitOf(pairs);
+    const double open = fit.expectLeaks(start, columns);
+    if (!isCurved) columns.expected.front() = flattenedBy(open);
+    return fit.solve(emits_, start.log, columns);
+}
+
+/// The same for evidence: `nats` are those against such a camera.
 LightEstimate LampSearch::fitOfContrast(bool isCurved, const std::optional<Gain>& around) const
 {
     const CameraColumns columns = contrastColumns(isCurved, around);
     LightEstimate light = estimate_;
     light.camera = columns.known;
-    LightFit fit = fitOf(LampEvidence::kPairsFirst);
-    for (int round = 0; round < kCameraRounds; ++round) {
-        fit.expectLeaks(light, columns);
-        light = fit.solve(emits_, std::move(light.log), columns);
-    }
+    for (int round = 0; round < kCameraRounds; ++round)
+        light = solveContrast(light, columns, isCurved, LampEvidence::kPairsFirst);
     light.nats += light.occam - (isCurved ? kCurvedNats : 0.0) - (around ? kTonedNats : 0.0);
     if (around && light.camera.back() <= 0.0) light.nats = INFINITY; // no camera deepens it
     return light;
@@ -88,14 +95,12 @@ void LampSearch::findContrast()
 void LampSearch::bend(size_t pairs)
 {
     for (int round = 0; round < kCameraRounds && isBent(); ++round) {
-        LightFit fit = fitOf(pairs);
         std::optional<Gain> around;
         if (toned_ > 0.0) around = evidence_.brightnessAround(camera_.response);
         const CameraColumns columns = contrastColumns(curved_ > 0.0, around);
         LightEstimate light = estimate_;
         light.camera = columns.known;
-        fit.expectLeaks(light, columns);
-        light = fit.solve(emits_, std::move(light.log), columns);
+        light = solveContrast(light, columns, curved_ > 0.0, pairs);
         if (curved_ > 0.0) {
             camera_.response = responseOf(light.camera, curved_);
             doubtOfResponse_ = doubtOfResponse(light, curved_, curved_);

@@ -86,12 +86,12 @@ double LightFit::boundCost(size_t piece, double logIrradiance) const
     return -std::log((1.0 - kFlaw) * std::exp(-0.5 * off * off) + kFlaw);
 }
 
-void LightFit::expectLeaks(std::span<const double> log)
+double LightFit::expectLeaks(std::span<const double> log)
 {
-    expectLeaks({.log = {log.begin(), log.end()}}, {});
+    return expectLeaks({.log = {log.begin(), log.end()}}, {});
 }
 
-void LightFit::expectLeaks(const LightEstimate& estimate, const CameraColumns& camera)
+double LightFit::expectLeaks(const LightEstimate& estimate, const CameraColumns& camera)
 {
     const std::vector<double> radiance = exponentials(estimate.log);
     const std::vector<double> logAlbedo = this->logAlbedo(estimate, camera);
@@ -105,9 +105,10 @@ void LightFit::expectLeaks(const LightEstimate& estimate, const CameraColumns& c
         paintShare_[k] = 2.0 * noise_ * noise_ /
                          (noiseAbove_[k] * noiseAbove_[k] + noiseBelow_[k] * noiseBelow_[k]);
     const double ofScan = costOfLeak(leakOfScan * usual, light, logAlbedo);
-    const double belief = 1.0 / (1.0 + std::exp(perPair() * (ofScan - ofModel))); // in a scan
-    const double leak = leakOfModel + belief * (leakOfScan - leakOfModel);
+    const double open = 1.0 / (1.0 + std::exp(perPair() * (ofScan - ofModel)));
+    const double leak = leakOfModel + open * (leakOfScan - leakOfModel);
     costOfLeak(leak * usual, light, logAlbedo);
+    return open;
 }
 
 /// Takes noise for what such a leak makes it, and returns what the pairs cost then.

@@ -63,10 +63,11 @@ public:
     /// shade.
     [[nodiscard]] std::vector<double> beginning() const;
     /// From now on dark places count less, by what may leak to them beside this light: little or
-    /// much, as the pairs have it.
-    void expectLeaks(std::span<const double> log);
+    /// much, as the pairs have it. How likely much: that the mesh stands open as a reconstruction,
+    /// 0..1.
+    double expectLeaks(std::span<const double> log);
     /// The same of what is shown once these coefficients of the camera are undone.
-    void expectLeaks(const LightEstimate& estimate, const CameraColumns& camera);
+    double expectLeaks(const LightEstimate& estimate, const CameraColumns& camera);
     /// From now on these pairs count as well, which a person said to be of one paint.
     void believe(std::span<const MaterialPair> same) { told_ = same; }
     /// `emits`: one flag a piece. `start`: as LightEstimate::log. `widest`: how many times wider
