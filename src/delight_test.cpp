@@ -302,6 +302,24 @@ TEST(Delight, ItsOwnLightsGivenBackChangeNothing)
     }
 }
 
+TEST(Delight, SaysWhereOpeningsAreThoseOfAnotherScan)
+{
+    Progress progress;
+    DelightOptions options;
+    options.gather.quality = Quality::draft;
+    options.lights = delight(panelRoom(), options, progress).lights();
+    const auto warned = [&] {
+        const std::vector<std::string> warnings =
+            delight(panelRoom(), options, progress).warnings();
+        return std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+            return warning.find("parts of what lies outside") != std::string::npos;
+        });
+    };
+    EXPECT_FALSE(warned());
+    options.lights->openings.resize(options.lights->openings.size() + 2, glm::vec3(1.0f));
+    EXPECT_TRUE(warned());
+}
+
 TEST(Delight, ADeviceThatGaveUpLeavesTheLayersToTheCpu)
 {
     const Scan scan = panelRoom();

@@ -91,7 +91,8 @@ struct Lights
     // irradiance / pi, the same everywhere.
     glm::vec3 ambient{0.0f};
     // How many times that its parts have, small holes together and each large one:
-    // docs/method/openings.md. Empty: all the same. Those of another scan are passed over.
+    // docs/method/openings.md. Empty: all the same. Another number than the scan has is passed
+    // over, with a warning.
     std::vector<glm::vec3> openings;
     std::optional<Sun> sun; // the thesis solver has none
     CameraModel camera;     // what it made of this light in the texture; the thesis solver knows

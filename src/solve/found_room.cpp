@@ -205,6 +205,14 @@ std::string nothingNear(glm::vec3 place)
                        place.x, place.y, place.z);
 }
 
+std::string otherOpenings(size_t given, size_t seen)
+{
+    return fmt::format("the lights tell of {} parts of what lies outside and this scan has {}: it "
+                       "is as bright as \"ambient\" on all sides; give lights that were found in "
+                       "this scan, or take \"openings\" out of them",
+                       given, seen);
+}
+
 /// Finds lamps and sun; once more where something turns out to glow, for then the light of the room
 /// comes from there and is better looked for than met by chance.
 void search(const Texels& texels, const RayScene& scene, Progress& progress, FoundRoom& room)
@@ -248,6 +256,8 @@ void take(const Lights& given, const DelightOptions& options, const Texels& texe
     room.glowsFrom = leastOfGlowing(texels, room.glowing, &room.linearization);
     if (given.openings.size() == room.hits.shareOfPart.size())
         room.found.powers.outside = {given.ambient, given.openings};
+    else if (!given.openings.empty())
+        room.warnings.push_back(otherOpenings(given.openings.size(), room.hits.shareOfPart.size()));
     lightByLamps(texels, scene, room);
     if (!given.sun) return;
     FoundLamps panes;
