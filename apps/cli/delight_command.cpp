@@ -226,7 +226,12 @@ void refuseWhatHasNoEffect(CLI::App& command, relamp::Solver solver, bool areLig
 std::string cameraLine(const relamp::CameraModel& camera)
 {
     const std::string did = deedsOf(camera);
-    return did.empty() ? did : fmt::format("  camera: {}; taken out of the albedo\n", did);
+    const std::string rest = unexplainedBy(camera);
+    std::string line;
+    if (!did.empty()) line += fmt::format("  camera: {}; taken out of the albedo\n", did);
+    if (!rest.empty())
+        line += fmt::format("  what no lamp explains: {}; taken out of the albedo\n", rest);
+    return line;
 }
 
 /// What can be told without the truth.

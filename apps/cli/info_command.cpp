@@ -73,7 +73,8 @@ nlohmann::ordered_json cameraAsJson(const relamp::CameraModel& camera)
     return {{"contrast", camera.response.contrast()},
             {"response", camera.response.slope},
             {"localExponent", camera.tone.exponent},
-            {"gainStops", camera.gain.stops()}};
+            {"gainStops", camera.gain.stops()},
+            {"drifted", camera.drifted}};
 }
 
 nlohmann::ordered_json openingsAsJson(const std::vector<relamp::Opening>& openings)

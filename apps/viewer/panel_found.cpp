@@ -39,7 +39,9 @@ void drawCamera(const relamp::CameraModel& camera)
     if (!camera.tone.gain.isOne())
         ImGui::Text("Tones mapped locally, power %.2f", static_cast<double>(camera.tone.exponent));
     if (!camera.gain.isOne())
-        ImGui::Text("Exposure drifts over %.2f stops", static_cast<double>(camera.gain.stops()));
+        ImGui::Text("%s over %.2f stops",
+                    camera.hasDrifted() ? "Exposure drifts" : "What no lamp explains:",
+                    static_cast<double>(camera.gain.stops()));
 }
 
 void drawValidation(const relamp::CrossValidation& validation)

@@ -45,12 +45,14 @@ struct CameraModel
     Response response;
     LocalTone tone;
     Gain gain;
+    float drifted = 0.0f; // how likely exposure did, 0..1; else `gain` is what no lamp explains
 
     bool operator==(const CameraModel&) const = default;
     [[nodiscard]] bool isNeutral() const
     {
         return response.isStraight() && tone.gain.isOne() && gain.isOne();
     }
+    [[nodiscard]] bool hasDrifted() const { return drifted > 0.5f; }
 };
 
 } // namespace relamp

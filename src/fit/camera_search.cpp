@@ -167,6 +167,7 @@ void LampSearch::findGain()
     camera_.gain = evenGainOver(evidence_.texturePlaces().position);
     if (camera_.gain.isOne()) return;
     const double drifted = findDrift();
+    camera_.drifted = static_cast<float>(drifted);
     for (int round = 0; round < (isLikely(drifted) ? kCameraRounds : 1); ++round) {
         CameraColumns columns = columnsOf(camera_.gain, evidence_.texturePlaces());
         columns.worth = worthOfGain(drifted);

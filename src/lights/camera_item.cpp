@@ -105,6 +105,7 @@ ordered_json cameraAsJson(const CameraModel& camera)
     }
     if (camera.gain.isOne()) return object;
     object["gain"] = gainAsJson(camera.gain);
+    object["gain"]["drifted"] = shortest(camera.drifted);
     return object;
 }
 
@@ -119,8 +120,11 @@ CameraModel cameraOf(const JsonItem& item, std::vector<std::string>& warnings)
                        gainFrom(*tone)};
     }
     if (const std::optional<JsonItem> gain = item.objectIn("gain")) {
-        gain->warnOfUnknown({"origin", "spacing", "count", "stops"}, warnings);
+        gain->warnOfUnknown({"origin", "spacing", "count", "stops", "drifted"}, warnings);
         camera.gain = gainFrom(*gain);
+        camera.drifted = 1.0f; // in files that do not say, it was found so
+        if (gain->has("drifted"))
+            camera.drifted = static_cast<float>(gain->numberAt("drifted", 0.0, 1.0));
     }
     return camera;
 }

@@ -157,6 +157,7 @@ TEST(LightsFile, WhatWasWrittenIsReadAgain)
     lights.camera.gain = {{-1, 0, 2.5f}, 1.25f, {3, 2, 1}, {}};
     for (const float log : {0.1f, 0.0f, -0.2f, 0.3f, 0.0f, 0.0f})
         lights.camera.gain.log.emplace_back(log, log, 2.0f * log);
+    lights.camera.drifted = 0.25f;
     lights.camera.tone = {0.625f, {{0, 1, 0}, 0.5f, {1, 1, 2}, {glm::vec3(0.5f), glm::vec3(-1)}}};
     lights.tempering = {.kept = {0.5f, 0.4f, 0.3f}, .power = 0.8f, .scale = {0.75f, 0.8f, 0.9f}};
     const Lights again = read(lightsAsJson(lights));
@@ -180,6 +181,7 @@ TEST(LightsFile, WhatWasWrittenIsReadAgain)
     ASSERT_EQ(again.camera.gain.log.size(), lights.camera.gain.log.size());
     for (size_t k = 0; k < again.camera.gain.log.size(); ++k)
         EXPECT_LT(glm::distance(again.camera.gain.log[k], lights.camera.gain.log[k]), 1e-6f);
+    EXPECT_EQ(again.camera.drifted, 0.25f);
     EXPECT_EQ(again.camera.tone.exponent, 0.625f);
     ASSERT_EQ(again.camera.tone.gain.log.size(), 2u);
     EXPECT_LT(glm::distance(again.camera.tone.gain.log[1], glm::vec3(-1.0f)), 1e-6f);

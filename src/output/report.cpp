@@ -197,6 +197,7 @@ ordered_json lightsAsReport(const Decomposition& result)
     json["camera"] = {{"contrast", shortest(lights.camera.response.contrast())},
                       {"localExponent", shortest(lights.camera.tone.exponent)},
                       {"gainStops", shortest(lights.camera.gain.stops())},
+                      {"drifted", shortest(lights.camera.drifted)},
                       {"model", cameraAsJson(lights.camera)}};
     return json;
 }

@@ -67,6 +67,8 @@ TEST_F(DelightProgram, WritesAllThatTheGuidePromises)
     EXPECT_EQ(report["scan"]["triangles"], 39855);
     EXPECT_NEAR(report["closedLoop"]["rmsError"].get<double>(), 0.0138, 0.002);
     EXPECT_EQ(report["lights"]["white"]["nits"], 100.0);
+    EXPECT_EQ(report["lights"]["camera"]["contrast"], 1.0); // its camera did nothing
+    EXPECT_LT(report["lights"]["camera"]["drifted"], 0.01);
     for (const auto& fixture : report["lights"]["fixtures"]) { // as lamps and windows of homes have
         EXPECT_GT(fixture["lumens"], 300.0);
         EXPECT_LT(fixture["lumens"], 20000.0);
