@@ -222,7 +222,7 @@ void refuseWhatHasNoEffect(CLI::App& command, relamp::Solver solver, bool areLig
     }
 }
 
-/// What the camera did, as far as anything was found.
+/// What the camera did and what no lamp explains, as far as anything was found.
 std::string cameraLine(const relamp::CameraModel& camera)
 {
     const std::string did = deedsOf(camera);

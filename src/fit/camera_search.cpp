@@ -21,11 +21,6 @@ constexpr double kTonedNats = -2.2; // likewise of local tone mapping: one in te
 // Numerics.
 constexpr int kCameraRounds = 2; // of what is gathered and what the camera made of it
 
-bool isLikely(double belief)
-{
-    return belief > 0.5;
-}
-
 } // namespace
 
 /// Those of what a camera may have done to contrast, near what is known of it.
@@ -38,10 +33,9 @@ CameraColumns LampSearch::contrastColumns(bool isCurved, const std::optional<Gai
 }
 
 /// By a camera that did this, with the leaks that are likeliest then.
-LightEstimate LampSearch::solveContrast(const LightEstimate& start, CameraColumns columns,
-                                        bool isCurved, size_t pairs) const
+LightEstimate LampSearch::solveContrast(LightFit& fit, const LightEstimate& start,
+                                        CameraColumns& columns, bool isCurved) const
 {
-    LightFit fit = fitOf(pairs);
     const double open = fit.expectLeaks(start, columns);
     if (!isCurved) columns.expected.front() = flattenedBy(open);
     return fit.solve(emits_, start.log, columns);
@@ -50,11 +44,12 @@ LightEstimate LampSearch::solveContrast(const LightEstimate& start, CameraColumn
 /// The same for evidence: `nats` are those against such a camera.
 LightEstimate LampSearch::fitOfContrast(bool isCurved, const std::optional<Gain>& around) const
 {
-    const CameraColumns columns = contrastColumns(isCurved, around);
+    CameraColumns columns = contrastColumns(isCurved, around);
     LightEstimate light = estimate_;
     light.camera = columns.known;
+    LightFit fit = fitOf(LampEvidence::kPairsFirst);
     for (int round = 0; round < kCameraRounds; ++round)
-        light = solveContrast(light, columns, isCurved, LampEvidence::kPairsFirst);
+        light = solveContrast(fit, light, columns, isCurved);
     light.nats += light.occam - (isCurved ? kCurvedNats : 0.0) - (around ? kTonedNats : 0.0);
     if (around && light.camera.back() <= 0.0) light.nats = INFINITY; // no camera deepens it
     return light;
@@ -81,7 +76,7 @@ void LampSearch::findContrast()
         n = std::exp(least - n);
         sum += n;
     }
-    const auto sought = [](double belief) { return isLikely(belief) ? belief : 0.0; };
+    const auto sought = [](double belief) { return belief > 0.5 ? belief : 0.0; };
     const double likely = (nats[1] + nats[3]) / sum;
     curved_ = sought(likely);
     if (likely > 0.0)
@@ -97,10 +92,11 @@ void LampSearch::bend(size_t pairs)
     for (int round = 0; round < kCameraRounds && isBent(); ++round) {
         std::optional<Gain> around;
         if (toned_ > 0.0) around = evidence_.brightnessAround(camera_.response);
-        const CameraColumns columns = contrastColumns(curved_ > 0.0, around);
+        CameraColumns columns = contrastColumns(curved_ > 0.0, around);
         LightEstimate light = estimate_;
         light.camera = columns.known;
-        light = solveContrast(light, columns, curved_ > 0.0, pairs);
+        LightFit fit = fitOf(pairs);
+        light = solveContrast(fit, light, columns, curved_ > 0.0);
         if (curved_ > 0.0) {
             camera_.response = responseOf(light.camera, curved_);
             doubtOfResponse_ = doubtOfResponse(light, curved_, curved_);
@@ -150,7 +146,8 @@ double LampSearch::findDrift()
     });
     const double drifted =
         likelihoodByEvidence(fits[0].nats + fits[0].occam - fits[1].nats - fits[1].occam);
-    if (isLikely(drifted)) undoDrift(std::move(fits[1]));
+    camera_.drifted = static_cast<float>(drifted);
+    if (camera_.hasDrifted()) undoDrift(std::move(fits[1]));
     return drifted;
 }
 
@@ -167,8 +164,7 @@ void LampSearch::findGain()
     camera_.gain = evenGainOver(evidence_.texturePlaces().position);
     if (camera_.gain.isOne()) return;
     const double drifted = findDrift();
-    camera_.drifted = static_cast<float>(drifted);
-    for (int round = 0; round < (isLikely(drifted) ? kCameraRounds : 1); ++round) {
+    for (int round = 0; round < (camera_.hasDrifted() ? kCameraRounds : 1); ++round) {
         CameraColumns columns = columnsOf(camera_.gain, evidence_.texturePlaces());
         columns.worth = worthOfGain(drifted);
         LightFit fit = fitOf(LampEvidence::kPairsFirst);

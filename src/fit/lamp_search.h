@@ -58,8 +58,8 @@ private:
     [[nodiscard]] bool isBent() const { return curved_ > 0.0 || toned_ > 0.0; }
     [[nodiscard]] CameraColumns contrastColumns(bool isCurved,
                                                 const std::optional<Gain>& around) const;
-    [[nodiscard]] LightEstimate solveContrast(const LightEstimate& start, CameraColumns columns,
-                                              bool isCurved, size_t pairs) const;
+    [[nodiscard]] LightEstimate solveContrast(LightFit& fit, const LightEstimate& start,
+                                              CameraColumns& columns, bool isCurved) const;
     [[nodiscard]] LightEstimate fitOfContrast(bool isCurved,
                                               const std::optional<Gain>& around) const;
     void findContrast();
