@@ -25,13 +25,13 @@ std::string deedsOf(const relamp::CameraModel& camera)
     if (!camera.tone.gain.isOne())
         deeds.push_back(
             fmt::format("local tone mapping to the power {:.2f}", camera.tone.exponent));
-    if (camera.hasDrifted() && differs(camera.gain.stops(), 0.0))
-        deeds.push_back(fmt::format("exposure drifts over {:.2f} stops", camera.gain.stops()));
+    if (camera.hasDrifted() && differs(camera.stops(), 0.0))
+        deeds.push_back(fmt::format("exposure drifts over {:.2f} stops", camera.stops()));
     return fmt::format("{}", fmt::join(deeds, ", "));
 }
 
 std::string unexplainedBy(const relamp::CameraModel& camera)
 {
-    if (camera.hasDrifted() || !differs(camera.gain.stops(), 0.0)) return {};
-    return fmt::format("smooth over the room, over {:.2f} stops", camera.gain.stops());
+    if (camera.hasDrifted() || !differs(camera.stops(), 0.0)) return {};
+    return fmt::format("smooth over the room, over {:.2f} stops", camera.stops());
 }

@@ -73,7 +73,7 @@ nlohmann::ordered_json cameraAsJson(const relamp::CameraModel& camera)
     return {{"contrast", camera.response.contrast()},
             {"response", camera.response.slope},
             {"localExponent", camera.tone.exponent},
-            {"gainStops", camera.gain.stops()},
+            {"gainStops", camera.stops()},
             {"drifted", camera.drifted}};
 }
 

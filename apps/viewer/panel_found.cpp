@@ -38,10 +38,10 @@ void drawCamera(const relamp::CameraModel& camera)
     }
     if (!camera.tone.gain.isOne())
         ImGui::Text("Tones mapped locally, power %.2f", static_cast<double>(camera.tone.exponent));
-    if (!camera.gain.isOne())
+    if (!camera.gains.empty())
         ImGui::Text("%s over %.2f stops",
                     camera.hasDrifted() ? "Exposure drifts" : "What no lamp explains:",
-                    static_cast<double>(camera.gain.stops()));
+                    static_cast<double>(camera.stops()));
 }
 
 void drawValidation(const relamp::CrossValidation& validation)

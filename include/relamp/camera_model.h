@@ -40,19 +40,20 @@ struct LocalTone
 
 /// What a camera made of the light of a scan: texture = response of (local tone of (gain *
 /// radiance)).
-struct CameraModel
+struct RELAMP_API CameraModel
 {
     Response response;
     LocalTone tone;
-    Gain gain;
-    float drifted = 0.0f; // how likely exposure did, 0..1; else `gain` is what no lamp explains
+    std::vector<Gain> gains; // one a room, over its places; empty: 1 everywhere
+    float drifted = 0.0f;    // how likely exposure did, 0..1; else gains are what no lamp explains
 
     bool operator==(const CameraModel&) const = default;
     [[nodiscard]] bool isNeutral() const
     {
-        return response.isStraight() && tone.gain.isOne() && gain.isOne();
+        return response.isStraight() && tone.gain.isOne() && gains.empty();
     }
     [[nodiscard]] bool hasDrifted() const { return drifted > 0.5f; }
+    [[nodiscard]] float stops() const; // of the gain that has most
 };
 
 } // namespace relamp

@@ -245,6 +245,17 @@ Gain evenGainOver(std::span<const glm::vec3> position)
     return gain;
 }
 
+std::vector<Gain> evenGainsOver(std::span<const TexturePlaces> rooms)
+{
+    std::vector<Gain> gains;
+    for (const TexturePlaces& room : rooms) gains.push_back(evenGainOver(room.position));
+    const auto isOne = [](const Gain& gain) { return gain.isOne(); };
+    if (std::all_of(gains.begin(), gains.end(), isOne)) return {};
+    for (size_t r = 0; r < gains.size(); ++r)
+        if (gains[r].isOne()) gains[r] = latticeOver(rooms[r].position, kKnotSpacing, 1);
+    return gains;
+}
+
 CameraColumns columnsOf(const Gain& known, const TexturePlaces& places)
 {
     std::vector<double> knots;

@@ -24,32 +24,64 @@ constexpr int kCameraRounds = 2; // of what is gathered and what the camera made
 } // namespace
 
 /// Those of what a camera may have done to contrast, near what is known of it.
-CameraColumns LampSearch::contrastColumns(bool isCurved, const std::optional<Gain>& around) const
+CameraColumns LampSearch::contrastColumns(const TexturePlaces& places, bool isCurved,
+                                          const std::optional<Gain>& around) const
 {
-    const TexturePlaces places = evidence_.texturePlaces();
     CameraColumns columns = columnsOf(camera_.response, places);
     if (!isCurved) columns = evenSlope(columns);
     return around ? together(columns, columnsOf(camera_.tone, *around, places)) : columns;
 }
 
-/// By a camera that did this, with the leaks that are likeliest then.
-LightEstimate LampSearch::solveContrast(LightFit& fit, const LightEstimate& start,
-                                        CameraColumns& columns, bool isCurved) const
+/// Of one room by a camera that did this, with the leaks that are likeliest then.
+LightEstimate LampSearch::contrastOf(const RoomLight& room, bool isCurved,
+                                     const std::optional<Gain>& around, int rounds) const
 {
-    const double open = fit.expectLeaks(start, columns);
-    if (!isCurved) columns.expected.front() = flattenedBy(open);
-    return fit.solve(emits_, start.log, columns);
+    CameraColumns columns = contrastColumns(room.texturePlaces(), isCurved, around);
+    LightEstimate light{.log = room.log, .camera = columns.known};
+    LightFit fit = room.fit();
+    for (int round = 0; round < rounds; ++round) {
+        const double open = fit.expectLeaks(light, columns);
+        if (!isCurved) columns.expected.front() = flattenedBy(open);
+        light = fit.solve(room.emits, light.log, columns);
+    }
+    return light;
+}
+
+/// Of the house's places, those that are a room's.
+double LampSearch::shareOf(const RoomLight& room) const
+{
+    return static_cast<double>(room.places.size()) / static_cast<double>(model_.places());
+}
+
+/// Of all rooms, by one camera. What errs alike in them is no better known for their number, so
+/// what they tell of it is the mean, by places.
+LightEstimate LampSearch::contrastOf(std::span<const RoomLight> rooms, bool isCurved,
+                                     const std::optional<Gain>& around, int rounds) const
+{
+    std::vector<LightEstimate> fits(rooms.size());
+    forEach(rooms.size(),
+            [&](size_t r) { fits[r] = contrastOf(rooms[r], isCurved, around, rounds); });
+    LightEstimate house = joined(rooms, fits);
+    house.nats = 0.0;
+    house.camera.assign(fits.front().camera.size(), 0.0);
+    house.cameraCovariance.assign(fits.front().cameraCovariance.size(), 0.0);
+    for (size_t r = 0; r < rooms.size(); ++r) {
+        const double share = shareOf(rooms[r]);
+        house.nats += share * fits[r].nats;
+        house.occam += share * fits[r].occam;
+        for (size_t k = 0; k < house.camera.size(); ++k)
+            house.camera[k] += share * fits[r].camera[k];
+        for (size_t k = 0; k < house.cameraCovariance.size(); ++k)
+            house.cameraCovariance[k] += share * fits[r].cameraCovariance[k];
+    }
+    return house;
 }
 
 /// The same for evidence: `nats` are those against such a camera.
-LightEstimate LampSearch::fitOfContrast(bool isCurved, const std::optional<Gain>& around) const
+LightEstimate LampSearch::fitOfContrast(std::span<const RoomLight> rooms, bool isCurved,
+                                        const std::optional<Gain>& around) const
 {
-    CameraColumns columns = contrastColumns(isCurved, around);
-    LightEstimate light = estimate_;
-    light.camera = columns.known;
-    LightFit fit = fitOf(LampEvidence::kPairsFirst);
-    for (int round = 0; round < kCameraRounds; ++round)
-        light = solveContrast(fit, light, columns, isCurved);
+    LightEstimate light = contrastOf(rooms, isCurved, around, kCameraRounds);
     light.nats += light.occam - (isCurved ? kCurvedNats : 0.0) - (around ? kTonedNats : 0.0);
     if (around && light.camera.back() <= 0.0) light.nats = INFINITY; // no camera deepens it
     return light;
@@ -62,12 +94,13 @@ void LampSearch::findContrast()
     std::array<double, 4> nats{};
     std::optional<Gain> around;
     if (isGainSought_) around = evidence_.brightnessAround(camera_.response);
+    const std::vector<RoomLight> rooms = lightOfRooms(LampEvidence::kPairsFirst);
     forEach(nats.size(), [&](size_t k) {
         const bool isCurved = (k & 1u) != 0;
         const bool isToned = (k & 2u) != 0;
         const bool isSought = (isResponseSought_ || !isCurved) && (isGainSought_ || !isToned);
         fits[k].nats = INFINITY;
-        if (isSought) fits[k] = fitOfContrast(isCurved, isToned ? around : std::nullopt);
+        if (isSought) fits[k] = fitOfContrast(rooms, isCurved, isToned ? around : std::nullopt);
         nats[k] = fits[k].nats;
     });
     const double least = *std::min_element(nats.begin(), nats.end());
@@ -92,11 +125,7 @@ void LampSearch::bend(size_t pairs)
     for (int round = 0; round < kCameraRounds && isBent(); ++round) {
         std::optional<Gain> around;
         if (toned_ > 0.0) around = evidence_.brightnessAround(camera_.response);
-        CameraColumns columns = contrastColumns(curved_ > 0.0, around);
-        LightEstimate light = estimate_;
-        light.camera = columns.known;
-        LightFit fit = fitOf(pairs);
-        light = solveContrast(fit, light, columns, curved_ > 0.0);
+        LightEstimate light = contrastOf(lightOfRooms(pairs), curved_ > 0.0, around, 1);
         if (curved_ > 0.0) {
             camera_.response = responseOf(light.camera, curved_);
             doubtOfResponse_ = doubtOfResponse(light, curved_, curved_);
@@ -130,51 +159,102 @@ std::vector<glm::vec3> LampSearch::albedo() const
     return albedo;
 }
 
+std::vector<RoomLight> LampSearch::lightOfRooms(size_t pairs) const
+{
+    return lightOfRooms(pairs, model_);
+}
+
+std::vector<RoomLight> LampSearch::lightOfRooms(size_t pairs, const LightModel& model) const
+{
+    std::vector<RoomLight> rooms = relamp::lightOfRooms(
+        {model, evidence_.pairs(pairs), kin_.alike, noiseOfAll(), emits_, estimate_.log, camera_,
+         evidence_.texturePlaces(), evidence_.told(), !isResponseSought_},
+        evidence_.roomsOfPlaces());
+    for (size_t r = 0; r < rooms.size(); ++r) rooms[r].noise = noise_[r];
+    return rooms;
+}
+
+/// The light of a room with each of these for its gain, among lamps that are known.
+std::vector<LightEstimate> LampSearch::gainFits(const RoomLight& room,
+                                                std::span<const CameraColumns> columns) const
+{
+    std::vector<LightEstimate> fits(columns.size());
+    LightFit fit = room.fit();
+    fit.expectLeaks(room.log);
+    forEach(fits.size(),
+            [&](size_t k) { fits[k] = fit.solve(room.emits, room.log, columns[k], kFirstWidth); });
+    return fits;
+}
+
 /// Undoes a drift of exposure that is likelier than not, and returns how likely it is: by an even
-/// gain beside the lamps that are known.
+/// gain beside the lamps that are known, in the mean of all rooms.
 double LampSearch::findDrift()
 {
-    const CameraColumns drift = columnsOf(camera_.gain, evidence_.texturePlaces());
-    CameraColumns none;
-    none.worth = drift.worth;
-    LightFit fit = fitOf(LampEvidence::kPairsFirst);
-    fit.expectLeaks(estimate_.log);
-    const std::array<const CameraColumns*, 2> columns{&none, &drift};
-    std::array<LightEstimate, 2> fits;
-    forEach(fits.size(), [&](size_t k) {
-        fits[k] = fit.solve(emits_, estimate_.log, *columns[k], kFirstWidth);
+    const std::vector<RoomLight> rooms = lightOfRooms(LampEvidence::kPairsFirst);
+    std::vector<LightEstimate> drifting(rooms.size());
+    std::vector<double> evidence(rooms.size());
+    forEach(rooms.size(), [&](size_t r) {
+        std::array<CameraColumns, 2> columns; // of no drift, and of one
+        columns[1] = columnsOf(camera_.gains[r], rooms[r].texturePlaces());
+        columns[0].worth = columns[1].worth;
+        std::vector<LightEstimate> fits = gainFits(rooms[r], columns);
+        evidence[r] = fits[0].nats + fits[0].occam - fits[1].nats - fits[1].occam;
+        drifting[r] = std::move(fits[1]);
     });
-    const double drifted =
-        likelihoodByEvidence(fits[0].nats + fits[0].occam - fits[1].nats - fits[1].occam);
+    double mean = 0.0;
+    for (size_t r = 0; r < rooms.size(); ++r) mean += shareOf(rooms[r]) * evidence[r];
+    const double drifted = likelihoodByEvidence(mean);
     camera_.drifted = static_cast<float>(drifted);
-    if (camera_.hasDrifted()) undoDrift(std::move(fits[1]));
+    if (camera_.hasDrifted()) undoDrift(rooms, drifting);
     return drifted;
 }
 
-void LampSearch::undoDrift(LightEstimate found)
+void LampSearch::undoDrift(std::span<const RoomLight> rooms, std::span<const LightEstimate> found)
 {
-    camera_.gain = gainOf(std::move(camera_.gain), found.camera);
-    seeByCamera(std::move(found.log));
+    std::vector<double> log = estimate_.log;
+    for (size_t r = 0; r < rooms.size(); ++r) {
+        rooms[r].put(found[r].log, log);
+        camera_.gains[r] = gainOf(std::move(camera_.gains[r]), found[r].camera);
+    }
+    seeByCamera(std::move(log));
 }
 
-/// The drift of exposure and white balance, among lamps that are known. One round is enough where
-/// none is likely: what is gathered hardly changes then.
+/// The drift of exposure and white balance, among lamps that are known; in every room by itself,
+/// for what each shows is hardly lit by the others. One round is enough where none is likely: what
+/// is gathered hardly changes then.
 void LampSearch::findGain()
 {
-    camera_.gain = evenGainOver(evidence_.texturePlaces().position);
-    if (camera_.gain.isOne()) return;
+    std::vector<RoomLight> rooms = lightOfRooms(LampEvidence::kPairsFirst);
+    std::vector<TexturePlaces> places;
+    for (const RoomLight& room : rooms) places.push_back(room.texturePlaces());
+    camera_.gains = evenGainsOver(places);
+    if (camera_.gains.empty()) return;
     const double drifted = findDrift();
     for (int round = 0; round < (camera_.hasDrifted() ? kCameraRounds : 1); ++round) {
-        CameraColumns columns = columnsOf(camera_.gain, evidence_.texturePlaces());
-        columns.worth = worthOfGain(drifted);
-        LightFit fit = fitOf(LampEvidence::kPairsFirst);
-        fit.expectLeaks(estimate_.log);
-        undoDrift(fit.solve(emits_, estimate_.log, columns, kFirstWidth));
+        rooms = lightOfRooms(LampEvidence::kPairsFirst);
+        std::vector<LightEstimate> fits(rooms.size());
+        forEach(rooms.size(), [&](size_t r) {
+            CameraColumns columns = columnsOf(camera_.gains[r], rooms[r].texturePlaces());
+            columns.worth = worthOfGain(drifted);
+            fits[r] = std::move(gainFits(rooms[r], {&columns, 1}).front());
+        });
+        undoDrift(rooms, fits);
     }
-    const TexturePlaces places = evidence_.texturePlaces();
-    camera_.gain = withWhiteBalance(std::move(camera_.gain), places.position, albedo(),
-                                    evidence_.pairs(LampEvidence::kPairsFirst), evidence_.told(),
-                                    {drifted, LightFit::effectivePairs(model_)});
+    findWhiteBalance(drifted);
+}
+
+void LampSearch::findWhiteBalance(double drifted)
+{
+    const std::vector<glm::vec3> albedo = this->albedo();
+    const std::vector<RoomLight> rooms = lightOfRooms(LampEvidence::kPairsFirst);
+    forEach(rooms.size(), [&](size_t r) {
+        const RoomLight& room = rooms[r];
+        std::vector<glm::vec3> ofRoom;
+        for (const uint32_t place : room.places) ofRoom.push_back(albedo[place]);
+        camera_.gains[r] =
+            withWhiteBalance(std::move(camera_.gains[r]), room.position, ofRoom, room.pairs,
+                             room.told, {drifted, LightFit::effectivePairs(room.model)});
+    });
     seeByCamera(estimate_.log);
 }
 
@@ -182,10 +262,10 @@ void LampSearch::findGain()
 void LampSearch::seeByCamera(std::vector<double> log)
 {
     const double brighter = evidence_.linearize(camera_);
-    observe();
+    model_ = evidence_.modelOf(pieces_, sights_, std::move(model_.direct));
     for (double& l : log) l += brighter;
-    estimate_ = fitOf(LampEvidence::kPairsFirst).solve(emits_, std::move(log), 1.0);
-    noise_ = noiseOf(estimate_);
+    estimate_.log = std::move(log);
+    solve([](const RoomLight& room) { return room.fit().solve(room.emits, room.log, 1.0); });
 }
 
 } // namespace relamp

@@ -98,6 +98,18 @@ uint32_t LampEvidence::addPlace(uint32_t surfel)
     return static_cast<uint32_t>(places_.size() - 1);
 }
 
+std::vector<uint8_t> LampEvidence::roomsOfPlaces() const
+{
+    std::vector<uint8_t> rooms;
+    if (hits_.roomOfSurfel.empty()) return rooms;
+    std::map<uint8_t, uint8_t> numbers; // of rooms that have places
+    for (const uint32_t place : places_) numbers[hits_.roomOfSurfel[place]] = 0;
+    uint8_t next = 0;
+    for (auto& [room, number] : numbers) number = next++;
+    for (const uint32_t place : places_) rooms.push_back(numbers[hits_.roomOfSurfel[place]]);
+    return rooms;
+}
+
 void LampEvidence::findAround()
 {
     placeInAround_.assign(texels_.surfels.count(), 0);
@@ -124,7 +136,8 @@ double LampEvidence::meanLogOfPlaces() const
 double LampEvidence::linearize(const CameraModel& camera)
 {
     const double before = meanLogOfPlaces();
-    const Linearization linearization = linearizationOf(camera, texels_.surfels);
+    const Linearization linearization =
+        linearizationOf(camera, texels_.surfels, hits_.roomOfSurfel);
     forEach(textureOfAll_.size(), [&](size_t s) {
         glm::vec3& radiance = radiance_.plain[s];
         for (int c = 0; c < 3; ++c) radiance[c] = linearization.response(textureOfAll_[s][c]);
@@ -155,10 +168,11 @@ Gain LampEvidence::brightnessAround(const Response& response) const
 
 void LampEvidence::drawAllPairs()
 {
+    const std::vector<uint8_t> rooms = roomsOfPlaces();
     for (const size_t perPlace : {kPairsFirst, kPairs})
         pairs_[perPlace] =
             drawPairs(std::span(texture_).first(drawn_), std::span(places_).first(drawn_),
-                      texels_.surfels, scene_, perPlace);
+                      texels_.surfels, scene_, perPlace, rooms);
 }
 
 std::span<const MaterialPair> LampEvidence::pairs(size_t perPlace) const
@@ -176,7 +190,8 @@ void LampEvidence::look(std::span<Piece> pieces, size_t fewestRays) const
     }
 }
 
-LightModel LampEvidence::modelOf(std::span<const Piece> pieces, const PieceSights& sights)
+LightModel LampEvidence::modelOf(std::span<const Piece> pieces, const PieceSights& sights,
+                                 std::vector<float> direct)
 {
     std::fill(field_.shines.begin(), field_.shines.end(), uint8_t{0});
     for (const Piece& piece : pieces)
@@ -190,6 +205,8 @@ LightModel LampEvidence::modelOf(std::span<const Piece> pieces, const PieceSight
     model.shown.resize(rows, glm::vec3(0.0f));
     model.gathered.resize(rows, glm::vec3(0.0f));
     model.missed.resize(rows * model.outsides, 0.0f);
+    const bool isNew = direct.empty();
+    model.direct = std::move(direct);
     model.direct.resize(rows * pieces.size(), 0.0f);
     const Gathered gathered = settling_.gather(field_);
     forEach(places_.size(), [&](size_t i) {
@@ -205,8 +222,12 @@ LightModel LampEvidence::modelOf(std::span<const Piece> pieces, const PieceSight
         for (size_t part = 0; part < model.outsides; ++part)
             model.missed[i * model.outsides + part] /= count;
         model.shown[i] = field_.plain[places_[i]];
+    });
+    // By blocks of places, for the two are laid out across each other.
+    forEachChunk(isNew ? places_.size() : 0, 64, [&](size_t begin, size_t end) {
         for (size_t f = 0; f < pieces.size(); ++f)
-            model.direct[i * pieces.size() + f] = pieces[f].direct[i];
+            for (size_t i = begin; i < end; ++i)
+                model.direct[i * pieces.size() + f] = pieces[f].direct[i];
     });
     addLightOnPieces(pieces, sights, model);
     return model;

@@ -71,14 +71,17 @@ public:
         pairs_.at(perPlace).insert(pairs_.at(perPlace).end(), pairs.begin(), pairs.end());
     }
     [[nodiscard]] std::span<const uint32_t> places() const { return places_; } // surfels
+    [[nodiscard]] std::vector<uint8_t> roomsOfPlaces() const; // from 0 on; empty: there is one
 
     /// Fills in what each piece does at all places, by no fewer rays from each origin there, and no
     /// more than kMostRays: few rays are noise, which makes the light of a lamp seem weaker.
     void look(std::span<Piece> pieces, size_t fewestRays) const;
     /// By rays, so once for a set of pieces.
     [[nodiscard]] PieceSights sightsOf(std::span<const Piece> pieces) const;
-    /// The light of all of these, emit they or reflect, at places and on the pieces.
-    [[nodiscard]] LightModel modelOf(std::span<const Piece> pieces, const PieceSights& sights);
+    /// The light of all of these, emit they or reflect, at places and on the pieces. `direct`: that
+    /// of their model of before, if what they do at places has not changed since.
+    [[nodiscard]] LightModel modelOf(std::span<const Piece> pieces, const PieceSights& sights,
+                                     std::vector<float> direct = {});
     /// Lets burnt-out walls and backs settle in the light of these lamps, and fills in their
     /// `onSides`. Returns their light.
     LitSides settle(std::span<Piece> lamps, const OutsideLight& outside);

@@ -1,15 +1,18 @@
 #pragma once
 
+#include "fit/lamp_choice.h"
 #include "fit/lamp_evidence.h"
 #include "fit/lamp_groups.h"
 #include "fit/lamps.h"
 #include "fit/light_fit.h"
 #include "fit/pieces.h"
+#include "fit/room_light.h"
 #include "fit/sun_trial.h"
 #include "fit/told_paint.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -35,41 +38,37 @@ private:
     void addPieces(LampGroup group);
     void relatePieces();
     void observe();
-    [[nodiscard]] LightFit fitOf(size_t pairs) const;
-    [[nodiscard]] double costOf(uint32_t piece) const;
-    [[nodiscard]] Removal removalOf(std::vector<uint32_t> pieces, double cost) const;
-    [[nodiscard]] std::vector<Removal> removals() const;
+    [[nodiscard]] std::vector<Choosable> choosable(std::span<const uint32_t> ofRoom) const;
     void choose(size_t pairs);
-    void prune(const LightFit& fit);
-    struct Addition
-    {
-        uint32_t piece = 0;
-        double gain = 0.0; // nats
-        double log = 0.0;  // radiance to start from
-        LightEstimate estimate{};
-    };
-    [[nodiscard]] std::vector<size_t> apart(std::span<const std::vector<uint32_t>> sets) const;
-    [[nodiscard]] std::vector<Addition> bestAdditions(const LightFit& fit) const;
-    void drop(const LightFit& fit);
-    bool grow(const LightFit& fit);
+    void solve(const std::function<LightEstimate(const RoomLight&)>& estimateOf);
     void lookCloser();
     bool join();
+    [[nodiscard]] LightEstimate colorOf(int channel) const;
     void findColors();
     [[nodiscard]] bool isBent() const { return curved_ > 0.0 || toned_ > 0.0; }
-    [[nodiscard]] CameraColumns contrastColumns(bool isCurved,
+    [[nodiscard]] double shareOf(const RoomLight& room) const;
+    [[nodiscard]] CameraColumns contrastColumns(const TexturePlaces& places, bool isCurved,
                                                 const std::optional<Gain>& around) const;
-    [[nodiscard]] LightEstimate solveContrast(LightFit& fit, const LightEstimate& start,
-                                              CameraColumns& columns, bool isCurved) const;
-    [[nodiscard]] LightEstimate fitOfContrast(bool isCurved,
+    [[nodiscard]] LightEstimate contrastOf(const RoomLight& room, bool isCurved,
+                                           const std::optional<Gain>& around, int rounds) const;
+    [[nodiscard]] LightEstimate contrastOf(std::span<const RoomLight> rooms, bool isCurved,
+                                           const std::optional<Gain>& around, int rounds) const;
+    [[nodiscard]] LightEstimate fitOfContrast(std::span<const RoomLight> rooms, bool isCurved,
                                               const std::optional<Gain>& around) const;
     void findContrast();
     void bend(size_t pairs);
+    [[nodiscard]] std::vector<RoomLight> lightOfRooms(size_t pairs) const;
+    [[nodiscard]] std::vector<RoomLight> lightOfRooms(size_t pairs, const LightModel& model) const;
+    [[nodiscard]] std::vector<LightEstimate> gainFits(const RoomLight& room,
+                                                      std::span<const CameraColumns> columns) const;
     [[nodiscard]] double findDrift();
-    void undoDrift(LightEstimate found);
+    void undoDrift(std::span<const RoomLight> rooms, std::span<const LightEstimate> found);
     void findGain();
+    void findWhiteBalance(double drifted);
+    [[nodiscard]] std::vector<float> changeUnseen() const;
     [[nodiscard]] std::vector<glm::vec3> albedo() const;
     void seeByCamera(std::vector<double> log);
-    [[nodiscard]] static double noiseOf(const LightEstimate& estimate);
+    [[nodiscard]] double noiseOfAll() const;
     void letSunIn(const LitSides& sides);
     void takeSun(FoundLamps& found);
     [[nodiscard]] std::vector<Piece> lamps() const;
@@ -93,7 +92,7 @@ private:
     LightModel model_;
     Kinship kin_;
     LightEstimate estimate_;
-    double noise_; // log: between places of one paint
+    std::vector<double> noise_; // of rooms, log: between places of one paint
     OutsideLight outside_;
     std::shared_ptr<const RayScene> beforeSun_; // what stands before it
     CameraModel camera_;

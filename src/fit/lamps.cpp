@@ -27,25 +27,17 @@ namespace relamp
 namespace
 {
 
-// That it takes to believe in a lamp: log odds of one piece in seven. Narrow: at 2 the sample at
-// 0.7 of its exposure loses its table lamp, at 1.7 a reconstructed workshop gains one of 5 cm^2.
-constexpr double kLampNats = 1.85;
-// Where one of its model emits: the log odds in rooms with ground truth, where 357 of 361 pieces
-// that looked like a lamp were one.
-constexpr double kModelNats = -4.0;
 constexpr double kNoiseOfPairs = 0.7; // of the median difference of pairs: half are of two paints
 constexpr double kLeastNoise = 0.02;  // log; what a byte and a few rays tell
 constexpr double kUnknown = 0.7;      // standard error of log radiance: about a factor of two
 constexpr double kColorSpread = 1.0;  // log: of a lamp's channels about its luminance
 
 // Numerics.
-constexpr double kLeanNats = 0.03; // a part of a lamp that no light asks for does not shine
 constexpr double kMostPieces =
     96.0; // of a room, that may emit; a fit takes the square of their number
 constexpr size_t kSearchSteps = 4; // of the search, as progress tells
-constexpr double kTries = 4.0;     // of the most promising pieces of a room, each time one is added
-constexpr float kHardlyCommon = 0.01f; // of two lamps' light at places, that comes to the same ones
-constexpr int kChoices = 4;            // rounds of taking away and adding, at most
+constexpr int kJoins = 4;          // rounds, at most
+constexpr uint32_t kNoPiece = ~0u; // a number that none has
 
 std::string unknownAt(glm::vec3 place, size_t lamps)
 {
@@ -77,11 +69,13 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
       isGainSought_(options.gain && isByCamera(*texels.scan)),
       stage_(progress, "lamps", kSearchSteps),
       told_(toldPaintOf(options, texels.surfels, radiance, warnings_)), rooms_(rooms),
-      evidence_(texels, scene, hits, radiance, options.quality, rooms, told_.same),
-      noise_(kFirstNoise)
+      evidence_(texels, scene, hits, radiance, options.quality, rooms, told_.same)
 {
     if (options.response) takeResponse(*options.response);
     callAll([&] { takeCandidates(options, radiance); }, [&] { evidence_.drawAllPairs(); });
+    const std::vector<uint8_t> ofPlaces = evidence_.roomsOfPlaces();
+    const auto last = std::max_element(ofPlaces.begin(), ofPlaces.end());
+    noise_.assign(last == ofPlaces.end() ? 1 : size_t{1} + *last, kFirstNoise);
 }
 
 void LampSearch::takeResponse(const Response& known)
@@ -155,205 +149,35 @@ void LampSearch::observe()
     model_ = evidence_.modelOf(pieces_, sights_);
 }
 
-LightFit LampSearch::fitOf(size_t pairs) const
+/// What decides which pieces emit, of a room's own.
+std::vector<Choosable> LampSearch::choosable(std::span<const uint32_t> ofRoom) const
 {
-    LightFit fit(model_, evidence_.pairs(pairs), kin_.alike, noise_);
-    fit.believe(evidence_.told());
-    return fit;
-}
-
-/// Nats that it takes to believe that a piece emits; none where one does that it is a part of. One
-/// of its model that emits speaks for it.
-double LampSearch::costOf(uint32_t piece) const
-{
-    const auto emits = [&](uint32_t other) { return emits_[other] != 0; };
-    const auto anyOf = [&](const std::vector<uint32_t>& others) {
-        return std::any_of(others.begin(), others.end(), emits);
+    std::vector<uint32_t> numbers(pieces_.size(), kNoPiece);
+    for (uint32_t f = 0; f < ofRoom.size(); ++f) numbers[ofRoom[f]] = f;
+    const auto here = [&](std::span<const uint32_t> pieces) {
+        std::vector<uint32_t> some;
+        for (const uint32_t f : pieces)
+            if (numbers[f] != kNoPiece) some.push_back(numbers[f]);
+        return some;
     };
-    if (anyOf(kin_.leansOn[piece])) return kLeanNats;
-    return anyOf(kin_.model[piece]) ? kModelNats : kLampNats;
+    std::vector<Choosable> pieces;
+    for (const uint32_t f : ofRoom)
+        pieces.push_back({pieces_[f].isGiven, pieces_[f].isUnseen, pieces_[f].isOpening,
+                          here(kin_.model[f]), here(kin_.leansOn[f])});
+    return pieces;
 }
 
-/// These with all that leans on nothing else.
-Removal LampSearch::removalOf(std::vector<uint32_t> pieces, double cost) const
-{
-    std::vector<uint8_t> isGone(pieces_.size(), 0);
-    for (const uint32_t piece : pieces) isGone[piece] = 1;
-    Removal removal{std::move(pieces), cost};
-    for (size_t k = 0; k < removal.pieces.size(); ++k)
-        for (uint32_t f = 0; f < pieces_.size(); ++f) {
-            if (emits_[f] == 0 || isGone[f] != 0 || pieces_[f].isGiven) continue;
-            const std::vector<uint32_t>& on = kin_.leansOn[f];
-            const auto isLeft = [&](uint32_t other) {
-                return emits_[other] != 0 && isGone[other] == 0;
-            };
-            if (std::find(on.begin(), on.end(), removal.pieces[k]) == on.end() ||
-                std::any_of(on.begin(), on.end(), isLeft))
-                continue;
-            isGone[f] = 1;
-            removal.pieces.push_back(f);
-        }
-    return removal;
-}
-
-/// Every piece that emits by itself, and those of one model together: each of ten panels is hardly
-/// missed where nine are left.
-std::vector<Removal> LampSearch::removals() const
-{
-    std::vector<Removal> removals;
-    const auto mayGo = [&](uint32_t f) { return emits_[f] != 0 && !pieces_[f].isGiven; };
-    for (uint32_t f = 0; f < pieces_.size(); ++f) {
-        if (!mayGo(f)) continue;
-        removals.push_back(removalOf({f}, costOf(f)));
-        std::vector<uint32_t> model{f};
-        std::copy_if(kin_.model[f].begin(), kin_.model[f].end(), std::back_inserter(model), mayGo);
-        if (model.size() > 1) removals.push_back(removalOf(std::move(model), kLampNats));
-    }
-    return removals;
-}
-
-/// Lets no piece emit that the rest explains, as far as the cost's quadratic form tells.
-void LampSearch::prune(const LightFit& fit)
-{
-    for (;;) {
-        const std::vector<Removal> removals = this->removals();
-        const std::vector<uint8_t> gone = fit.needless(estimate_, emits_, removals);
-        if (std::all_of(gone.begin(), gone.end(), [](uint8_t g) { return g == 0; })) return;
-        for (size_t k = 0; k < removals.size(); ++k)
-            if (gone[k] != 0)
-                for (const uint32_t piece : removals[k].pieces) emits_[piece] = 0;
-        estimate_ = fit.solve(emits_, estimate_.log, 1.0);
-    }
-}
-
-/// Which sets of pieces can be decided on at once, from the first on: each lights hardly a place
-/// that one before it lights, as lamps of two rooms do.
-std::vector<size_t> LampSearch::apart(std::span<const std::vector<uint32_t>> sets) const
-{
-    std::vector<size_t> apart;
-    std::vector<std::vector<float>> lights;
-    for (size_t k = 0; k < sets.size(); ++k) {
-        std::vector<float> light(model_.places(), 0.0f);
-        for (size_t i = 0; i < light.size(); ++i)
-            for (const uint32_t piece : sets[k]) light[i] += model_.directAt(i)[piece];
-        const float all = std::accumulate(light.begin(), light.end(), 0.0f);
-        for (float& l : light) l /= std::max(all, kFaintest);
-        const auto isApart = [&](const std::vector<float>& other) {
-            float common = 0.0f;
-            for (size_t i = 0; i < light.size(); ++i) common += std::min(light[i], other[i]);
-            return common < kHardlyCommon;
-        };
-        if (!std::all_of(lights.begin(), lights.end(), isApart)) continue;
-        apart.push_back(k);
-        lights.push_back(std::move(light));
-    }
-    return apart;
-}
-
-/// The same by fits without each of them; the least needed goes first, and with it what is apart
-/// from it.
-void LampSearch::drop(const LightFit& fit)
-{
-    struct Trial
-    {
-        std::vector<uint8_t> emits;
-        LightEstimate estimate{};
-        double lost = 0.0; // nats
-    };
-    for (;;) {
-        std::vector<Removal> removals = this->removals();
-        std::vector<Trial> trials(removals.size());
-        forEach(trials.size(), [&](size_t k) {
-            trials[k].emits = emits_;
-            for (const uint32_t piece : removals[k].pieces) trials[k].emits[piece] = 0;
-            const double most = estimate_.nats + removals[k].cost;
-            trials[k].estimate = fit.trial(trials[k].emits, estimate_.log, most);
-            trials[k].lost = trials[k].estimate.nats - most;
-        });
-        std::vector<size_t> needless;
-        for (size_t k = 0; k < trials.size(); ++k)
-            if (trials[k].lost < 0.0) needless.push_back(k);
-        if (needless.empty()) return;
-        std::stable_sort(needless.begin(), needless.end(),
-                         [&](size_t a, size_t b) { return trials[a].lost < trials[b].lost; });
-        std::vector<std::vector<uint32_t>> sets;
-        for (const size_t k : needless) sets.push_back(std::move(removals[k].pieces));
-        const std::vector<size_t> gone = apart(sets);
-        for (const size_t set : gone)
-            for (const uint32_t piece : sets[set]) emits_[piece] = 0;
-        estimate_ = gone.size() == 1 ? std::move(trials[needless.front()].estimate)
-                                     : fit.trial(emits_, estimate_.log, INFINITY);
-    }
-}
-
-/// The pieces whose emission gains most, apart from each other; none where nothing gains.
-std::vector<LampSearch::Addition> LampSearch::bestAdditions(const LightFit& fit) const
-{
-    std::vector<Addition> additions;
-    for (uint32_t f = 0; f < pieces_.size(); ++f)
-        if (emits_[f] == 0 && !pieces_[f].isUnseen &&
-            (pieces_[f].isOpening || model_.area[f] > 0.0f))
-            additions.push_back({f});
-    const LightGain gain(fit, estimate_);
-    forEach(additions.size(), [&](size_t k) {
-        Addition& a = additions[k];
-        a.gain = gain.of(a.piece, a.log) - costOf(a.piece);
-    });
-    const auto sort = [&] {
-        std::stable_sort(additions.begin(), additions.end(),
-                         [](const Addition& a, const Addition& b) { return a.gain > b.gain; });
-    };
-    sort();
-    std::erase_if(additions, [](const Addition& a) { return a.log <= 0.0; });
-    additions.resize(std::min(additions.size(), static_cast<size_t>(kTries * rooms_)));
-    forEach(additions.size(), [&](size_t k) {
-        Addition& a = additions[k];
-        std::vector<uint8_t> with = emits_;
-        with[a.piece] = 1;
-        std::vector<double> start = estimate_.log;
-        start[a.piece] = a.log;
-        const double most = estimate_.nats - costOf(a.piece);
-        a.estimate = fit.trial(with, std::move(start), most);
-        a.gain = most - a.estimate.nats;
-    });
-    std::erase_if(additions, [](const Addition& a) { return a.gain <= 0.0; });
-    sort();
-    std::vector<std::vector<uint32_t>> sets;
-    for (const Addition& a : additions) sets.push_back({a.piece});
-    std::vector<Addition> best;
-    for (const size_t set : apart(sets)) best.push_back(std::move(additions[set]));
-    return best;
-}
-
-/// Lets the pieces emit that the light of the room asks for most, again and again; false where none
-/// is asked for.
-bool LampSearch::grow(const LightFit& fit)
-{
-    for (bool isAny = false;; isAny = true) {
-        std::vector<Addition> best = bestAdditions(fit);
-        if (best.empty()) return isAny;
-        std::vector<double> start = estimate_.log;
-        for (const Addition& a : best) {
-            emits_[a.piece] = 1;
-            start[a.piece] = a.log;
-        }
-        estimate_ = best.size() == 1 ? std::move(best.front().estimate)
-                                     : fit.trial(emits_, std::move(start), INFINITY);
-    }
-}
-
-/// Decides which pieces emit, from an estimate where more or fewer do.
+/// Decides which pieces emit, from an estimate where more or fewer do; in every room by itself.
 void LampSearch::choose(size_t pairs)
 {
-    LightFit fit = fitOf(pairs);
-    fit.expectLeaks(estimate_.log);
-    estimate_ = fit.solve(emits_, estimate_.log, 1.0);
-    prune(fit);
-    for (int round = 0; round < kChoices; ++round) {
-        drop(fit);
-        if (!grow(fit)) break;
-    }
-    if (estimate_.error.empty()) estimate_ = fit.solve(emits_, estimate_.log, 1.0);
+    const std::vector<RoomLight> rooms = lightOfRooms(pairs);
+    const auto estimates = estimatesOf(rooms, [&](const RoomLight& room) {
+        ChosenLight chosen =
+            chooseLamps(room.alone(camera_, !isResponseSought_), choosable(room.pieces));
+        for (size_t f = 0; f < room.pieces.size(); ++f) emits_[room.pieces[f]] = chosen.emits[f];
+        return std::move(chosen.estimate);
+    });
+    estimate_ = joined(rooms, estimates);
 }
 
 std::vector<Piece> LampSearch::lamps() const
@@ -403,25 +227,35 @@ bool LampSearch::join()
     return true;
 }
 
+/// A channel of the light, near its luminance.
+LightEstimate LampSearch::colorOf(int channel) const
+{
+    const std::optional<LightModel> sunny =
+        sun_ ? std::optional(sun_->channelOf(channel)) : std::nullopt;
+    const std::vector<RoomLight> rooms =
+        lightOfRooms(LampEvidence::kPairs, sunny ? *sunny : model_);
+    const auto estimates = estimatesOf(rooms, [&](const RoomLight& room) {
+        LightFit fit = room.fit(channel);
+        fit.expectLeaks(room.log);
+        return fit.solve(room.emits, room.log, kFirstWidth, {room.log, kColorSpread});
+    });
+    return joined(rooms, estimates);
+}
+
 /// Each channel by itself, near the luminance; burnt-out walls and backs settle in that light, and
 /// once more.
 void LampSearch::findColors()
 {
     for (int round = 0; round < 2; ++round) {
-        LightFit fit = fitOf(LampEvidence::kPairs);
-        fit.expectLeaks(estimate_.log);
-        estimate_ = fit.solve(emits_, estimate_.log, 1.0);
-        std::array<LightEstimate, 3> colors;
-        forEach(3, [&](size_t c) {
-            const std::optional<LightModel> sunny =
-                sun_ ? std::optional(sun_->channelOf(static_cast<int>(c))) : std::nullopt;
-            LightFit channel(sunny ? *sunny : model_, evidence_.pairs(LampEvidence::kPairs),
-                             kin_.alike, noise_, static_cast<int>(c));
-            channel.believe(evidence_.told());
-            channel.expectLeaks(estimate_.log);
-            colors[c] =
-                channel.solve(emits_, estimate_.log, kFirstWidth, {estimate_.log, kColorSpread});
+        const std::vector<RoomLight> rooms = lightOfRooms(LampEvidence::kPairs);
+        const auto estimates = estimatesOf(rooms, [](const RoomLight& room) {
+            LightFit fit = room.fit();
+            fit.expectLeaks(room.log);
+            return fit.solve(room.emits, room.log, 1.0);
         });
+        estimate_ = joined(rooms, estimates);
+        std::array<LightEstimate, 3> colors;
+        forEach(3, [&](size_t c) { colors[c] = colorOf(static_cast<int>(c)); });
         const auto radianceOf = [&](size_t f) {
             glm::vec3 rgb;
             for (size_t c = 0; c < 3; ++c)
@@ -442,7 +276,7 @@ void LampSearch::findColors()
         auto next = lamps.begin();
         for (size_t f = 0; f < pieces_.size(); ++f)
             if (emits_[f] != 0) pieces_[f] = std::move(*next++);
-        observe();
+        model_ = evidence_.modelOf(pieces_, sights_, std::move(model_.direct));
         if (isSunSought_) letSunIn(sides);
         if (isGainSought_ && !sun_) findGain(); // a patch of sun is no drift
     }
@@ -455,13 +289,15 @@ void LampSearch::letSunIn(const LitSides& sides)
     for (const Piece& piece : lamps()) known.lamps.push_back({.patches = piece.candidate.patches});
     auto outside =
         std::make_shared<const RayScene>(sceneWithoutPanes(texels_, evidence_.radiance(), known));
+    std::vector<uint32_t> all(pieces_.size());
+    std::iota(all.begin(), all.end(), 0u);
     std::vector<double> cost;
-    for (uint32_t f = 0; f < pieces_.size(); ++f) cost.push_back(costOf(f));
+    for (const Choosable& piece : choosable(all)) cost.push_back(natsToEmit(piece, emits_));
     std::optional<SunFit> fit =
         findSun(texels_, *outside, hits_, evidence_.radiance(),
                 {sides, pieces_, emits_, cost, estimate_.log, model_, evidence_.places(),
-                 evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, evidence_.told(), noise_,
-                 kLampNats});
+                 evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, evidence_.told(),
+                 noiseOfAll(), natsOfLamp()});
     if (!fit) return;
     for (const size_t perPlace : {LampEvidence::kPairsFirst, LampEvidence::kPairs})
         evidence_.addPairs(perPlace, fit->trial.pairs(evidence_.pairs(perPlace).size()));
@@ -500,15 +336,26 @@ float errorOfPower(const Piece& lamp)
     return std::hypot(lamp.error, errorOfArea(lamp.candidate.area));
 }
 
+/// In every room by itself.
+std::vector<float> LampSearch::changeUnseen() const
+{
+    const std::vector<RoomLight> rooms = lightOfRooms(LampEvidence::kPairsFirst);
+    std::vector<float> change(evidence_.places().size(), 0.0f);
+    forEach(rooms.size(), [&](size_t r) {
+        CameraModel camera{.response = camera_.response};
+        if (!camera_.gains.empty()) camera.gains = {camera_.gains[r]};
+        const std::vector<float> ofRoom =
+            relamp::changeUnseen(rooms[r].alone(camera, !isResponseSought_), texels_.surfels.seed);
+        for (size_t i = 0; i < ofRoom.size(); ++i) change[rooms[r].places[i]] = ofRoom[i];
+    });
+    return change;
+}
+
 FoundLamps LampSearch::result()
 {
     FoundLamps found{.powers = {.lamps = {}, .outside = outside_},
                      .residual = static_cast<float>(estimate_.residual),
-                     .changeUnseen = changeUnseen(
-                         {model_, evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, noise_,
-                          emits_, estimate_.log, camera_, evidence_.texturePlaces(),
-                          evidence_.told(), !isResponseSought_},
-                         texels_.surfels.seed),
+                     .changeUnseen = changeUnseen(),
                      .white = std::move(told_.white),
                      .nothingNear = std::move(nothingNear_),
                      .warnings = std::move(warnings_)};
@@ -533,9 +380,19 @@ FoundLamps LampSearch::result()
     return found;
 }
 
-double LampSearch::noiseOf(const LightEstimate& estimate)
+double LampSearch::noiseOfAll() const
 {
-    return std::max(kNoiseOfPairs * estimate.residual, kLeastNoise);
+    return std::accumulate(noise_.begin(), noise_.end(), 0.0) / static_cast<double>(noise_.size());
+}
+
+/// The light of all rooms, and how noisy their pairs are in it.
+void LampSearch::solve(const std::function<LightEstimate(const RoomLight&)>& estimateOf)
+{
+    const std::vector<RoomLight> rooms = lightOfRooms(LampEvidence::kPairsFirst);
+    const std::vector<LightEstimate> estimates = estimatesOf(rooms, estimateOf);
+    estimate_ = joined(rooms, estimates);
+    for (size_t r = 0; r < rooms.size(); ++r)
+        noise_[r] = std::max(kNoiseOfPairs * estimates[r].residual, kLeastNoise);
 }
 
 FoundLamps LampSearch::run()
@@ -544,9 +401,11 @@ FoundLamps LampSearch::run()
         return {.white = std::move(told_.white), .warnings = std::move(warnings_)};
     if (!camera_.isNeutral()) evidence_.linearize(camera_);
     observe();
-    const LightFit all = fitOf(LampEvidence::kPairsFirst);
-    estimate_ = all.solve(emits_, all.beginning(), kFirstWidth);
-    noise_ = noiseOf(estimate_);
+    estimate_.log.assign(model_.pieces + model_.outsides, 0.0); // of other rooms, to begin with
+    solve([](const RoomLight& room) {
+        const LightFit fit = room.fit();
+        return fit.solve(room.emits, fit.beginning(), kFirstWidth);
+    });
     findContrast();
     choose(LampEvidence::kPairsFirst);
     stage_.advance();
@@ -556,7 +415,7 @@ FoundLamps LampSearch::run()
         bend(LampEvidence::kPairs);
         choose(LampEvidence::kPairsFirst);
     }
-    for (int round = 0; round < kChoices && join(); ++round) choose(LampEvidence::kPairsFirst);
+    for (int round = 0; round < kJoins && join(); ++round) choose(LampEvidence::kPairsFirst);
     stage_.advance();
     findColors();
     return result();

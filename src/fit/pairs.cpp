@@ -6,6 +6,7 @@
 #include "scan/one_room.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -20,6 +21,7 @@ constexpr float kDarkestPaired = 0.004f; // luminance; below, a byte's steps are
 
 // Numerics.
 constexpr size_t kPairsForRooms = 1000; // to tell how many rooms there are
+constexpr double kFewestInRoom = 10.0;  // of these, to tell anything
 constexpr int kDrawings = 8; // of drawing for what lay in other rooms, as in a house of several
 
 /// Colour without brightness, in logs.
@@ -64,16 +66,30 @@ bool couldBeOneMaterial(const PairPlace& p, const PairPlace& q)
            glm::distance(p.chroma, q.chroma) < kSameColor;
 }
 
-/// At most as many pairs of each place as are wanted, of any rooms.
+/// Numbers of the places of each room.
+std::vector<std::vector<uint32_t>> placesOfRooms(size_t count, std::span<const uint8_t> rooms)
+{
+    std::vector<std::vector<uint32_t>> ofRooms(1);
+    for (uint32_t p = 0; p < count; ++p) {
+        const size_t room = rooms.empty() ? 0 : rooms[p];
+        if (room >= ofRooms.size()) ofRooms.resize(room + 1);
+        ofRooms[room].push_back(p);
+    }
+    return ofRooms;
+}
+
+/// At most as many pairs of each place as are wanted, with places that may be in its room.
 std::vector<MaterialPair> drawOnPlanes(std::span<const PairPlace> places,
+                                       std::span<const uint8_t> rooms,
                                        std::span<const size_t> wanted, std::mt19937& random)
 {
     std::vector<MaterialPair> pairs;
-    const auto count = static_cast<uint32_t>(places.size());
-    for (uint32_t p = 0; p < count; ++p) {
+    const std::vector<std::vector<uint32_t>> ofRooms = placesOfRooms(places.size(), rooms);
+    for (uint32_t p = 0; p < places.size(); ++p) {
+        const std::vector<uint32_t>& others = ofRooms[rooms.empty() ? 0 : rooms[p]];
         size_t found = 0;
         for (size_t attempt = 0; attempt < 32 * wanted[p] && found < wanted[p]; ++attempt) {
-            const uint32_t q = static_cast<uint32_t>(random()) % count;
+            const uint32_t q = others[static_cast<uint32_t>(random()) % others.size()];
             if (q == p || !couldBeOneMaterial(places[p], places[q])) continue;
             pairs.push_back({p, q});
             ++found;
@@ -110,6 +126,7 @@ bool haveOneColor(glm::vec3 shownP, glm::vec3 shownQ)
 
 double roomsOf(const Surfels& surfels, const RayScene& scene)
 {
+    const auto isFloor = [&](uint32_t s) { return surfels.normal[s].y > 0.0f; };
     std::vector<uint32_t> level;
     for (uint32_t s = 0; s < surfels.count(); ++s)
         if (std::abs(surfels.normal[s].y) >= kSamePlane) level.push_back(s);
@@ -122,20 +139,29 @@ double roomsOf(const Surfels& surfels, const RayScene& scene)
         const uint32_t q = level[random() % level.size()];
         const auto height = [&](uint32_t s) { return surfels.position[s].y; };
         // By heights: normals are off by too much for planes as long as a house.
-        if (p != q && surfels.normal[p].y * surfels.normal[q].y > 0.0f &&
-            isWithinError(height(p) - height(q)))
+        if (p != q && isFloor(p) == isFloor(q) && isWithinError(height(p) - height(q)))
             drawn.push_back({p, q});
     }
     const auto isInRoom = markedInRoom(drawn, scene, [&](uint32_t s) {
         return FacingPlace{surfels.position[s], surfels.normal[s]};
     });
-    const auto inRoom = std::count(isInRoom.begin(), isInRoom.end(), uint8_t{1});
-    return inRoom > 0 ? static_cast<double>(drawn.size()) / static_cast<double>(inRoom) : 1.0;
+    std::array<double, 2> all{}; // of ceilings and of floors
+    std::array<double, 2> inRoom{};
+    for (size_t k = 0; k < drawn.size(); ++k) {
+        const size_t which = isFloor(drawn[k].p) ? 1 : 0;
+        all[which] += 1.0;
+        inRoom[which] += isInRoom[k] != 0 ? 1.0 : 0.0;
+    }
+    double rooms = 1.0;
+    for (size_t which = 0; which < all.size(); ++which)
+        if (inRoom[which] >= kFewestInRoom) rooms = std::max(rooms, all[which] / inRoom[which]);
+    return rooms;
 }
 
 std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
                                     std::span<const uint32_t> surfels, const Surfels& all,
-                                    const RayScene& scene, size_t perPlace)
+                                    const RayScene& scene, size_t perPlace,
+                                    std::span<const uint8_t> rooms)
 {
     std::vector<MaterialPair> result;
     const std::vector<PairPlace> places = placesOf(shown, surfels, all);
@@ -144,7 +170,7 @@ std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
         all.seed); // its raw numbers are the same everywhere; distributions need not be
     std::vector<size_t> wanted(places.size(), perPlace);
     for (int round = 0; round < kDrawings; ++round) {
-        const std::vector<MaterialPair> drawn = drawOnPlanes(places, wanted, random);
+        const std::vector<MaterialPair> drawn = drawOnPlanes(places, rooms, wanted, random);
         const auto isInRoom = markedInRoom(drawn, scene, [&](uint32_t p) {
             return FacingPlace{places[p].position, places[p].normal};
         });

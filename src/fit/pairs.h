@@ -16,18 +16,21 @@ bool areOnOnePlane(const Surfels& surfels, uint32_t p, uint32_t q);
 bool haveOneColor(glm::vec3 shownP, glm::vec3 shownQ);
 
 /// How many rooms of one size a scan is worth, >= 1: the inverse of the chance that two places of
-/// one floor, or of one ceiling, are in one room. All of a storey is on the planes of its floors
-/// and ceilings; a wall's is mostly that of one room.
+/// one floor are in one room, or of one ceiling, whichever is more. All of a storey is on the plane
+/// of its floor, its ceilings may hang at different heights; a wall's plane is mostly that of one
+/// room.
 double roomsOf(const Surfels& surfels, const RayScene& scene);
 
 /// Draws pairs of places that lie on one plane, as walls, floors and table tops do, near and far,
 /// in one room (scan/one_room.h), and whose colours do not rule out one material under differently
 /// coloured light.
 ///
-/// `shown` is the radiance of places, `surfels` their indices into `all`. Deterministic. At most
-/// `perPlace` pairs begin at each place.
+/// `shown` is the radiance of places, `surfels` their indices into `all`; `rooms` says which room
+/// they are in, from 0 on, so that as many are found in each as were it alone; empty: one.
+/// Deterministic. At most `perPlace` pairs begin at each place.
 std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
                                     std::span<const uint32_t> surfels, const Surfels& all,
-                                    const RayScene& scene, size_t perPlace);
+                                    const RayScene& scene, size_t perPlace,
+                                    std::span<const uint8_t> rooms = {});
 
 } // namespace relamp

@@ -50,6 +50,20 @@ Places hundred(const AddPlace& addPlace)
 
 } // namespace
 
+TEST(Pairs, AreOfOneRoomWhereRoomsAreKnown)
+{
+    const Places places = hundred([](Places& house, float x, int) {
+        house.add({x, 0.0f, 1.0f}, kUp, glm::vec3(0.5f));
+    });
+    std::vector<uint32_t> all(places.surfels.count());
+    std::iota(all.begin(), all.end(), 0u);
+    std::vector<uint8_t> rooms;
+    for (const uint32_t i : all) rooms.push_back(i % 10 == 0 ? 1 : 0);
+    const auto pairs = drawPairs(places.shown, all, places.surfels, RayScene(Scan{}), 2, rooms);
+    EXPECT_EQ(pairs.size(), 2 * all.size()); // of the lesser room as well
+    for (const auto [p, q] : pairs) EXPECT_EQ(rooms[p], rooms[q]);
+}
+
 TEST(Pairs, LieOnOnePlane)
 {
     const Places places = hundred([](Places& room, float x, int i) {

@@ -15,8 +15,6 @@
 namespace relamp
 {
 
-constexpr float kSunHalfAngle = 0.00465f; // radians of the disc, seen from the earth
-
 /// Of the disc, sr.
 constexpr float sunSolidAngle()
 {

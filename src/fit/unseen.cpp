@@ -16,7 +16,7 @@ namespace
 CameraColumns columnsSought(const FittedLight& light)
 {
     const CameraModel& camera = light.camera;
-    if (!camera.gain.isOne()) return columnsOf(camera.gain, light.texture);
+    if (!camera.gains.empty()) return columnsOf(camera.gains.front(), light.texture);
     if (camera.response.isStraight() || light.isResponseKnown) return {};
     return columnsOf(camera.response, light.texture);
 }

@@ -77,6 +77,15 @@ Gain gainFrom(const JsonItem& item)
     return gain;
 }
 
+/// One, or of "rooms" one each.
+std::vector<Gain> gainsFrom(const JsonItem& item)
+{
+    if (!item.has("rooms")) return {gainFrom(item)};
+    std::vector<Gain> gains;
+    item.forEachIn("rooms", "room", [&](const JsonItem& room) { gains.push_back(gainFrom(room)); });
+    return gains;
+}
+
 ordered_json gainAsJson(const Gain& gain)
 {
     ordered_json stops = ordered_json::array();
@@ -103,9 +112,13 @@ ordered_json cameraAsJson(const CameraModel& camera)
         object["localTone"] = {{"exponent", shortest(camera.tone.exponent)}};
         object["localTone"].update(gainAsJson(camera.tone.gain));
     }
-    if (camera.gain.isOne()) return object;
-    object["gain"] = gainAsJson(camera.gain);
-    object["gain"]["drifted"] = shortest(camera.drifted);
+    if (camera.gains.empty()) return object;
+    ordered_json& gain = object["gain"];
+    if (camera.gains.size() == 1)
+        gain = gainAsJson(camera.gains.front());
+    else
+        for (const Gain& room : camera.gains) gain["rooms"].push_back(gainAsJson(room));
+    gain["drifted"] = shortest(camera.drifted);
     return object;
 }
 
@@ -120,8 +133,8 @@ CameraModel cameraOf(const JsonItem& item, std::vector<std::string>& warnings)
                        gainFrom(*tone)};
     }
     if (const std::optional<JsonItem> gain = item.objectIn("gain")) {
-        gain->warnOfUnknown({"origin", "spacing", "count", "stops", "drifted"}, warnings);
-        camera.gain = gainFrom(*gain);
+        gain->warnOfUnknown({"origin", "spacing", "count", "stops", "rooms", "drifted"}, warnings);
+        camera.gains = gainsFrom(*gain);
         camera.drifted = 1.0f; // in files that do not say, it was found so
         if (gain->has("drifted"))
             camera.drifted = static_cast<float>(gain->numberAt("drifted", 0.0, 1.0));

@@ -154,9 +154,9 @@ TEST(LightsFile, WhatWasWrittenIsReadAgain)
     lights.ambient = {0.1f, 0.2f, 0.3f};
     lights.openings = {{0.1f, 0.1f, 0.2f}, {5.0f, 6.0f, 7.0f}};
     lights.camera.response.slope = {0.7f, 0.8f, 0.9f, 1.0f, 1.25f};
-    lights.camera.gain = {{-1, 0, 2.5f}, 1.25f, {3, 2, 1}, {}};
+    lights.camera.gains = {{{-1, 0, 2.5f}, 1.25f, {3, 2, 1}, {}}};
     for (const float log : {0.1f, 0.0f, -0.2f, 0.3f, 0.0f, 0.0f})
-        lights.camera.gain.log.emplace_back(log, log, 2.0f * log);
+        lights.camera.gains[0].log.emplace_back(log, log, 2.0f * log);
     lights.camera.drifted = 0.25f;
     lights.camera.tone = {0.625f, {{0, 1, 0}, 0.5f, {1, 1, 2}, {glm::vec3(0.5f), glm::vec3(-1)}}};
     lights.tempering = {.kept = {0.5f, 0.4f, 0.3f}, .power = 0.8f, .scale = {0.75f, 0.8f, 0.9f}};
@@ -176,17 +176,41 @@ TEST(LightsFile, WhatWasWrittenIsReadAgain)
     EXPECT_EQ(again.ambient, lights.ambient);
     EXPECT_EQ(again.openings, lights.openings);
     EXPECT_EQ(again.camera.response, lights.camera.response);
-    EXPECT_EQ(again.camera.gain.origin, lights.camera.gain.origin);
-    EXPECT_EQ(again.camera.gain.count, lights.camera.gain.count);
-    ASSERT_EQ(again.camera.gain.log.size(), lights.camera.gain.log.size());
-    for (size_t k = 0; k < again.camera.gain.log.size(); ++k)
-        EXPECT_LT(glm::distance(again.camera.gain.log[k], lights.camera.gain.log[k]), 1e-6f);
+    ASSERT_THAT(again.camera.gains, SizeIs(1));
+    const Gain& gain = again.camera.gains[0];
+    EXPECT_EQ(gain.origin, lights.camera.gains[0].origin);
+    EXPECT_EQ(gain.count, lights.camera.gains[0].count);
+    ASSERT_EQ(gain.log.size(), lights.camera.gains[0].log.size());
+    for (size_t k = 0; k < gain.log.size(); ++k)
+        EXPECT_LT(glm::distance(gain.log[k], lights.camera.gains[0].log[k]), 1e-6f);
     EXPECT_EQ(again.camera.drifted, 0.25f);
     EXPECT_EQ(again.camera.tone.exponent, 0.625f);
     ASSERT_EQ(again.camera.tone.gain.log.size(), 2u);
     EXPECT_LT(glm::distance(again.camera.tone.gain.log[1], glm::vec3(-1.0f)), 1e-6f);
     EXPECT_EQ(again.tempering, lights.tempering);
     EXPECT_THAT(lastWarnings, IsEmpty());
+}
+
+TEST(LightsFile, EveryRoomHasAGain)
+{
+    Lights lights;
+    lights.ambient = glm::vec3(1.0f);
+    lights.camera.drifted = 0.75f;
+    lights.camera.gains = {{{0, 0, 0}, 1.0f, {2, 1, 1}, {glm::vec3(0.25f), glm::vec3(-0.25f)}},
+                           {{9, 0, 1}, 0.5f, {1, 1, 1}, {glm::vec3(0.0f)}}};
+    const Lights again = read(lightsAsJson(lights));
+    EXPECT_THAT(lastWarnings, IsEmpty());
+    ASSERT_THAT(again.camera.gains, SizeIs(2));
+    EXPECT_EQ(again.camera.drifted, 0.75f);
+    EXPECT_NEAR(again.camera.gains[0].log[1].g, -0.25f, 1e-6f);
+    EXPECT_EQ(again.camera.gains[1].origin, glm::vec3(9, 0, 1));
+    EXPECT_EQ(again.camera.gains[1].log, std::vector<glm::vec3>{glm::vec3(0.0f)});
+    EXPECT_THAT(refusal(R"({"ambient": [1, 1, 1], "camera": {"gain": {"rooms": 3}}})"),
+                HasSubstr("\"rooms\" must be a list"));
+    EXPECT_THAT(
+        refusal(R"({"ambient": [1, 1, 1], "camera": {"gain": {"rooms": [{"origin": [0, 0, 0],
+                            "spacing": 1, "count": [2, 1, 1], "stops": [0]}]}}})"),
+        HasSubstr("room 0: \"stops\" has 1 numbers"));
 }
 
 // A patch of area A and radiance L sends pi L A; a point spreads that over 4 pi.

@@ -51,8 +51,11 @@ public:
     explicit Plot(const CameraModel& camera) : response_(camera.response)
     {
         const Shift tone = shiftOf(camera.tone.gain);
-        const Shift gain = shiftOf(camera.gain);
-        shift_ = {tone.least + gain.least, tone.most + gain.most};
+        for (const Gain& room : camera.gains) {
+            const Shift gain = shiftOf(room);
+            shift_ = {std::min(shift_.least, gain.least), std::max(shift_.most, gain.most)};
+        }
+        shift_ = {tone.least + shift_.least, tone.most + shift_.most};
     }
 
     [[nodiscard]] glm::vec3 operator()(int column, int row) const

@@ -62,8 +62,9 @@ TEST(CameraPlot, ShowsTheResponseBesideAStraightOne)
 TEST(CameraPlot, ShowsHowFarTheGainShiftsIt)
 {
     CameraModel camera;
-    camera.gain.count = {2, 1, 1};
-    camera.gain.log = {glm::vec3(std::log(2.0f)), glm::vec3(-std::log(2.0f))};
+    camera.gains.resize(1);
+    camera.gains[0].count = {2, 1, 1};
+    camera.gains[0].log = {glm::vec3(std::log(2.0f)), glm::vec3(-std::log(2.0f))};
     const PreviewPicture picture = plotOf(camera);
     EXPECT_GT(at(picture, 3.1f, 3.8f), 90);
     EXPECT_GT(at(picture, 3.1f, 2.4f), 90);

@@ -196,7 +196,7 @@ ordered_json lightsAsReport(const Decomposition& result)
                        {"determined", sun->determined}};
     json["camera"] = {{"contrast", shortest(lights.camera.response.contrast())},
                       {"localExponent", shortest(lights.camera.tone.exponent)},
-                      {"gainStops", shortest(lights.camera.gain.stops())},
+                      {"gainStops", shortest(lights.camera.stops())},
                       {"drifted", shortest(lights.camera.drifted)},
                       {"model", cameraAsJson(lights.camera)}};
     return json;

@@ -81,6 +81,13 @@ float Gain::stops() const
     return luminance(*most - *least) / std::log(2.0f);
 }
 
+float CameraModel::stops() const
+{
+    float most = 0.0f;
+    for (const Gain& gain : gains) most = std::max(most, gain.stops());
+    return most;
+}
+
 glm::vec3 logAt(const Gain& gain, glm::vec3 position)
 {
     glm::vec3 sum(0.0f);

@@ -68,6 +68,32 @@ TEST(Gain, MeansOverALatticeAreThoseAroundEachKnot)
     EXPECT_NEAR(dark.at({2.0f, 0, 0}).g, std::exp(-1.0f), 1e-5f);
 }
 
+// By where they lie: the second gain is that of the first room.
+TEST(Linearization, EveryRoomHasTheGainAroundIt)
+{
+    Surfels surfels;
+    std::vector<uint8_t> rooms;
+    for (int i = 0; i < 100; ++i) {
+        rooms.push_back(i < 50 ? 0 : 1);
+        surfels.position.emplace_back(static_cast<float>(i) * 0.1f, 0.0f, 0.0f);
+        surfels.area.push_back(0.01f);
+    }
+    surfels.position[49].x = 9.0f; // one that went astray
+    const glm::vec3 dark(-1.0f);
+    const glm::vec3 bright(0.5f);
+    CameraModel camera;
+    camera.gains = {{{5.0f, 0, 0}, 5.0f, {2, 1, 1}, {dark, dark}},
+                    {{0.0f, 0, 0}, 5.0f, {2, 1, 1}, {bright, bright}}};
+    const Linearization linearization = linearizationOf(camera, surfels, rooms);
+    ASSERT_EQ(linearization.perGain.size(), surfels.count());
+    for (size_t s = 0; s < rooms.size(); ++s)
+        EXPECT_NEAR(linearization.perGain[s].g, std::exp(rooms[s] == 0 ? -0.5f : 1.0f), 1e-5f);
+    EXPECT_NEAR(camera.stops(), 0.0f, 1e-6f);
+    camera.gains.resize(1);
+    for (const glm::vec3 perGain : linearizationOf(camera, surfels, rooms).perGain)
+        EXPECT_NEAR(perGain.g, std::exp(1.0f), 1e-5f); // of a file from before there were rooms
+}
+
 TEST(Linearization, LeavesWhatIsBurntOutAndBurnsNothingOut)
 {
     EXPECT_EQ(withoutGain({0.98f, 0.5f, 0.2f}, glm::vec3(0.7f)), glm::vec3(0.98f, 0.5f, 0.2f));

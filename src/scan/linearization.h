@@ -3,6 +3,8 @@
 #include "relamp/camera_model.h"
 #include "scan/surfels.h"
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace relamp
@@ -18,7 +20,10 @@ struct Linearization
     [[nodiscard]] bool isNeutral() const { return response.isStraight() && perGain.empty(); }
 };
 
-Linearization linearizationOf(const CameraModel& camera, const Surfels& surfels);
+/// `roomOfSurfel`: from 0 on; empty: there is one room. A room has the gain whose lattice lies
+/// around its middle.
+Linearization linearizationOf(const CameraModel& camera, const Surfels& surfels,
+                              std::span<const uint8_t> roomOfSurfel = {});
 
 /// Radiance, 1 = white, of a linear value of a texture where the factor is `perGain`. What is burnt
 /// out stays as it is, and nothing else becomes that.

@@ -14,6 +14,7 @@ namespace
 {
 
 constexpr double kLeastRoom = 0.02; // of all surfaces: less is a cupboard
+constexpr double kGlimpse = 0.001;  // of what a room sees; less lights nothing there
 constexpr double kDoor = 0.06;      // of what a room sees; more than is behind a door is the room
 
 // Numerics.
@@ -122,6 +123,21 @@ public:
             kept[order[k]] = k;
         for (uint16_t& label : label_)
             if (label != kNone) label = kept[label];
+    }
+
+    /// What sees no room is of the one that the surface around it is in, or else of the one beside
+    /// it along the curve through space that surfels are sorted by.
+    void fill()
+    {
+        std::vector<uint16_t> known = label_;
+        for (size_t s = 0; s < label_.size(); ++s) {
+            if (label_[s] != kNone) continue;
+            for (const uint32_t n : surfels_.neighborsOf(s))
+                if (known[s] == kNone) known[s] = label_[n];
+        }
+        label_ = std::move(known);
+        for (size_t s = 1; s < label_.size(); ++s)
+            if (label_[s] == kNone) label_[s] = label_[s - 1];
     }
 
     [[nodiscard]] std::vector<uint8_t> numbers() const
@@ -253,6 +269,27 @@ private:
     std::vector<uint16_t> label_; // of surfels
 };
 
+/// As HitLists has them. The stray surfels of a room see another and are few.
+std::vector<uint64_t> roomsSeen(const HitLists& hits)
+{
+    std::vector<std::vector<size_t>> count(hits.rooms, std::vector<size_t>(hits.rooms, 0));
+    for (size_t list = 0; list < hits.sideOfList.size(); ++list) {
+        std::vector<size_t>& seen = count[hits.roomOfSurfel[hits.sideOfList[list].surfel()]];
+        for (const HitTarget target : hits.targetsOf(list))
+            if (!target.isNothing()) ++seen[hits.roomOfSurfel[target.side().surfel()]];
+    }
+    std::vector<uint64_t> rooms(hits.rooms, 0);
+    for (size_t r = 0; r < hits.rooms; ++r) {
+        const auto all =
+            static_cast<double>(std::accumulate(count[r].begin(), count[r].end(), size_t{0}));
+        for (size_t q = 0; q < hits.rooms; ++q) {
+            const bool isSeen = static_cast<double>(count[r][q]) > kGlimpse * all;
+            if (q == r || isSeen) rooms[r] |= uint64_t{1} << q;
+        }
+    }
+    return rooms;
+}
+
 } // namespace
 
 std::vector<uint8_t> roomsOfSurfels(const Texels& texels, const HitLists& hits, size_t most)
@@ -265,10 +302,11 @@ std::vector<uint8_t> roomsOfSurfels(const Texels& texels, const HitLists& hits, 
     labels.join();
     labels.keep(most);
     labels.spread();
+    labels.fill();
     return labels.numbers();
 }
 
-void tellHolesApart(const Texels& texels, std::span<const uint8_t> roomOfSurfel, HitLists& hits)
+void tellRoomsApart(const Texels& texels, std::vector<uint8_t> roomOfSurfel, HitLists& hits)
 {
     if (roomOfSurfel.empty()) return;
     const auto behind = static_cast<uint32_t>(hits.shareOfPart.size());
@@ -284,6 +322,8 @@ void tellHolesApart(const Texels& texels, std::span<const uint8_t> roomOfSurfel,
         }
     });
     hits.shareOfPart = sharesOfParts(texels, hits, behind + hits.rooms - 1);
+    hits.roomOfSurfel = std::move(roomOfSurfel);
+    hits.roomsSeen = roomsSeen(hits);
 }
 
 } // namespace relamp

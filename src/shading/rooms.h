@@ -14,8 +14,9 @@ namespace relamp
 /// is too small for a room are of the room that they see most of.
 std::vector<uint8_t> roomsOfSurfels(const Texels& texels, const HitLists& hits, size_t most);
 
-/// Makes the small holes of each room but the first a part of what lies outside by itself, behind
-/// all others: what lies behind them is as bright as the room beside it is.
-void tellHolesApart(const Texels& texels, std::span<const uint8_t> roomOfSurfel, HitLists& hits);
+/// Makes these the rooms of the lists, where there are several: the small holes of each room but
+/// the first become a part of what lies outside by itself, behind all others, for what lies behind
+/// them is as bright as the room beside it is.
+void tellRoomsApart(const Texels& texels, std::vector<uint8_t> roomOfSurfel, HitLists& hits);
 
 } // namespace relamp

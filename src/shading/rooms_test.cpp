@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 namespace relamp
 {
@@ -12,6 +12,7 @@ namespace
 {
 
 using scenes::Panel;
+using testing::ElementsAre;
 
 constexpr glm::vec3 kTwoRooms{7.0f, 2.5f, 4.0f};
 
@@ -56,6 +57,29 @@ TEST(Rooms, ADoorPartsThem)
     EXPECT_GT(second, 0.95);
 }
 
+TEST(Rooms, SeeEachOtherThroughADoor)
+{
+    const scenes::Surfaces two = roomsWith(0.8f);
+    HitLists hits = scenes::hitListsOf(two, 16);
+    tellRoomsApart(two.texels, roomsOfSurfels(two.texels, hits, 8), hits);
+    EXPECT_THAT(hits.roomsSeen, ElementsAre(3u, 3u));
+}
+
+TEST(Rooms, SeeNothingOfEachOtherWhereTheyStandApart)
+{
+    std::vector<Panel> walls = scenes::wallsOf({3.5f, 2.5f, 4.0f});
+    std::vector<Panel> second = scenes::wallsOf({3.0f, 2.5f, 4.0f});
+    for (Panel& wall : second) wall.corner.x += 5.0f;
+    walls.insert(walls.end(), second.begin(), second.end());
+    const scenes::Surfaces two(scenes::panels(walls, 96, scenes::plain(glm::vec3(0.5f))));
+    HitLists hits = scenes::hitListsOf(two, 16);
+    EXPECT_EQ(hits.roomsSeenBy(0), ~uint64_t{0}); // before they are told apart
+    tellRoomsApart(two.texels, roomsOfSurfels(two.texels, hits, 8), hits);
+    EXPECT_THAT(hits.roomsSeen, ElementsAre(1u, 2u));
+    for (uint32_t s = 0; s < two.texels.surfels.count(); ++s)
+        EXPECT_EQ(hits.roomBit(s), two.texels.surfels.position[s].x < 4.0f ? 1u : 2u);
+}
+
 TEST(Rooms, AWideGapIsOneRoom)
 {
     const auto [first, second] = sharesOfSecond(roomsWith(3.0f));
@@ -82,7 +106,7 @@ TEST(Rooms, EachHasItsOwnSmallHoles)
         if (target.isNothing()) target = HitTarget::nothing();
     hits.shareOfPart.assign(1, 1.0f);
     const std::vector<uint8_t> room = roomsOfSurfels(two.texels, hits, 8);
-    tellHolesApart(two.texels, room, hits);
+    tellRoomsApart(two.texels, room, hits);
     EXPECT_EQ(hits.rooms, 2u);
     ASSERT_EQ(hits.shareOfPart.size(), 2u);
     EXPECT_GT(hits.shareOfPart[0], hits.shareOfPart[1]);

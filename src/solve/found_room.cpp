@@ -36,8 +36,7 @@ namespace
 constexpr double kLargestSurfel = 0.04; // m; light changes within more
 constexpr float kTooMuchLack = 1.25f;   // times the light found: a scale that is off lacks less
 constexpr float kFaintestLight = 1e-4f; // irradiance, that divides
-constexpr double kMostRooms = 8.0; // that are searched as finely as one; time grows with the square
-constexpr float kNoFacing = 0.3f;  // length of a mean normal below which a lamp shines all around
+constexpr float kNoFacing = 0.3f; // length of a mean normal below which a lamp shines all around
 
 /// Rays of a room and of its places, by quality.
 struct Effort
@@ -116,7 +115,7 @@ HitLists cast(const Texels& texels, const RayScene& scene, const FoundRoom& room
                                  static_cast<size_t>(room.options.rays), progress);
     if (room.options.quality != Quality::draft) evenOpenings(texels, scene, hits, progress);
     if (room.rooms > 1.0)
-        tellHolesApart(texels, roomsOfSurfels(texels, hits, HitTarget::kMostRooms), hits);
+        tellRoomsApart(texels, roomsOfSurfels(texels, hits, HitTarget::kMostRooms), hits);
     return hits;
 }
 
@@ -149,7 +148,7 @@ void lightByLamps(const Texels& texels, const RayScene& scene, FoundRoom& room)
 /// Takes out of the radiance what the camera made of it.
 void linearize(const Texels& texels, FoundRoom& room)
 {
-    room.linearization = linearizationOf(room.found.camera, texels.surfels);
+    room.linearization = linearizationOf(room.found.camera, texels.surfels, room.hits.roomOfSurfel);
     if (room.linearization.isNeutral()) return;
     room.texture = std::move(room.radiance.plain);
     std::vector<std::vector<uint8_t>> asBefore;
@@ -298,7 +297,8 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
                    Progress& progress, const FoundRoom* before)
 {
     FoundRoom room;
-    room.rooms = std::min(std::round(roomsOf(texels.surfels, scene)), kMostRooms);
+    room.rooms = std::min(std::round(roomsOf(texels.surfels, scene)),
+                          static_cast<double>(HitTarget::kMostRooms));
     room.options = withRays(options.gather, texels.surfels.count(), room.rooms);
     const bool isBefore = before != nullptr && before->glowing.areNone();
     room.radiance = isBefore && before->linearization.isNeutral()
@@ -312,6 +312,7 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
     room.hits = isCast && before->options.rays == room.options.rays
                     ? before->hits
                     : cast(texels, scene, room, progress);
+    room.rooms = std::max(room.rooms, static_cast<double>(room.hits.rooms));
     if (options.lights)
         take(beforeScale(*options.lights), options, texels, scene, progress, room);
     else

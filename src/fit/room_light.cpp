@@ -1,0 +1,210 @@
+#include "fit/room_light.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace relamp
+{
+namespace
+{
+
+/// Which rooms the parts of a house's light are of.
+struct Rooms
+{
+    size_t count = 1;
+    std::vector<uint32_t> ofPlace;
+    std::vector<uint32_t> ofPiece;
+    std::vector<uint32_t> ofOutside;
+};
+
+/// The room that gets most: `light` is of [room * count + column].
+std::vector<uint32_t> brightestRooms(std::span<const double> light, size_t rooms, size_t count)
+{
+    std::vector<uint32_t> brightest(count, 0);
+    for (size_t column = 0; column < count; ++column)
+        for (uint32_t room = 1; room < rooms; ++room)
+            if (light[room * count + column] > light[brightest[column] * count + column])
+                brightest[column] = room;
+    return brightest;
+}
+
+Rooms roomsOfParts(const FittedLight& house, std::span<const uint8_t> roomOfPlace)
+{
+    const LightModel& model = house.model;
+    Rooms rooms;
+    if (!roomOfPlace.empty())
+        rooms.count = 1u + *std::max_element(roomOfPlace.begin(), roomOfPlace.end());
+    rooms.ofPlace.assign(roomOfPlace.begin(), roomOfPlace.end());
+    std::vector<double> byPiece(rooms.count * model.pieces, 0.0);
+    std::vector<double> byOutside(rooms.count * model.outsides, 0.0);
+    for (size_t i = 0; i < rooms.ofPlace.size(); ++i) {
+        for (size_t f = 0; f < model.pieces; ++f)
+            byPiece[rooms.ofPlace[i] * model.pieces + f] +=
+                static_cast<double>(model.directAt(i)[f]);
+        for (size_t o = 0; o < model.outsides; ++o)
+            byOutside[rooms.ofPlace[i] * model.outsides + o] +=
+                static_cast<double>(model.missedAt(i)[o]);
+    }
+    rooms.ofPiece = brightestRooms(byPiece, rooms.count, model.pieces);
+    rooms.ofOutside = brightestRooms(byOutside, rooms.count, model.outsides);
+    rooms.ofPlace.resize(model.places(), rooms.ofPiece.empty() ? 0 : rooms.ofPiece.back());
+    return rooms;
+}
+
+/// The numbers of those that are of `room`.
+std::vector<uint32_t> numbersOf(std::span<const uint32_t> rooms, uint32_t room)
+{
+    std::vector<uint32_t> numbers;
+    for (uint32_t i = 0; i < rooms.size(); ++i)
+        if (rooms[i] == room) numbers.push_back(i);
+    return numbers;
+}
+
+template<class Value>
+std::vector<Value> picked(const std::vector<Value>& all, std::span<const uint32_t> numbers)
+{
+    std::vector<Value> some;
+    for (const uint32_t number : numbers)
+        if (number < all.size()) some.push_back(all[number]);
+    return some;
+}
+
+/// A place of the house, or the place of a piece, as one of the room.
+void addPlace(const FittedLight& house, size_t place, std::span<const uint32_t> pieces,
+              std::span<const double> sent, LightModel& model)
+{
+    const std::span<const float> direct = house.model.directAt(place);
+    double elsewhere = 0.0; // by pieces that are not the room's
+    for (size_t f = 0; f < sent.size(); ++f) elsewhere += sent[f] * static_cast<double>(direct[f]);
+    model.shown.push_back(house.model.shown[place]);
+    model.gathered.push_back(house.model.gathered[place] +
+                             glm::vec3(static_cast<float>(elsewhere)));
+    for (const float missed : house.model.missedAt(place)) model.missed.push_back(missed);
+    for (const uint32_t f : pieces) model.direct.push_back(direct[f]);
+}
+
+LightModel modelOf(const FittedLight& house, const RoomLight& room)
+{
+    const LightModel& whole = house.model;
+    const auto share =
+        static_cast<double>(room.places.size()) / static_cast<double>(whole.places());
+    LightModel model{.pieces = room.pieces.size(),
+                     .outsides = whole.outsides,
+                     .roomsOfHoles = whole.roomsOfHoles,
+                     .area = picked(whole.area, room.pieces),
+                     .coloured = picked(whole.coloured, room.pieces),
+                     .rooms = std::max(1.0, share * whole.rooms),
+                     .isBurntOut = picked(whole.isBurntOut, room.places)};
+    std::vector<double> sent;
+    if (room.pieces.size() < whole.pieces) {
+        for (size_t f = 0; f < whole.pieces; ++f) sent.push_back(std::exp(house.log[f]));
+        for (const uint32_t f : room.pieces) sent[f] = 0.0;
+    }
+    for (const uint32_t place : room.places) addPlace(house, place, room.pieces, sent, model);
+    for (const uint32_t f : room.pieces)
+        addPlace(house, whole.placeOf(f), room.pieces, sent, model);
+    return model;
+}
+
+/// Where each of `numbers` is among them.
+std::vector<uint32_t> backFrom(std::span<const uint32_t> numbers, size_t count)
+{
+    std::vector<uint32_t> back(count, 0);
+    for (uint32_t i = 0; i < numbers.size(); ++i) back[numbers[i]] = i;
+    return back;
+}
+
+RoomLight lightOf(const FittedLight& house, const Rooms& rooms, uint32_t number)
+{
+    RoomLight room{.places = numbersOf(rooms.ofPlace, number),
+                   .pieces = numbersOf(rooms.ofPiece, number),
+                   .outsides = numbersOf(rooms.ofOutside, number)};
+    room.noise = house.noise;
+    room.model = modelOf(house, room);
+    const std::vector<uint32_t> place = backFrom(room.places, rooms.ofPlace.size());
+    const std::vector<uint32_t> piece = backFrom(room.pieces, rooms.ofPiece.size());
+    const auto take = [&](std::span<const MaterialPair> pairs, std::vector<MaterialPair>& own) {
+        for (const auto& [p, q] : pairs)
+            if (rooms.ofPlace[p] == number && rooms.ofPlace[q] == number)
+                own.push_back({place[p], place[q]});
+    };
+    take(house.pairs, room.pairs);
+    take(house.told, room.told);
+    for (const auto& [a, b] : house.alike)
+        if (rooms.ofPiece[a] == number && rooms.ofPiece[b] == number)
+            room.alike.push_back({piece[a], piece[b]});
+    for (const uint32_t f : room.pieces) {
+        room.emits.push_back(house.emits[f]);
+        room.log.push_back(house.log[f]);
+    }
+    room.log.insert(room.log.end(), house.log.begin() + static_cast<ptrdiff_t>(house.model.pieces),
+                    house.log.end());
+    for (const uint32_t i : room.places) {
+        if (i >= house.texture.position.size()) break;
+        room.texture.push_back(house.texture.texture[i]);
+        room.position.push_back(house.texture.position[i]);
+    }
+    return room;
+}
+
+} // namespace
+
+LightFit RoomLight::fit(int channel) const
+{
+    LightFit fit(model, pairs, alike, noise, channel);
+    fit.believe(told);
+    return fit;
+}
+
+FittedLight RoomLight::alone(const CameraModel& camera, bool isResponseKnown) const
+{
+    return {model, pairs, alike, noise, emits, log, camera, texturePlaces(), told, isResponseKnown};
+}
+
+void RoomLight::put(std::span<const double> ofRoom, std::vector<double>& ofHouse) const
+{
+    for (size_t f = 0; f < pieces.size(); ++f) ofHouse[pieces[f]] = ofRoom[f];
+    const size_t first = ofHouse.size() - model.outsides;
+    for (const uint32_t o : outsides) ofHouse[first + o] = ofRoom[pieces.size() + o];
+}
+
+std::vector<LightEstimate>
+estimatesOf(std::span<const RoomLight> rooms,
+            const std::function<LightEstimate(const RoomLight& room)>& estimateOf)
+{
+    std::vector<LightEstimate> estimates(rooms.size());
+    forEach(rooms.size(), [&](size_t r) { estimates[r] = estimateOf(rooms[r]); });
+    return estimates;
+}
+
+LightEstimate joined(std::span<const RoomLight> rooms, std::span<const LightEstimate> estimates)
+{
+    size_t count = rooms.front().model.outsides;
+    for (const RoomLight& room : rooms) count += room.pieces.size();
+    LightEstimate house{.log = std::vector<double>(count), .error = std::vector<double>(count)};
+    double pairs = 0.0;
+    for (size_t r = 0; r < rooms.size(); ++r) {
+        rooms[r].put(estimates[r].log, house.log);
+        rooms[r].put(estimates[r].error, house.error);
+        house.nats += estimates[r].nats;
+        const auto own = static_cast<double>(rooms[r].pairs.size());
+        pairs += own;
+        if (own > 0.0) house.residual += own / pairs * (estimates[r].residual - house.residual);
+    }
+    return house;
+}
+
+std::vector<RoomLight> lightOfRooms(const FittedLight& house, std::span<const uint8_t> roomOfPlace)
+{
+    const Rooms rooms = roomsOfParts(house, roomOfPlace);
+    std::vector<RoomLight> lights(rooms.count);
+    forEach(rooms.count, [&](size_t room) {
+        lights[room] = lightOf(house, rooms, static_cast<uint32_t>(room));
+    });
+    return lights;
+}
+
+} // namespace relamp

@@ -1,0 +1,127 @@
+#include "fit/room_light.h"
+
+#include "fit/light_fit_test.h"
+
+#include <gmock/gmock.h>
+
+namespace relamp
+{
+namespace
+{
+
+using testing::ElementsAre;
+
+constexpr uint8_t kFar = 1; // the second room
+
+/// Two floors side by side, each with a lamp, and a gap through which the first one's lights a
+/// corner of the second.
+struct House
+{
+    LightModel model{.pieces = 2};
+    std::vector<MaterialPair> pairs;
+    std::vector<AlikePieces> alike{{0, 1}};
+    std::vector<uint8_t> emits{1, 1};
+    std::vector<double> log{std::log(30.0), std::log(50.0), -1.0};
+    std::vector<glm::vec3> texture;
+    std::vector<glm::vec3> position;
+    std::vector<uint8_t> roomOfPlace;
+    CameraModel camera;
+
+    static constexpr size_t kPlaces = 400; // of each
+
+    House()
+    {
+        Numbers numbers;
+        for (size_t i = 0; i < 2 * kPlaces; ++i) {
+            const uint8_t room = i % 2 == 0 ? 0 : kFar;
+            const float x = numbers.between(0.0f, 4.0f);
+            const float own = 0.2f / (1.0f + x * x);
+            const float through = room == kFar && x < 0.5f ? 0.05f : 0.0f;
+            roomOfPlace.push_back(room);
+            position.emplace_back(x + (room == kFar ? 5.0f : 0.0f), 0.0f, 0.0f);
+            model.direct.push_back(room == 0 ? own : through);
+            model.direct.push_back(room == 0 ? 0.0f : own);
+            model.gathered.emplace_back(0.4f);
+            model.missed.push_back(room == 0 ? 0.2f : 0.1f);
+            const float light = 0.4f + std::exp(-1.0f) * model.missed.back() +
+                                30.0f * model.direct[2 * i] + 50.0f * model.direct[2 * i + 1];
+            model.shown.emplace_back(0.5f / kPi * light);
+        }
+        texture = model.shown;
+        addPieces(model);
+        for (uint32_t i = 0; i + 2 < 2 * kPlaces; ++i) pairs.push_back({i, i + 2});
+        pairs.push_back({0, 1}); // of two rooms
+    }
+
+    [[nodiscard]] FittedLight asFitted() const
+    {
+        return {model, pairs, alike, kPairNoise, emits, log, camera, {texture, position},
+                {},    false};
+    }
+};
+
+} // namespace
+
+TEST(RoomLight, OfOneRoomIsThatOfAll)
+{
+    const House house;
+    const std::vector<RoomLight> rooms = lightOfRooms(house.asFitted(), {});
+    ASSERT_EQ(rooms.size(), 1u);
+    const RoomLight& room = rooms.front();
+    EXPECT_EQ(room.model.direct, house.model.direct);
+    EXPECT_EQ(room.model.gathered, house.model.gathered);
+    EXPECT_EQ(room.model.missed, house.model.missed);
+    EXPECT_EQ(room.model.shown, house.model.shown);
+    EXPECT_EQ(room.log, house.log);
+    EXPECT_EQ(room.pairs.size(), house.pairs.size());
+    EXPECT_EQ(room.position, house.position);
+}
+
+TEST(RoomLight, WhatOtherRoomsSendIsGathered)
+{
+    const House house;
+    const std::vector<RoomLight> rooms = lightOfRooms(house.asFitted(), house.roomOfPlace);
+    ASSERT_EQ(rooms.size(), 2u);
+    EXPECT_THAT(rooms[0].pieces, ElementsAre(0u));
+    EXPECT_THAT(rooms[1].pieces, ElementsAre(1u));
+    EXPECT_THAT(rooms[0].outsides, ElementsAre(0u));
+    EXPECT_THAT(rooms[1].outsides, ElementsAre());
+    for (const RoomLight& room : rooms) {
+        EXPECT_EQ(room.model.places(), House::kPlaces);
+        EXPECT_TRUE(room.alike.empty()); // with a lamp of the other
+        EXPECT_EQ(room.pairs.size(), House::kPlaces - 1);
+        for (size_t i = 0; i < room.places.size(); ++i) {
+            const size_t place = room.places[i];
+            const float sent =
+                std::exp(static_cast<float>(room.log[0])) * room.model.directAt(i)[0];
+            const float all = 0.4f + 30.0f * house.model.directAt(place)[0] +
+                              50.0f * house.model.directAt(place)[1];
+            EXPECT_NEAR(room.model.gathered[i].g + sent, all, 1e-4f);
+            EXPECT_EQ(room.position[i], house.position[place]);
+        }
+    }
+}
+
+// Each room finds its lamp by itself, from a wrong start, and the house has both.
+TEST(RoomLight, RoomsTogetherAreTheHouse)
+{
+    House house;
+    house.log[0] -= 0.5;
+    house.log[1] += 0.5;
+    for (int round = 0; round < 2; ++round) { // the second sees what the first one sends in truth
+        const std::vector<RoomLight> rooms = lightOfRooms(house.asFitted(), house.roomOfPlace);
+        const auto estimates = estimatesOf(rooms, [](const RoomLight& room) {
+            return room.fit().solve(room.emits, room.log, 1.0);
+        });
+        const LightEstimate joint = joined(rooms, estimates);
+        ASSERT_EQ(joint.log.size(), house.log.size());
+        EXPECT_GT(joint.error[1], 0.0);
+        house.log = joint.log;
+    }
+    const House whole;
+    const LightEstimate all = LightFit(whole.model, whole.pairs, whole.alike, kPairNoise)
+                                  .solve(whole.emits, whole.log, 1.0);
+    for (size_t f = 0; f < 2; ++f) EXPECT_NEAR(house.log[f], all.log[f], 0.05);
+}
+
+} // namespace relamp
