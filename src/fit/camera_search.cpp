@@ -169,7 +169,7 @@ std::vector<RoomLight> LampSearch::lightOfRooms(size_t pairs, const LightModel& 
     std::vector<RoomLight> rooms = relamp::lightOfRooms(
         {model, evidence_.pairs(pairs), kin_.alike, noiseOfAll(), emits_, estimate_.log, camera_,
          evidence_.texturePlaces(), evidence_.told(), !isResponseSought_},
-        evidence_.roomsOfPlaces());
+        evidence_.roomOfPlace());
     for (size_t r = 0; r < rooms.size(); ++r) rooms[r].noise = noise_[r];
     return rooms;
 }

@@ -87,6 +87,7 @@ LampEvidence::LampEvidence(const Texels& texels, const RayScene& scene, const Hi
     drawn_ = places_.size();
     rooms_ = std::clamp(static_cast<double>(drawn_) / kPlacesOfRoom, 1.0, rooms);
     for (const auto& [p, q] : told) told_.push_back({addPlace(p), addPlace(q)});
+    numberRooms();
     findAround();
 }
 
@@ -98,16 +99,15 @@ uint32_t LampEvidence::addPlace(uint32_t surfel)
     return static_cast<uint32_t>(places_.size() - 1);
 }
 
-std::vector<uint8_t> LampEvidence::roomsOfPlaces() const
+/// Of rooms that have places alone.
+void LampEvidence::numberRooms()
 {
-    std::vector<uint8_t> rooms;
-    if (hits_.roomOfSurfel.empty()) return rooms;
-    std::map<uint8_t, uint8_t> numbers; // of rooms that have places
+    if (hits_.roomOfSurfel.empty()) return;
+    std::map<uint8_t, uint8_t> numbers;
     for (const uint32_t place : places_) numbers[hits_.roomOfSurfel[place]] = 0;
     uint8_t next = 0;
     for (auto& [room, number] : numbers) number = next++;
-    for (const uint32_t place : places_) rooms.push_back(numbers[hits_.roomOfSurfel[place]]);
-    return rooms;
+    for (const uint32_t place : places_) roomOfPlace_.push_back(numbers[hits_.roomOfSurfel[place]]);
 }
 
 void LampEvidence::findAround()
@@ -168,11 +168,10 @@ Gain LampEvidence::brightnessAround(const Response& response) const
 
 void LampEvidence::drawAllPairs()
 {
-    const std::vector<uint8_t> rooms = roomsOfPlaces();
     for (const size_t perPlace : {kPairsFirst, kPairs})
         pairs_[perPlace] =
             drawPairs(std::span(texture_).first(drawn_), std::span(places_).first(drawn_),
-                      texels_.surfels, scene_, perPlace, rooms);
+                      texels_.surfels, scene_, perPlace, roomOfPlace_);
 }
 
 std::span<const MaterialPair> LampEvidence::pairs(size_t perPlace) const

@@ -71,7 +71,8 @@ public:
         pairs_.at(perPlace).insert(pairs_.at(perPlace).end(), pairs.begin(), pairs.end());
     }
     [[nodiscard]] std::span<const uint32_t> places() const { return places_; } // surfels
-    [[nodiscard]] std::vector<uint8_t> roomsOfPlaces() const; // from 0 on; empty: there is one
+    /// From 0 on; empty: there is one room.
+    [[nodiscard]] std::span<const uint8_t> roomOfPlace() const { return roomOfPlace_; }
 
     /// Fills in what each piece does at all places, by no fewer rays from each origin there, and no
     /// more than kMostRays: few rays are noise, which makes the light of a lamp seem weaker.
@@ -94,6 +95,7 @@ public:
 private:
     uint32_t addPlace(uint32_t surfel);
     [[nodiscard]] double meanLogOfPlaces() const;
+    void numberRooms();
     void findAround();
     void addLightOnPieces(std::span<const Piece> pieces, const PieceSights& sights,
                           LightModel& model) const;
@@ -108,6 +110,7 @@ private:
     std::vector<glm::vec3> texture_;      // of places
     std::vector<glm::vec3> positions_;    // of places, m
     double rooms_ = 1.0;                  // see LightModel
+    std::vector<uint8_t> roomOfPlace_;    // see roomOfPlace()
     std::vector<glm::vec3> textureOfAll_; // of surfels
     std::vector<uint32_t> around_; // surfels that light of places is averaged over, ascending
     std::vector<uint32_t> placeInAround_; // [surfel]: its number among those around places

@@ -73,7 +73,7 @@ LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLis
 {
     if (options.response) takeResponse(*options.response);
     callAll([&] { takeCandidates(options, radiance); }, [&] { evidence_.drawAllPairs(); });
-    const std::vector<uint8_t> ofPlaces = evidence_.roomsOfPlaces();
+    const std::span<const uint8_t> ofPlaces = evidence_.roomOfPlace();
     const auto last = std::max_element(ofPlaces.begin(), ofPlaces.end());
     noise_.assign(last == ofPlaces.end() ? 1 : size_t{1} + *last, kFirstNoise);
 }

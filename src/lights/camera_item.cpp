@@ -78,11 +78,18 @@ Gain gainFrom(const JsonItem& item)
 }
 
 /// One, or of "rooms" one each.
-std::vector<Gain> gainsFrom(const JsonItem& item)
+std::vector<Gain> gainsFrom(const JsonItem& item, std::vector<std::string>& warnings)
 {
-    if (!item.has("rooms")) return {gainFrom(item)};
+    if (!item.has("rooms")) {
+        item.warnOfUnknown({"origin", "spacing", "count", "stops", "drifted"}, warnings);
+        return {gainFrom(item)};
+    }
+    item.warnOfUnknown({"rooms", "drifted"}, warnings);
     std::vector<Gain> gains;
-    item.forEachIn("rooms", "room", [&](const JsonItem& room) { gains.push_back(gainFrom(room)); });
+    item.forEachIn("rooms", "room", [&](const JsonItem& room) {
+        room.warnOfUnknown({"origin", "spacing", "count", "stops"}, warnings);
+        gains.push_back(gainFrom(room));
+    });
     return gains;
 }
 
@@ -133,8 +140,7 @@ CameraModel cameraOf(const JsonItem& item, std::vector<std::string>& warnings)
                        gainFrom(*tone)};
     }
     if (const std::optional<JsonItem> gain = item.objectIn("gain")) {
-        gain->warnOfUnknown({"origin", "spacing", "count", "stops", "rooms", "drifted"}, warnings);
-        camera.gains = gainsFrom(*gain);
+        camera.gains = gainsFrom(*gain, warnings);
         camera.drifted = 1.0f; // in files that do not say, it was found so
         if (gain->has("drifted"))
             camera.drifted = static_cast<float>(gain->numberAt("drifted", 0.0, 1.0));

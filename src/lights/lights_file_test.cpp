@@ -205,6 +205,8 @@ TEST(LightsFile, EveryRoomHasAGain)
     EXPECT_NEAR(again.camera.gains[0].log[1].g, -0.25f, 1e-6f);
     EXPECT_EQ(again.camera.gains[1].origin, glm::vec3(9, 0, 1));
     EXPECT_EQ(again.camera.gains[1].log, std::vector<glm::vec3>{glm::vec3(0.0f)});
+    read(R"({"ambient": [1, 1, 1], "camera": {"gain": {"rooms": [], "spacing": 1}}})");
+    EXPECT_THAT(lastWarnings, ElementsAre(HasSubstr("\"spacing\"")));
     EXPECT_THAT(refusal(R"({"ambient": [1, 1, 1], "camera": {"gain": {"rooms": 3}}})"),
                 HasSubstr("\"rooms\" must be a list"));
     EXPECT_THAT(
