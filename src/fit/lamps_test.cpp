@@ -22,21 +22,6 @@ FoundLamps lampsOf(const scenes::Surfaces& room, const GatherOptions& options)
                      roomsOf(room.texels.surfels, room.rays), progress);
 }
 
-/// The same room so often, each `apart` metres beside the last along x.
-Scan rowOf(const Scan& room, int count, float apart)
-{
-    Scan row;
-    for (int k = 0; k < count; ++k) {
-        row.pages.push_back(room.pages.front());
-        for (Mesh mesh : room.meshes) {
-            mesh.page = k;
-            for (glm::vec3& place : mesh.positions) place.x += apart * static_cast<float>(k);
-            row.meshes.push_back(std::move(mesh));
-        }
-    }
-    return row;
-}
-
 /// What is found in the room with the panel and the burnt-out sheet.
 FoundLamps found(const GatherOptions& options = {})
 {
@@ -148,7 +133,8 @@ TEST(Lamps, EveryRoomOfAHouseHasItsOwn)
     constexpr float kApart = LitRoom::kSize.x + 0.2f;
     const LitRoom room;
     ASSERT_EQ(room.scan.pages.size(), 1u);
-    const FoundLamps lamps = lampsOf(scenes::Surfaces(rowOf(room.scan, kRooms, kApart)), {});
+    const FoundLamps lamps =
+        lampsOf(scenes::Surfaces(scenes::rowOf(room.scan, kRooms, kApart)), {});
     ASSERT_EQ(lamps.lamps.size(), size_t{kRooms});
     for (int k = 0; k < kRooms; ++k) {
         const glm::vec3 centre =

@@ -112,6 +112,20 @@ TEST(Sun, BurntOutPatchTellsWhereItStandsAndHowBrightItIs)
     EXPECT_FALSE(FloorAlbedo(room, result).shines);
 }
 
+// One sun for a house, though each room is fitted by itself.
+TEST(Sun, ShinesIntoEveryRoomOfAHouse)
+{
+    const SunRoom room(kFaint);
+    const Decomposition result = solve(scenes::rowOf(room.scan, 2, 12.0f));
+    ASSERT_TRUE(result.lights().sun);
+    EXPECT_LT(degreesOff(*result.lights().sun), 1.0f);
+    EXPECT_EQ(result.lights().fixtures.size(), 2u);
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(ratioOf(*result.lights().sun, kFaint, 1.2f, c), 1.0f, 0.1f);
+    const FloorAlbedo floor(room, result); // of the first
+    EXPECT_NEAR(floor.inPatch, floor.beside, 0.1f * floor.beside);
+}
+
 TEST(Sun, PatchIsDividedOutWhereItIsNotBurntOut)
 {
     const SunRoom room(kFaint);

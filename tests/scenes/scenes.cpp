@@ -138,6 +138,20 @@ Scan room(glm::vec3 size, int pixels, const Paint& paint)
     return panels(wallsOf(size), pixels, paint);
 }
 
+Scan rowOf(const Scan& room, int count, float apart)
+{
+    Scan row;
+    for (int k = 0; k < count; ++k) {
+        row.pages.push_back(room.pages.front());
+        for (Mesh mesh : room.meshes) {
+            mesh.page = k;
+            for (glm::vec3& place : mesh.positions) place.x += apart * static_cast<float>(k);
+            row.meshes.push_back(std::move(mesh));
+        }
+    }
+    return row;
+}
+
 std::shared_ptr<const Scan> copyOf(const Scan& scan)
 {
     return std::make_shared<const Scan>(scan);

@@ -43,6 +43,8 @@ Scan panels(std::span<const Panel> panels, int pixels, const Paint& paint);
 
 /// For what takes a scan over, where a test goes on with it.
 std::shared_ptr<const Scan> copyOf(const Scan& scan);
+/// The same room so often, each `apart` metres beside the last along x, with a page of its own.
+Scan rowOf(const Scan& room, int count, float apart);
 
 /// The same radiance everywhere.
 Paint plain(glm::vec3 radiance);
