@@ -25,10 +25,10 @@ uint8_t Confidence::byte() const
     return static_cast<uint8_t>(confidenceByte(value));
 }
 
-Confidence confidenceOf(glm::vec3 radiance, bool clips, glm::vec3 shading, float darkest,
+Confidence confidenceOf(glm::vec3 radiance, float burntOut, glm::vec3 shading, float darkest,
                         SurfelTrust trust, float hidden)
 {
-    const Rated rated = ratedAlbedo(radiance, clips, shading, darkest,
+    const Rated rated = ratedAlbedo(radiance, burntOut, shading, darkest,
                                     {trust.seen, trust.front, trust.edges, trust.proven}, hidden);
     return {rated.value, static_cast<Doubt>(doubtOf(rated))};
 }

@@ -2,7 +2,6 @@
 #define RELAMP_CONFIDENCE_SHARED_H
 
 #include "albedo/divide.shared.h"
-#include "base/ramp.shared.h"
 #include "image/burnt_out.shared.h"
 
 SHARED_BEGIN
@@ -39,19 +38,18 @@ SHARED_FN Rated lessBy(Rated rated, float left, uint doubt)
     return rated;
 }
 
-// How far an albedo can be believed. `trust` in the shading: SurfelTrust's seen, front, edges,
-// proven. `hidden`: how far noise hides its brightest channel.
-SHARED_FN Rated ratedAlbedo(vec3 radiance, bool clips, vec3 shading, float darkest, vec4 trust,
+// How far an albedo can be believed. `burntOut`: how likely any channel is. `trust` in the shading:
+// SurfelTrust's seen, front, edges, proven. `hidden`: how far noise hides its brightest channel.
+SHARED_FN Rated ratedAlbedo(vec3 radiance, float burntOut, vec3 shading, float darkest, vec4 trust,
                             float hidden)
 {
     const float lack = lightThatLacks(dividedByShading(radiance, shading, darkest));
     const float weakest = min(shading.x, min(shading.y, shading.z));
-    const float clear = clips ? ramp(kBurntOut, kSafelyBelow, brightestChannel(radiance)) : 1.0f;
     Rated rated;
     rated.value = 1.0f;
     rated.least = 1.0f;
     rated.doubt = kDoubtNone;
-    rated = lessBy(rated, clear, kDoubtClipped);
+    rated = lessBy(rated, 1.0f - burntOut, kDoubtClipped);
     rated = lessBy(rated, ramp(darkest, kWellLit * darkest, weakest), kDoubtUnlit);
     rated = lessBy(rated, 1.0f - hidden, kDoubtUnlit);
     rated = lessBy(rated, trust.x, kDoubtUnseen);

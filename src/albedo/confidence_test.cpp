@@ -1,6 +1,7 @@
 #include "albedo/confidence.h"
 
 #include "albedo/layer_parts.h"
+#include "image/burnt_out.shared.h"
 
 #include <gmock/gmock.h>
 
@@ -13,27 +14,34 @@ constexpr float kDarkest = 0.02f;
 const glm::vec3 kLit(1.0f);
 const glm::vec3 kGrey(0.5f);
 
+Confidence rated(glm::vec3 radiance, bool clips, glm::vec3 shading, SurfelTrust trust = {},
+                 float hidden = 0.0f)
+{
+    return confidenceOf(radiance, brightestChannel(burntOutShares(radiance, clips)), shading,
+                        kDarkest, trust, hidden);
+}
+
 } // namespace
 
 TEST(Confidence, IsLostWhereTheTextureIsBurntOutOrUnlit)
 {
-    EXPECT_EQ(confidenceOf(glm::vec3(1.0f), true, kLit, kDarkest).value, 0.0f);
-    EXPECT_EQ(confidenceOf({0.99f, 0.2f, 0.2f}, true, kLit, kDarkest).value, 0.0f); // one channel
-    EXPECT_EQ(confidenceOf(glm::vec3(0.01f), true, glm::vec3(0.015f), kDarkest).value, 0.0f);
-    EXPECT_EQ(confidenceOf(kGrey, true, kLit, kDarkest).value, 1.0f);
-    EXPECT_EQ(confidenceOf(kGrey, true, kLit, kDarkest).byte(), 255);
+    EXPECT_EQ(rated(glm::vec3(1.0f), true, kLit).value, 0.0f);
+    EXPECT_EQ(rated({0.99f, 0.2f, 0.2f}, true, kLit).value, 0.0f); // one channel
+    EXPECT_EQ(rated(glm::vec3(0.01f), true, glm::vec3(0.015f)).value, 0.0f);
+    EXPECT_EQ(rated(kGrey, true, kLit).value, 1.0f);
+    EXPECT_EQ(rated(kGrey, true, kLit).byte(), 255);
 }
 
 // A float texture says how bright its brightest is.
 TEST(Confidence, IsKeptAboveWhiteWhereTheTextureDoesNotClip)
 {
-    EXPECT_EQ(confidenceOf(glm::vec3(7.0f), false, glm::vec3(9.0f), kDarkest).value, 1.0f);
-    EXPECT_EQ(confidenceOf(glm::vec3(7.0f), false, glm::vec3(0.01f), kDarkest).value, 0.0f);
+    EXPECT_EQ(rated(glm::vec3(7.0f), false, glm::vec3(9.0f)).value, 1.0f);
+    EXPECT_EQ(rated(glm::vec3(7.0f), false, glm::vec3(0.01f)).value, 0.0f);
 }
 
 TEST(Confidence, FallsWithWhatNoiseOfTheTextureHides)
 {
-    const Confidence hidden = confidenceOf(kGrey, true, kLit, kDarkest, {}, 0.75f);
+    const Confidence hidden = rated(kGrey, true, kLit, {}, 0.75f);
     EXPECT_EQ(hidden.value, 0.25f);
     EXPECT_EQ(hidden.doubt, Doubt::unlit);
 }
@@ -41,7 +49,7 @@ TEST(Confidence, FallsWithWhatNoiseOfTheTextureHides)
 TEST(Confidence, LowOneHasTheReasonThatWeighsMost)
 {
     const auto why = [](glm::vec3 radiance, glm::vec3 shading, SurfelTrust trust) {
-        return confidenceOf(radiance, true, shading, kDarkest, trust).doubt;
+        return rated(radiance, true, shading, trust).doubt;
     };
     EXPECT_EQ(why(kGrey, kLit, {}), Doubt::none);
     EXPECT_EQ(why(glm::vec3(1.0f), kLit, {}), Doubt::clipped);
@@ -56,15 +64,14 @@ TEST(Confidence, LowOneHasTheReasonThatWeighsMost)
 TEST(Confidence, FallsWhereNoPaperIsAsWhite)
 {
     const glm::vec3 light(0.45f);
-    EXPECT_EQ(confidenceOf(0.9f * light, true, light, kDarkest).value, 1.0f);
-    EXPECT_NEAR(confidenceOf(1.35f * light, true, light, kDarkest).value, 0.5f, 1e-3f);
-    EXPECT_EQ(confidenceOf(1.8f * light, true, light, kDarkest).doubt, Doubt::whiterThanPaper);
+    EXPECT_EQ(rated(0.9f * light, true, light).value, 1.0f);
+    EXPECT_NEAR(rated(1.35f * light, true, light).value, 0.5f, 1e-3f);
+    EXPECT_EQ(rated(1.8f * light, true, light).doubt, Doubt::whiterThanPaper);
 }
 
 TEST(Confidence, DoubtsMultiply)
 {
-    EXPECT_NEAR(confidenceOf(kGrey, true, kLit, kDarkest, {.seen = 0.5f, .edges = 0.5f}).value,
-                0.25f, 1e-6f);
+    EXPECT_NEAR(rated(kGrey, true, kLit, {.seen = 0.5f, .edges = 0.5f}).value, 0.25f, 1e-6f);
 }
 
 // It keeps the doubt that weighs more than that the texel stands for several places.

@@ -2,7 +2,6 @@
 #define RELAMP_FILL_SHARED_H
 
 #include "albedo/divide.shared.h"
-#include "base/ramp.shared.h"
 #include "image/texture_noise.shared.h"
 
 #ifdef __cplusplus
@@ -17,26 +16,17 @@ SHARED_CONST kFaintestShading = 1e-4f;
 SHARED_CONST kDarkestPaint = 0.02f; // in any channel
 SHARED_CONST kOtherPaint = 0.4f;    // in the logarithm: half as bright again, or two thirds
 
-// How likely each channel is burnt out, 0..1. `clips`: Image::clipsAtWhite.
-SHARED_FN vec3 burntOutShares(vec3 radiance, bool clips)
+// What noise of a texture can make of an albedo. `white`: radiance that its white stands for.
+SHARED_FN vec3 noiseOfAlbedo(vec3 shading, float lack, vec3 white, TextureNoise noise)
 {
-    if (!clips) return vec3(0.0f);
-    return vec3(ramp(kSafelyBelow, kBurntOut, radiance.x),
-                ramp(kSafelyBelow, kBurntOut, radiance.y),
-                ramp(kSafelyBelow, kBurntOut, radiance.z));
+    return radianceOfBlack(noise) * white / max(lack * shading, vec3(kFaintestShading));
 }
 
-// What noise of a texture can make of an albedo.
-SHARED_FN vec3 noiseOfAlbedo(vec3 shading, float lack, TextureNoise noise)
+// How far noise of the texture hides channels of what it shows. Where hardly any light falls, all
+// is as likely as the division has it (dividedByShading()).
+SHARED_FN vec3 hiddenWhereLit(vec3 shown, vec3 shading, float darkest, TextureNoise noise)
 {
-    return radianceOfBlack(noise) / max(lack * shading, vec3(kFaintestShading));
-}
-
-// How far noise of the texture hides channels. Where hardly any light falls, all is as likely as
-// the division has it (dividedByShading()).
-SHARED_FN vec3 hiddenWhereLit(vec3 radiance, vec3 shading, float darkest, TextureNoise noise)
-{
-    return min(brightestChannel(shading) / darkest, 1.0f) * hiddenShares(radiance, noise);
+    return min(brightestChannel(shading) / darkest, 1.0f) * hiddenShares(shown, noise);
 }
 
 // What is not known of a texel's channels.
@@ -104,16 +94,24 @@ SHARED_FN vec3 filledAlbedo(vec3 own, float lack, vec3 around, UnknownChannels u
     const float like =
         likenessOfPaint(most) + told * (likenessOfPaint(ofWhole) - likenessOfPaint(most));
     const float grey = brightest + told * (whole / max(count, 1e-6f) - brightest);
+    const vec3 theirColor = min(scale * around, vec3(kWhitestPaper));
+    const vec3 guess = grey + like * (theirColor - grey);
+    // What is burnt out is raised alike, as far as that can be the paint around: channel by
+    // channel, white by warm light would come out blue.
+    float needed = 1.0f;
+    for (int c = 0; c < 3; ++c)
+        if (!unknown.isUnlit[c])
+            needed = max(needed, unknown.burntOut[c] * least[c] / max(guess[c], kBlackPaint));
+    const vec3 raised = guess * (1.0f + likenessOfPaint(needed) * (needed - 1.0f));
     vec3 filled = own;
     for (int c = 0; c < 3; ++c) {
-        const float theirColor = min(scale * around[c], kWhitestPaper);
-        const float guess = grey + like * (theirColor - grey);
         if (unknown.isUnlit[c]) {
-            filled[c] = theirColor;
+            filled[c] = theirColor[c];
             continue;
         }
-        filled[c] += unknown.burntOut[c] * (max(guess, least[c]) - filled[c]);
-        const float seen = clamp(max(theirColor, kDarkestPaint),
+        filled[c] +=
+            unknown.burntOut[c] * (min(max(raised[c], least[c]), kWhitestPaper) - filled[c]);
+        const float seen = clamp(max(theirColor[c], kDarkestPaint),
                                  max(own[c] - unknown.noise[c], 0.0f), own[c] + unknown.noise[c]);
         filled[c] += unknown.hidden[c] * (seen - filled[c]);
     }

@@ -108,6 +108,17 @@ TEST(Fill, WhatIsBurntOutInAllChannelsHasNoHueOfItsOwn)
     EXPECT_NEAR(filled.b, 0.88f, 0.01f);
 }
 
+// A white wall beside a bulb: blue of warm light is the weakest, so a white of blue would need the
+// lightest paint.
+TEST(Fill, WhatIsBurntOutByWarmLightHasTheHueAround)
+{
+    const glm::vec3 around(0.6f, 0.58f, 0.55f);
+    const glm::vec3 filled =
+        filledAlbedo({0.5f, 0.6f, 0.66f}, kEnough, around, burntOut(glm::vec3(1.0f)));
+    EXPECT_NEAR(filled.b, 0.66f, 0.01f);
+    EXPECT_GT(filled.r, filled.b);
+}
+
 // Blended of photos that are burnt out and others that are not.
 TEST(Fill, WhatMayBeBurntOutIsFilledInPart)
 {

@@ -57,13 +57,13 @@ struct Filled
 
 // What is burnt out, hidden by noise or whiter than paper, and if asked for what is unlit, follows
 // the surface around.
-Filled filled(vec3 albedo, float lack, vec3 radiance, vec3 shading, vec3 around)
+Filled filled(vec3 albedo, float lack, vec3 shown, vec3 shading, vec3 around, vec3 white)
 {
     UnknownChannels unknown;
-    unknown.burntOut = burntOutShares(radiance, isSo(kClips));
+    unknown.burntOut = burntOutShares(shown, isSo(kClips));
     unknown.hidden =
-        hiddenWhereLit(radiance, shading, arguments.darkest, arguments.constants.at[0].noise);
-    unknown.noise = noiseOfAlbedo(shading, lack, arguments.constants.at[0].noise);
+        hiddenWhereLit(shown, shading, arguments.darkest, arguments.constants.at[0].noise);
+    unknown.noise = noiseOfAlbedo(shading, lack, white, arguments.constants.at[0].noise);
     unknown.isUnlit = lessThan(shading, vec3(isSo(kFillsUnlit) ? arguments.darkest : 0.0));
     if (!isSo(kFills) || (!isAnyUnknown(unknown) && lack == 1.0)) return Filled(albedo, vec3(lack));
     const vec3 believed = believedUnderLack(albedo, lack, around, unknown.burntOut);
@@ -85,24 +85,27 @@ void main()
     const uint pixel = arguments.pixel.at[i];
     const bool clips = isSo(kClips);
     const vec3 radiance = halves(arguments.radiance.at[i]).rgb;
+    const vec3 white = arguments.white.at[surfel].rgb;
+    const vec3 shown = radiance / white;
     const vec4 rim = arguments.rims.at[surfel];
     const Shading shading = shadingOf(i, rim, radiance);
     const vec3 total = shading.direct + shading.indirect;
     const vec3 divided = dividedByShading(radiance, total, arguments.darkest);
     const float lack = lightThatLacks(divided);
     const vec4 around = arguments.around.at[surfel];
-    if (around.w > 0.0 && (isEmitting(radiance, clips, arguments.constants.at[0].threshold) ||
+    if (around.w > 0.0 && (isEmitting(shown, clips, arguments.constants.at[0].threshold) ||
                            isGlowing(radiance, around.w - kOfLamp))) {
         storeLight(pixel, shading, vec3(lack));
         arguments.albedoOut.at[pixel] = packedHalves(vec4(vec3(kAlbedoOfFixtures), 1.0));
         arguments.ratingOut.at[pixel] = kDoubtShines << 8; // confidence is 0
         return;
     }
-    const Filled result = filled(divided / lack, lack, radiance, total, around.rgb);
+    const Filled result = filled(divided / lack, lack, shown, total, around.rgb, white);
     storeLight(pixel, shading, result.lack);
     arguments.albedoOut.at[pixel] = packedHalves(vec4(result.albedo, 1.0));
     const vec4 trust = arguments.trust.at[surfel];
-    const float hidden = hiddenShare(brightestChannel(radiance), arguments.constants.at[0].noise);
-    const Rated rated = ratedAlbedo(radiance, clips, total, arguments.darkest, trust, hidden);
+    const float hidden = hiddenShare(brightestChannel(shown), arguments.constants.at[0].noise);
+    const float burntOut = brightestChannel(burntOutShares(shown, clips));
+    const Rated rated = ratedAlbedo(radiance, burntOut, total, arguments.darkest, trust, hidden);
     arguments.ratingOut.at[pixel] = confidenceByte(rated.value) | doubtOf(rated) << 8;
 }

@@ -39,7 +39,7 @@ private:
     void makeBlock(size_t begin, size_t count);
     void storeTexel(const TexelBlock& block, const ShadingBlock& shade, const AlbedoBlock& albedo,
                     size_t i, uint32_t pixel);
-    glm::vec3 fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around, float lack,
+    glm::vec3 fillChannels(glm::vec3 shown, glm::vec3 shading, uint32_t surfel, float lack,
                            uint16_t* rho) const;
     void fillPadding();
 
@@ -71,13 +71,14 @@ LayerMaker::LayerMaker(const Texels& texels, size_t page, const SolvedTexels& so
 
 /// What is burnt out, hidden by noise or whiter than paper, and if asked for what is unlit, follows
 /// the surface around. Returns how many times the shading its light is.
-glm::vec3 LayerMaker::fillChannels(glm::vec3 radiance, glm::vec3 shading, glm::vec3 around,
-                                   float lack, uint16_t* rho) const
+glm::vec3 LayerMaker::fillChannels(glm::vec3 shown, glm::vec3 shading, uint32_t surfel, float lack,
+                                   uint16_t* rho) const
 {
+    const glm::vec3 around = solved_.fill[surfel];
     const UnknownChannels unknown{
-        .burntOut = burntOutShares(radiance, clips_),
-        .hidden = hiddenWhereLit(radiance, shading, options_.darkest, noise_),
-        .noise = noiseOfAlbedo(shading, lack, noise_),
+        .burntOut = burntOutShares(shown, clips_),
+        .hidden = hiddenWhereLit(shown, shading, options_.darkest, noise_),
+        .noise = noiseOfAlbedo(shading, lack, solved_.linearization.whiteOf(surfel), noise_),
         .isUnlit = options_.fill ? glm::lessThan(shading, glm::vec3(options_.darkest))
                                  : glm::bvec3(false)};
     if (!isAnyUnknown(unknown) && lack == 1.0f) return glm::vec3(1.0f);
@@ -93,6 +94,7 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
 {
     covered_[pixel] = 1;
     const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
+    const glm::vec3 shown = radiance / solved_.linearization.whiteOf(block.surfel[i]);
     uint16_t* rho = &layers_.albedo[3 * size_t{pixel}];
     glm::vec3 lack(albedo.lack[i]);
     const auto storeLight = [&] {
@@ -101,7 +103,7 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
     };
     const Shining& shining = solved_.shining;
     if (shining.surfels[block.surfel[i]] &&
-        (isEmitting(radiance, clips_, shining.threshold) ||
+        (isEmitting(shown, clips_, shining.threshold) ||
          isGlowing(radiance, shining.glowsFromOf(block.surfel[i])))) {
         std::fill(rho, rho + 3, halfFromFloat(kAlbedoOfFixtures));
         storeEmission(radiance, pixel, layers_.emission);
@@ -115,15 +117,15 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
     const glm::vec3 total(shade.direct.r[i] + shade.indirect.r[i],
                           shade.direct.g[i] + shade.indirect.g[i],
                           shade.direct.b[i] + shade.indirect.b[i]);
-    const Confidence confidence =
-        confidenceOf(radiance, clips_, total, options_.darkest,
-                     solved_.trust.empty() ? SurfelTrust{} : solved_.trust[block.surfel[i]],
-                     hiddenShare(brightestChannel(radiance), noise_));
+    const Confidence confidence = confidenceOf(
+        radiance, brightestChannel(burntOutShares(shown, clips_)), total, options_.darkest,
+        solved_.trust.empty() ? SurfelTrust{} : solved_.trust[block.surfel[i]],
+        hiddenShare(brightestChannel(shown), noise_));
     layers_.confidence[pixel] = confidence.byte();
     layers_.doubt[pixel] = confidence.doubt;
     if (!texels_.isShared.empty() && texels_.isShared[pixel]) doubtShared(pixel, layers_);
     if (!solved_.fill.empty())
-        lack = fillChannels(radiance, total, solved_.fill[block.surfel[i]], albedo.lack[i], rho);
+        lack = fillChannels(shown, total, block.surfel[i], albedo.lack[i], rho);
     storeLight();
 }
 

@@ -106,7 +106,7 @@ size_t LayerPictures::bytesOf(size_t pixels)
 
 PageLayersGpu::PageLayersGpu(const gpu::Device& device, size_t surfels)
     : program_(device, kPageLayersSpirv), rims_(device, surfels), trust_(device, surfels),
-      around_(device, surfels), constants_(device, 1)
+      around_(device, surfels), white_(device, surfels), constants_(device, 1)
 {}
 
 void PageLayersGpu::setSurfels(const SolvedTexels& solved)
@@ -115,6 +115,7 @@ void PageLayersGpu::setSurfels(const SolvedTexels& solved)
     std::vector<glm::vec4> rims(count, glm::vec4(0.0f));
     std::vector<glm::vec4> trust(count, glm::vec4(1.0f));
     std::vector<glm::vec4> around(count, glm::vec4(0.0f));
+    std::vector<glm::vec4> white(count);
     for (size_t s = 0; s < solved.rims.size(); ++s)
         rims[s] = glm::vec4(solved.rims[s].shading, solved.rims[s].albedo);
     for (size_t s = 0; s < solved.trust.size(); ++s)
@@ -124,19 +125,21 @@ void PageLayersGpu::setSurfels(const SolvedTexels& solved)
     for (size_t s = 0; s < count; ++s)
         if (solved.shining.surfels[s] != 0)
             around[s].w = kOfLamp + std::min(solved.shining.glowsFromOf(s), kMostGlow);
+    for (size_t s = 0; s < count; ++s) white[s] = glm::vec4(solved.linearization.whiteOf(s), 0.0f);
     rims_.upload(rims);
     trust_.upload(trust);
     around_.upload(around);
+    white_.upload(white);
     tempering_ = glm::vec4(factorOf(solved.tempering), solved.tempering.power);
     threshold_ = solved.shining.threshold;
-    response_ = solved.linearization.response;
+    linearization_ = solved.linearization;
     fills_ = !solved.fill.empty();
 }
 
 void PageLayersGpu::divide(gpu::Commands& commands, const LitPage& page,
                            const AlbedoOptions& options, const LayerPictures& out)
 {
-    const PageConstants constants{.noise = textureNoiseOf(page.image, response_),
+    const PageConstants constants{.noise = textureNoiseOf(page.image, linearization_.response),
                                   .threshold = threshold_,
                                   .tempering = tempering_};
     constants_.upload({&constants, 1});
@@ -151,6 +154,7 @@ void PageLayersGpu::divide(gpu::Commands& commands, const LitPage& page,
                                           .rims = rims_.ref(),
                                           .trust = trust_.ref(),
                                           .around = around_.ref(),
+                                          .white = white_.ref(),
                                           .albedoOut = out.albedo.pixels().ref(),
                                           .directOut = out.direct.pixels().ref(),
                                           .indirectOut = out.indirect.pixels().ref(),

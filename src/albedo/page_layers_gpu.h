@@ -48,20 +48,24 @@ public:
     void divide(gpu::Commands& commands, const LitPage& page, const AlbedoOptions& options,
                 const LayerPictures& out);
 
+    /// That of setSurfels().
+    [[nodiscard]] const Linearization& linearization() const { return linearization_; }
+
 private:
     gpu::Program program_;
     gpu::Array<glm::vec4> rims_;
     gpu::Array<glm::vec4> trust_;
     gpu::Array<glm::vec4> around_;
+    gpu::Array<glm::vec4> white_;
     gpu::Array<PageConstants> constants_; // one
     glm::vec4 tempering_{1.0f};
     float threshold_ = 0.0f;
-    Response response_;
+    Linearization linearization_;
     bool fills_ = false;
 };
 
 /// Fetches the layers of a page. What shines is the texture's own and comes from there.
 PageLayers layersFrom(const LayerPictures& pictures, const Texels& texels, size_t page,
-                      const Linearization& linearization = {});
+                      const Linearization& linearization);
 
 } // namespace relamp

@@ -94,12 +94,12 @@ struct Lit
         const LayerPictures pictures(device, static_cast<uint32_t>(image.width),
                                      static_cast<uint32_t>(image.height));
         divide(device, options, pictures);
-        return layersFrom(pictures, texels, 0);
+        return layersFrom(pictures, texels, 0, said.linearization);
     }
     void divide(const gpu::Device& device, const AlbedoOptions& options,
                 const LayerPictures& pictures) const
     {
-        const GpuTexels page(device, texels, 0);
+        const GpuTexels page(device, texels, 0, said.linearization);
         const gpu::Array<glm::uvec2> directThere(device, direct);
         const gpu::Array<glm::uvec2> indirectThere(device, indirect);
         PageLayersGpu gpu(device, texels.surfels.count());
@@ -151,6 +151,12 @@ TEST_F(GpuPageLayers, FollowWhatIsSaidOfSurfels)
         [&](SolvedTexels& said) { said.tempering = all.said.tempering; },
         [&](SolvedTexels& said) { said.shining = all.said.shining; },
         [&](SolvedTexels& said) { said.trust = all.said.trust; },
+        [&](SolvedTexels& said) {
+            said.fill = all.said.fill;
+            for (size_t s = 0; s < said.fill.size(); ++s) // halves hold a power of two exactly
+                said.linearization.perGain.push_back(
+                    glm::exp2(glm::round(2.0f * drawnColor(s, 71) - 1.0f)));
+        },
         [&](SolvedTexels& said) { said.fill = all.said.fill; }};
     const SolvedTexels nothing = lit.said;
     for (const auto& say : parts) {
@@ -173,7 +179,7 @@ TEST_F(GpuPageLayers, TakeThePicturesOfAnotherPage)
     const int side = std::min(width, height);
     Lit(scenes::square(1.0f, side, scenes::plain(glm::vec3(0.7f)))).divide(device(), {}, pictures);
     lit.divide(device(), {}, pictures);
-    scenes::expectAlike(layersFrom(pictures, lit.texels, 0), lit.byCpu({}));
+    scenes::expectAlike(layersFrom(pictures, lit.texels, 0, lit.said.linearization), lit.byCpu({}));
 }
 
 TEST_F(GpuPageLayers, RateTexelsOfSeveralPlacesAsTheCpuDoes)

@@ -84,6 +84,7 @@ LampEvidence::LampEvidence(const Texels& texels, const RayScene& scene, const Hi
 {
     for (const uint32_t place : placesToLookAt(texels.surfels, radiance_, quality, rooms))
         addPlace(place);
+    for (const ClippedPatch& patch : radiance_.clipped) textureOfClipped_.push_back(patch.radiance);
     drawn_ = places_.size();
     rooms_ = std::clamp(static_cast<double>(drawn_) / kPlacesOfRoom, 1.0, rooms);
     for (const auto& [p, q] : told) told_.push_back({addPlace(p), addPlace(q)});
@@ -141,9 +142,15 @@ double LampEvidence::linearize(const CameraModel& camera)
     forEach(textureOfAll_.size(), [&](size_t s) {
         glm::vec3& radiance = radiance_.plain[s];
         for (int c = 0; c < 3; ++c) radiance[c] = linearization.response(textureOfAll_[s][c]);
-        if (!linearization.perGain.empty())
-            radiance = withoutGain(radiance, linearization.perGain[s]);
+        radiance *= linearization.whiteOf(s);
     });
+    for (size_t i = 0; i < textureOfClipped_.size(); ++i) {
+        ClippedPatch& patch = radiance_.clipped[i];
+        for (int c = 0; c < 3; ++c)
+            patch.radiance[c] = linearization.response(textureOfClipped_[i][c]);
+        patch.radiance *= linearization.whiteOf(patch.surfel);
+    }
+    radiance_.white = linearization.perGain;
     field_.plain = radiance_.plain;
     settling_ = SettlingGather(hits_, field_, around_);
     return meanLogOfPlaces() - before;

@@ -103,15 +103,16 @@ private:
     const Texels& texels_;
     const RayScene& scene_;
     const HitLists& hits_;
-    SurfelRadiance radiance_;             // linear
-    std::vector<uint32_t> places_;        // surfels, which are also the lists of their fronts
-    size_t drawn_ = 0;                    // places that pairs are drawn of, the first
-    std::vector<MaterialPair> told_;      // of places
-    std::vector<glm::vec3> texture_;      // of places
-    std::vector<glm::vec3> positions_;    // of places, m
-    double rooms_ = 1.0;                  // see LightModel
-    std::vector<uint8_t> roomOfPlace_;    // see roomOfPlace()
-    std::vector<glm::vec3> textureOfAll_; // of surfels
+    SurfelRadiance radiance_;                 // linear
+    std::vector<uint32_t> places_;            // surfels, which are also the lists of their fronts
+    size_t drawn_ = 0;                        // places that pairs are drawn of, the first
+    std::vector<MaterialPair> told_;          // of places
+    std::vector<glm::vec3> texture_;          // of places
+    std::vector<glm::vec3> positions_;        // of places, m
+    double rooms_ = 1.0;                      // see LightModel
+    std::vector<uint8_t> roomOfPlace_;        // see roomOfPlace()
+    std::vector<glm::vec3> textureOfAll_;     // of surfels
+    std::vector<glm::vec3> textureOfClipped_; // as SurfelRadiance::clipped
     std::vector<uint32_t> around_; // surfels that light of places is averaged over, ascending
     std::vector<uint32_t> placeInAround_; // [surfel]: its number among those around places
     RadianceField field_;

@@ -60,7 +60,7 @@ float Response::operator()(float texture) const
     const std::array<float, kKnots> bend = bendAt(texture);
     float log = 0.0f;
     for (size_t k = 0; k < kKnots; ++k) log += slope[k] * bend[k];
-    return std::min(std::exp(log), kBurntOut);
+    return std::min(std::exp(log), kBrightestPlain);
 }
 
 } // namespace relamp

@@ -45,8 +45,8 @@ void addClipped(const TexelBlock& block, size_t i, glm::vec3 facing, RadianceSum
     sum.clippedArea += area;
 }
 
-/// Sums of all runs of one page; marks its clipped pixels. `isBurntOut(pixel, radiance)` says which
-/// they are.
+/// Sums of all runs of one page; marks its clipped pixels. `isBurntOut(pixel, shown)` says which
+/// they are, by what the texture shows.
 template<class IsBurntOut>
 std::vector<RadianceSum> sumRuns(const Texels& texels, size_t p, const Linearization* linearization,
                                  const IsBurntOut& isBurntOut, std::vector<uint8_t>& isClipped)
@@ -56,12 +56,15 @@ std::vector<RadianceSum> sumRuns(const Texels& texels, size_t p, const Lineariza
     std::vector<RadianceSum> sums(page.runs.size() - 1);
     isClipped.assign(texels.scan->pages[p].image.pixels(), 0);
     forEachRun(page, [&](size_t run, TexelBlock& block) {
+        const glm::vec3 white = linearization == nullptr
+                                    ? glm::vec3(1.0f)
+                                    : linearization->whiteOf(page.runs[run].surfel);
         forEachBlockOfRun(page, run, [&](size_t begin, size_t count) {
             loader.load(begin, count, block);
             loader.loadArea(begin, count, block);
             for (size_t i = 0; i < count; ++i) {
                 const glm::vec3 radiance(block.r[i], block.g[i], block.b[i]);
-                if (!isBurntOut(page.pixel[begin + i], radiance)) {
+                if (!isBurntOut(page.pixel[begin + i], radiance / white)) {
                     addPlain(block, i, sums[run]);
                     continue;
                 }
@@ -81,8 +84,7 @@ std::vector<RadianceSum> sumRunsByTexture(const Texels& texels, size_t p,
     const float burntOut = texels.scan->pages[p].image.clipsAtWhite ? kBurntOut : 1.0f;
     return sumRuns(
         texels, p, linearization,
-        [&](uint32_t, glm::vec3 radiance) { return brightestChannel(radiance) >= burntOut; },
-        isClipped);
+        [&](uint32_t, glm::vec3 shown) { return brightestChannel(shown) >= burntOut; }, isClipped);
 }
 
 } // namespace
@@ -94,6 +96,7 @@ SurfelRadiance collectRadiance(const Texels& texels, Progress& progress,
     const size_t surfels = texels.surfels.count();
     std::vector<RadianceSum> total(surfels);
     SurfelRadiance result;
+    if (linearization != nullptr) result.white = linearization->perGain;
     result.isClipped.resize(texels.pages.size());
     Progress::Stage stage(progress, "lights", texels.pages.size());
     for (size_t p = 0; p < texels.pages.size(); ++p) {

@@ -30,6 +30,12 @@ struct SurfelRadiance
     std::vector<float> clippedArea;    // of the others
     std::vector<ClippedPatch> clipped; // ascending by surfel
     std::vector<std::vector<uint8_t>> isClipped; // [page][pixel]: not 0 where a texel is burnt out
+    std::vector<glm::vec3> white;                // what white of the texture stands for; empty: 1
+
+    [[nodiscard]] glm::vec3 whiteOf(size_t surfel) const
+    {
+        return white.empty() ? glm::vec3(1.0f) : white[surfel];
+    }
 };
 
 /// Whether most of a surfel is burnt out: then it sent more than it shows.

@@ -65,6 +65,22 @@ TEST(SurfelRadiance, PatchesAreWhereTheBurntOutTexelsAre)
     }
 }
 
+// An exposure of 0.6 where it is burnt out, of 4 elsewhere: what is brighter than white then was
+// seen as it is, and what is burnt out stays so.
+TEST(SurfelRadiance, BurntOutIsWhatTheTextureShowsWhateverItsGain)
+{
+    const scenes::Surfaces floor(scenes::square(2.0f, 200, halfBurntOut()));
+    Linearization linearization;
+    for (const glm::vec3 p : floor.texels.surfels.position)
+        linearization.perGain.emplace_back(p.x > 1.24f ? 0.6f : 4.0f);
+    Progress progress;
+    const SurfelRadiance linear = collectRadiance(floor.texels, progress, {}, &linearization);
+    EXPECT_EQ(linear.isClipped, floor.radiance.isClipped);
+    EXPECT_NEAR(linear.plain[floor.at({0.4f, 0.0f, 1.0f}, kUp)].g, 1.2f, 1e-2f);
+    for (const ClippedPatch& patch : linear.clipped)
+        EXPECT_NEAR(patch.radiance.g, linear.whiteOf(patch.surfel).g, 1e-6f);
+}
+
 // Normals without a scan's noise lean across the edge of a lamp; what the lamp is cut by does not.
 TEST(SurfelRadiance, PatchesFaceTheWayTheScanDid)
 {

@@ -94,11 +94,4 @@ TEST(Linearization, EveryRoomHasTheGainAroundIt)
         EXPECT_NEAR(perGain.g, std::exp(1.0f), 1e-5f); // of a file from before there were rooms
 }
 
-TEST(Linearization, LeavesWhatIsBurntOutAndBurnsNothingOut)
-{
-    EXPECT_EQ(withoutGain({0.98f, 0.5f, 0.2f}, glm::vec3(0.7f)), glm::vec3(0.98f, 0.5f, 0.2f));
-    EXPECT_EQ(withoutGain({0.4f, 0.2f, 0.1f}, {0.5f, 1.0f, 2.0f}), glm::vec3(0.2f, 0.2f, 0.2f));
-    EXPECT_LT(withoutGain({0.9f, 0.2f, 0.1f}, glm::vec3(2.0f)).r, 0.97f);
-}
-
 } // namespace relamp

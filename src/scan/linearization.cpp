@@ -1,11 +1,9 @@
 #include "scan/linearization.h"
 
-#include "image/burnt_out.shared.h"
 #include "scan/gain.h"
 
 #include <algorithm>
 
-#include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
@@ -70,13 +68,6 @@ Linearization linearizationOf(const CameraModel& camera, const Surfels& surfels,
         linearization.perGain.push_back(
             glm::exp(-logAt(camera.tone.gain, surfels.position[s]) - gainAt(s)));
     return linearization;
-}
-
-glm::vec3 withoutGain(glm::vec3 radiance, glm::vec3 perGain)
-{
-    constexpr float kBrightest = 0.999f * kBurntOut;
-    if (brightestChannel(radiance) >= kBurntOut) return radiance;
-    return glm::min(perGain * radiance, glm::vec3(kBrightest));
 }
 
 } // namespace relamp

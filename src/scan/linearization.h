@@ -18,15 +18,17 @@ struct Linearization
         perGain; // then this factor, one a surfel: gain changes over metres. Empty: 1
 
     [[nodiscard]] bool isNeutral() const { return response.isStraight() && perGain.empty(); }
+
+    /// Radiance that white of the texture stands for: what is burnt out was at least this.
+    [[nodiscard]] glm::vec3 whiteOf(size_t surfel) const
+    {
+        return perGain.empty() ? glm::vec3(1.0f) : perGain[surfel];
+    }
 };
 
 /// `roomOfSurfel`: from 0 on; empty: there is one room. A room has the gain whose lattice lies
 /// around its middle.
 Linearization linearizationOf(const CameraModel& camera, const Surfels& surfels,
                               std::span<const uint8_t> roomOfSurfel = {});
-
-/// Radiance, 1 = white, of a linear value of a texture where the factor is `perGain`. What is burnt
-/// out stays as it is, and nothing else becomes that.
-glm::vec3 withoutGain(glm::vec3 radiance, glm::vec3 perGain);
 
 } // namespace relamp

@@ -383,11 +383,10 @@ void TexelLoader::takeGainOut(size_t begin, TexelBlock& block) const
     size_t run = page_.runOf(begin);
     for (size_t i = 0; i < block.count; ++i) {
         while (begin + i >= page_.runs[run + 1].begin) ++run;
-        const glm::vec3 radiance =
-            withoutGain({block.r[i], block.g[i], block.b[i]}, (*perGain_)[page_.runs[run].surfel]);
-        block.r[i] = radiance.r;
-        block.g[i] = radiance.g;
-        block.b[i] = radiance.b;
+        const glm::vec3 perGain = (*perGain_)[page_.runs[run].surfel];
+        block.r[i] *= perGain.r;
+        block.g[i] *= perGain.g;
+        block.b[i] *= perGain.b;
     }
 }
 

@@ -39,9 +39,10 @@ void main()
     if (surfel >= arguments.count) return;
     const vec3 albedo = albedoOf(surfel);
     const vec3 least = halves(arguments.burntOut.at[surfel]).rgb;
+    const vec3 white = halves(arguments.white.at[surfel]).rgb;
     vec3 clipped = vec3(0.0);
     if (!has(surfel, kShines))
-        clipped = min(burntOutRadiance(albedo, irradianceOf(surfel), least),
+        clipped = min(burntOutRadiance(albedo, irradianceOf(surfel), least, white),
                       vec3(arguments.mostBurntOut));
     vec3 back = vec3(0.0);
     const int list = arguments.backOf.at[surfel];

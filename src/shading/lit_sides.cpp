@@ -240,7 +240,8 @@ void sendOn(const Texels& texels, const HitLists& hits, const SurfelRadiance& ra
     sides.albedo = albedoOf(texels, radiance, irradiance);
     forEach(sides.albedo.size(), [&](size_t s) {
         const glm::vec3 front = irradiance[static_cast<size_t>(hits.listOfSide[2 * s])];
-        sides.field.clipped[s] = burntOutRadiance(sides.albedo[s], front, least[s]);
+        sides.field.clipped[s] =
+            burntOutRadiance(sides.albedo[s], front, least[s], radiance.whiteOf(s));
         if (const int32_t back = hits.listOfSide[2 * s + 1]; back != HitLists::kNoList)
             sides.field.back[s] = sides.albedo[s] * irradiance[static_cast<size_t>(back)] / kPi;
     });

@@ -15,6 +15,7 @@ struct LitSidesArguments
     Uvec2s direct;   // of lists, halves
     Ints backOf;     // of surfels: list of its back, -1 where nobody sees that
     Uvec2s burntOut; // of surfels, halves: what the texture shows of it
+    Uvec2s white;    // of surfels, halves: what white of the texture stands for
     Uints traits;
     Uints firstNeighbor;
     Uints neighbor;

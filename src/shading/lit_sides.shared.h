@@ -20,10 +20,11 @@ SHARED_FN vec3 albedoUnder(vec3 irradiance, vec3 radiance)
 }
 
 // What a burnt-out wall sends that shows this much, the mean of its burnt-out texels: that in
-// channels that are not burnt out themselves, and in others not less.
-SHARED_FN vec3 burntOutRadiance(vec3 albedo, vec3 irradiance, vec3 shown)
+// channels that are not burnt out themselves, and in others not less. `white`: radiance that white
+// of the texture stands for.
+SHARED_FN vec3 burntOutRadiance(vec3 albedo, vec3 irradiance, vec3 shown, vec3 white)
 {
-    vec3 isOut = clamp((shown - kHardlyOut) / (kBurntOut - kHardlyOut), 0.0f, 1.0f);
+    vec3 isOut = clamp((shown / white - kHardlyOut) / (kBurntOut - kHardlyOut), 0.0f, 1.0f);
     vec3 most = mix(shown, vec3(kMostRadiance), isOut);
     return clamp(albedo * irradiance / kPi, shown, most);
 }

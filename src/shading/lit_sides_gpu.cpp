@@ -30,6 +30,14 @@ std::vector<glm::uvec2> burntOutOf(const SurfelRadiance& radiance)
     return burntOut;
 }
 
+std::vector<glm::uvec2> whiteOf(const SurfelRadiance& radiance)
+{
+    std::vector<glm::uvec2> white;
+    for (size_t s = 0; s < radiance.plain.size(); ++s)
+        white.push_back(packedHalves(glm::vec4(radiance.whiteOf(s), 0.0f)));
+    return white;
+}
+
 std::vector<uint32_t> traitsOf(const SurfelRadiance& radiance)
 {
     std::vector<uint32_t> traits;
@@ -61,9 +69,9 @@ LitSidesGpu::LitSidesGpu(const gpu::Device& device, const HitLists& hits,
       litSides_(device, kLitSidesSpirv), excess_(device, kLitSidesExcessSpirv),
       mean_(device, kLitSidesMeanSpirv), indirectOf_(device, kLitSidesIndirectSpirv),
       lists_(device, hits, surfels_), backOf_(device, backsOf(hits, surfels_)),
-      burntOut_(device, burntOutOf(radiance)), traits_(device, surfels_),
-      lit_(device, litOf(traits.lit, surfels_)), start_(device, shown_.size()),
-      field_(device, shown_.size()), evenField_(device, shown_),
+      burntOut_(device, burntOutOf(radiance)), white_(device, whiteOf(radiance)),
+      traits_(device, surfels_), lit_(device, litOf(traits.lit, surfels_)),
+      start_(device, shown_.size()), field_(device, shown_.size()), evenField_(device, shown_),
       settling_(device, hits, lists_, gather_, {device, plainOf(radiance)}),
       gathered_(device, lists_.count),
       even_(device, surfels_), work_{{device, surfels_}, {device, surfels_}},
@@ -100,6 +108,7 @@ void LitSidesGpu::settle(gpu::Commands& commands, const GpuSurfels& surfels,
                                 .direct = direct.ref(),
                                 .backOf = backOf_.ref(),
                                 .burntOut = burntOut_.ref(),
+                                .white = white_.ref(),
                                 .traits = traits_.ref(),
                                 .firstNeighbor = surfels.firstNeighbor.ref(),
                                 .neighbor = surfels.neighbor.ref(),

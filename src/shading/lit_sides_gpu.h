@@ -58,6 +58,7 @@ private:
     GpuSightLists lists_;
     gpu::Array<int32_t> backOf_;
     gpu::Array<glm::uvec2> burntOut_;
+    gpu::Array<glm::uvec2> white_;
     gpu::Array<uint32_t> traits_;
     gpu::Array<float> lit_;
     gpu::Array<glm::uvec2> start_; // begin_

@@ -214,7 +214,7 @@ PageIrradiance ReevaluateGpu::irradiance() const
 
 PageLayers ReevaluateGpu::layers() const
 {
-    return layersFrom(*pictures_, texels_, picturesOf_);
+    return layersFrom(*pictures_, texels_, picturesOf_, layers_.linearization());
 }
 
 } // namespace relamp
