@@ -33,6 +33,14 @@ constexpr double kLongestStep = 2.0;    // log
 constexpr double kLeastMatters = 0.001; // of the light at places: what paint a wall has that sends
                                         // less changes nothing
 
+/// Second derivative of log(1 + x^2), as a share of its slope over x. Where it is negative a step
+/// has little to go by: steps by the slope over x alone are safe, and creep.
+double bentShare(double x)
+{
+    constexpr double kLeast = 0.05;
+    return std::max((1.0 - x * x) / (1.0 + x * x), kLeast);
+}
+
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 } // namespace
@@ -279,8 +287,9 @@ PackedRows LightFitSearch::slopes() const
             }};
 }
 
-/// Of all but what ties pieces to each other.
-LightFitSearch::Normal LightFitSearch::normalOfData(const Point& at) const
+/// Of all but what ties pieces to each other. `isBent`: by the second derivative of the loss, not
+/// by the weight that its slope is worth.
+LightFitSearch::Normal LightFitSearch::normalOfData(const Point& at, bool isBent) const
 {
     const size_t rows = model_.shown.size();
     std::vector<float> perLight(rows + 1, 0.0f);
@@ -290,8 +299,11 @@ LightFitSearch::Normal LightFitSearch::normalOfData(const Point& at) const
         for (size_t k = begin; k < end; ++k) {
             const double r = residual(at, fit_.pairs_[k]);
             const double noise = wider_ * fit_.noiseOf(k, r);
-            const double slope = std::sqrt(2.0 * perPair() / (noise * noise + r * r));
-            weighed[k] = {fit_.pairs_[k], static_cast<float>(slope), static_cast<float>(slope * r)};
+            const double weight = 2.0 * perPair() / (noise * noise + r * r);
+            const double bent = isBent ? bentShare(r / noise) : 1.0;
+            const double slope = std::sqrt(bent * weight);
+            weighed[k] = {fit_.pairs_[k], static_cast<float>(slope),
+                          static_cast<float>(weight * r / slope)};
         }
     });
     for (size_t f = 0; f < model_.pieces; ++f) {
@@ -323,9 +335,9 @@ LightFitSearch::Normal LightFitSearch::normalOfData(const Point& at) const
     return normal;
 }
 
-LightFitSearch::Normal LightFitSearch::normalAt(const Point& at) const
+LightFitSearch::Normal LightFitSearch::normalAt(const Point& at, bool isBent) const
 {
-    Normal normal = normalOfData(at);
+    Normal normal = normalOfData(at, isBent);
     addAlike(at, normal);
     return normal;
 }
@@ -373,7 +385,7 @@ double LightFitSearch::step()
 {
     // Numerics.
     constexpr int kAttempts = 6; // of a shorter step, each time by more damping
-    const Normal normal = normalAt(here_);
+    const Normal normal = normalAt(here_, true);
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         Eigen::MatrixXd damped = normal.matrix;
         damped.diagonal() *= 1.0 + damping_;
@@ -422,7 +434,7 @@ LightEstimate LightFitSearch::result() const
 {
     LightEstimate estimate = this->estimate();
     estimate.error.assign(here_.log.size(), 0.0);
-    const Normal normal = normalAt(here_);
+    const Normal normal = normalAt(here_, false);
     const auto n = static_cast<Eigen::Index>(count());
     const Eigen::MatrixXd covariance = normal.matrix.llt().solve(Eigen::MatrixXd::Identity(n, n));
     if (camera_.count() > 0) {
@@ -449,7 +461,7 @@ std::vector<uint8_t> LightFitSearch::needless(std::span<const Removal> removals)
 {
     const auto n = static_cast<Eigen::Index>(count());
     Eigen::MatrixXd covariance =
-        normalOfData(here_).matrix.llt().solve(Eigen::MatrixXd::Identity(n, n));
+        normalOfData(here_, false).matrix.llt().solve(Eigen::MatrixXd::Identity(n, n));
     Eigen::VectorXd change(n); // that each must still make to go
     for (size_t u = 0; u < pieceOf_.size(); ++u) {
         const double left = here_.reflected[pieceOf_[u]] - here_.log[pieceOf_[u]];

@@ -56,8 +56,8 @@ private:
     [[nodiscard]] double costOf(const Point& at) const;
     [[nodiscard]] double costOfPriors(const Point& at) const;
     [[nodiscard]] PackedRows slopes() const;
-    [[nodiscard]] Normal normalOfData(const Point& at) const;
-    [[nodiscard]] Normal normalAt(const Point& at) const;
+    [[nodiscard]] Normal normalOfData(const Point& at, bool isBent) const;
+    [[nodiscard]] Normal normalAt(const Point& at, bool isBent) const;
     void addPriors(const Point& at, Normal& normal) const;
     void addAlike(const Point& at, Normal& normal) const;
     void addLevel(const Point& at, std::span<const float> perLight, const Eigen::VectorXd& radiance,
