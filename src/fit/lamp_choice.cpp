@@ -44,9 +44,18 @@ public:
     {
         estimate_ = fit_.solve(emits_, {light_.log.begin(), light_.log.end()}, 1.0);
         prune();
+        std::vector<uint8_t> dropped; // what emitted after the last drop(),
+        ChosenLight grown;            // and what grow() made of it
         for (int round = 0; round < kChoices; ++round) {
             drop();
+            if (round > 0 && emits_ == dropped) { // the rest would be the same once more
+                emits_ = std::move(grown.emits);
+                estimate_ = std::move(grown.estimate);
+                break;
+            }
+            dropped = emits_;
             if (!grow()) break;
+            grown = {emits_, estimate_};
         }
         if (estimate_.error.empty()) estimate_ = fit_.solve(emits_, estimate_.log, 1.0);
         return {std::move(emits_), std::move(estimate_)};

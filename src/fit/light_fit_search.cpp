@@ -26,7 +26,7 @@ constexpr double kDarkerPaper = 0.8;   // log: how much less that may be, and th
 constexpr double kWhiterPaper = 0.3;   // log: how much more
 
 // Numerics.
-constexpr double kConverged = 0.0025;   // nats
+constexpr double kConverged = 0.01;   // nats
 constexpr int kMostSteps = 30;          // for time alone
 constexpr double kStillToCome = 20.0;   // times what a step gained, at most, by all that follow
 constexpr double kLongestStep = 2.0;    // log
