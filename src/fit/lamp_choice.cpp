@@ -44,19 +44,7 @@ public:
     {
         estimate_ = fit_.solve(emits_, {light_.log.begin(), light_.log.end()}, 1.0);
         prune();
-        std::vector<uint8_t> dropped; // what emitted after the last drop(),
-        ChosenLight grown;            // and what grow() made of it
-        for (int round = 0; round < kChoices; ++round) {
-            drop();
-            if (round > 0 && emits_ == dropped) { // the rest would be the same once more
-                emits_ = std::move(grown.emits);
-                estimate_ = std::move(grown.estimate);
-                break;
-            }
-            dropped = emits_;
-            if (!grow()) break;
-            grown = {emits_, estimate_};
-        }
+        takeTurns();
         if (estimate_.error.empty()) estimate_ = fit_.solve(emits_, estimate_.log, 1.0);
         return {std::move(emits_), std::move(estimate_)};
     }
@@ -70,6 +58,7 @@ private:
         LightEstimate estimate{};
     };
 
+    [[nodiscard]] double natsOf(std::span<const uint8_t> emits) const;
     [[nodiscard]] Removal removalOf(std::vector<uint32_t> pieces, double cost) const;
     [[nodiscard]] std::vector<Removal> removals() const;
     void prune();
@@ -77,6 +66,7 @@ private:
     void drop();
     [[nodiscard]] std::vector<Addition> bestAdditions() const;
     bool grow();
+    void takeTurns();
 
     const FittedLight& light_;
     std::span<const Choosable> pieces_;
@@ -84,6 +74,19 @@ private:
     std::vector<uint8_t> emits_;
     LightEstimate estimate_;
 };
+
+/// Against these emitting: those of one model, and what leans on them, are believed together.
+double LampChoice::natsOf(std::span<const uint8_t> emits) const
+{
+    double nats = 0.0;
+    std::vector<uint8_t> before(emits.size(), 0);
+    for (uint32_t f = 0; f < emits.size(); ++f) {
+        if (emits[f] == 0) continue;
+        if (!pieces_[f].isGiven) nats += std::max(natsToEmit(pieces_[f], before), 0.0);
+        before[f] = 1;
+    }
+    return nats;
+}
 
 /// These with all that leans on nothing else.
 Removal LampChoice::removalOf(std::vector<uint32_t> pieces, double cost) const
@@ -251,6 +254,26 @@ bool LampChoice::grow()
         }
         estimate_ = best.size() == 1 ? std::move(best.front().estimate)
                                      : fit_.trial(emits_, std::move(start), INFINITY);
+    }
+}
+
+/// Where one takes away what the other adds, the likelier of the two stays.
+void LampChoice::takeTurns()
+{
+    std::vector<uint8_t> dropped; // what emitted after the last drop(),
+    ChosenLight grown;            // and what grow() made of it
+    for (int round = 0; round < kChoices; ++round) {
+        drop();
+        if (round > 0 && emits_ == dropped) {
+            if (grown.estimate.nats + natsOf(grown.emits) < estimate_.nats + natsOf(emits_)) {
+                emits_ = std::move(grown.emits);
+                estimate_ = std::move(grown.estimate);
+            }
+            return;
+        }
+        dropped = emits_;
+        if (!grow()) return;
+        grown = {emits_, estimate_};
     }
 }
 

@@ -26,7 +26,7 @@ constexpr double kDarkerPaper = 0.8;   // log: how much less that may be, and th
 constexpr double kWhiterPaper = 0.3;   // log: how much more
 
 // Numerics.
-constexpr double kConverged = 0.01;   // nats
+constexpr double kConverged = 0.01;     // nats
 constexpr int kMostSteps = 30;          // for time alone
 constexpr double kStillToCome = 20.0;   // times what a step gained, at most, by all that follow
 constexpr double kLongestStep = 2.0;    // log
@@ -37,7 +37,9 @@ constexpr double kLeastMatters = 0.001; // of the light at places: what paint a 
 /// has little to go by: steps by the slope over x alone are safe, and creep.
 double bentShare(double x)
 {
-    constexpr double kLeast = 0.05;
+    // Numerics.
+    constexpr double kLeast = 0.05; // for less a step is as long as ever, and gains nothing
+
     return std::max((1.0 - x * x) / (1.0 + x * x), kLeast);
 }
 
