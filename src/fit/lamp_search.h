@@ -43,6 +43,7 @@ private:
     void solve(const std::function<LightEstimate(const RoomLight&)>& estimateOf);
     void lookCloser();
     bool join();
+    void dropFaint();
     [[nodiscard]] LightEstimate colorOf(int channel) const;
     void findColors();
     [[nodiscard]] bool isBent() const { return curved_ > 0.0 || toned_ > 0.0; }

@@ -227,6 +227,19 @@ bool LampSearch::join()
     return true;
 }
 
+/// What is believed to shine for another of its model, and lights nothing, is no lamp.
+void LampSearch::dropFaint()
+{
+    std::vector<double> most(pieces_.size(), 0.0);
+    for (const RoomLight& room : lightOfRooms(LampEvidence::kPairsFirst)) {
+        const std::vector<double> shares = room.shares();
+        for (size_t f = 0; f < shares.size(); ++f)
+            most[room.pieces[f]] = std::max(most[room.pieces[f]], shares[f]);
+    }
+    for (size_t f = 0; f < pieces_.size(); ++f)
+        if (!pieces_[f].isGiven && most[f] < kLeastMatters) emits_[f] = 0;
+}
+
 /// A channel of the light, near its luminance.
 LightEstimate LampSearch::colorOf(int channel) const
 {
@@ -254,6 +267,7 @@ void LampSearch::findColors()
             return fit.solve(room.emits, room.log, 1.0);
         });
         estimate_ = joined(rooms, estimates);
+        dropFaint();
         std::array<LightEstimate, 3> colors;
         forEach(3, [&](size_t c) { colors[c] = colorOf(static_cast<int>(c)); });
         const auto radianceOf = [&](size_t f) {

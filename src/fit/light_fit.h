@@ -12,6 +12,10 @@ namespace relamp
 {
 
 // Numerics.
+inline constexpr double kLeastMatters = 0.001; // of the light at places: what sends less changes
+                                               // nothing
+
+// Numerics.
 inline constexpr double kFirstWidth = 4.0; // times the noise: what a first loss forgives
 
 // Log albedo, between places of one paint, before it is measured; and between those that a person

@@ -26,12 +26,10 @@ constexpr double kDarkerPaper = 0.8;   // log: how much less that may be, and th
 constexpr double kWhiterPaper = 0.3;   // log: how much more
 
 // Numerics.
-constexpr double kConverged = 0.01;     // nats
-constexpr int kMostSteps = 30;          // for time alone
-constexpr double kStillToCome = 20.0;   // times what a step gained, at most, by all that follow
-constexpr double kLongestStep = 2.0;    // log
-constexpr double kLeastMatters = 0.001; // of the light at places: what paint a wall has that sends
-                                        // less changes nothing
+constexpr double kConverged = 0.01;   // nats
+constexpr int kMostSteps = 30;        // for time alone
+constexpr double kStillToCome = 20.0; // times what a step gained, at most, by all that follow
+constexpr double kLongestStep = 2.0;  // log
 
 /// Second derivative of log(1 + x^2), as a share of its slope over x. Where it is negative a step
 /// has little to go by: steps by the slope over x alone are safe, and creep.

@@ -1,6 +1,7 @@
 #include "fit/room_light.h"
 
 #include "base/parallel.h"
+#include "base/radiometry.shared.h"
 
 #include <algorithm>
 #include <cmath>
@@ -162,6 +163,22 @@ LightFit RoomLight::fit(int channel) const
 FittedLight RoomLight::alone(const CameraModel& camera, bool isResponseKnown) const
 {
     return {model, pairs, alike, noise, emits, log, camera, texturePlaces(), told, isResponseKnown};
+}
+
+std::vector<double> RoomLight::shares() const
+{
+    std::vector<double> radiance;
+    for (const double l : log) radiance.push_back(std::exp(l));
+    std::vector<double> light;
+    for (const glm::vec3 gathered : model.gathered)
+        light.push_back(static_cast<double>(std::max(luminance(gathered), kFaintest)));
+    PackedLight(model).add(radiance, 0, light);
+    std::vector<double> shares(model.pieces, 0.0);
+    for (size_t i = 0; i < model.places(); ++i)
+        for (size_t f = 0; f < shares.size(); ++f)
+            shares[f] += static_cast<double>(model.directAt(i)[f]) * radiance[f] / light[i];
+    for (double& share : shares) share /= static_cast<double>(std::max<size_t>(model.places(), 1));
+    return shares;
 }
 
 void RoomLight::put(std::span<const double> ofRoom, std::vector<double>& ofHouse) const

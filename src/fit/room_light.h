@@ -36,6 +36,8 @@ struct RoomLight
     [[nodiscard]] LightFit fit(int channel = -1) const;
     /// The room by itself, with its own camera.
     [[nodiscard]] FittedLight alone(const CameraModel& camera, bool isResponseKnown) const;
+    /// Of each piece: what part of the light comes from it, in the mean of places.
+    [[nodiscard]] std::vector<double> shares() const;
     /// Takes what is the room's from its own logs or errors over to those of the house.
     void put(std::span<const double> ofRoom, std::vector<double>& ofHouse) const;
 };

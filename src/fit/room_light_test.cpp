@@ -124,4 +124,21 @@ TEST(RoomLight, RoomsTogetherAreTheHouse)
     for (size_t f = 0; f < 2; ++f) EXPECT_NEAR(house.log[f], all.log[f], 0.05);
 }
 
+TEST(RoomLight, SharesAreOfAllLightThatPlacesGet)
+{
+    const House house;
+    const std::vector<RoomLight> rooms = lightOfRooms(house.asFitted(), {});
+    ASSERT_EQ(rooms.size(), 1u);
+    double expected = 0.0;
+    for (size_t i = 0; i < 2 * House::kPlaces; ++i) {
+        const float own = 30.0f * house.model.directAt(i)[0];
+        expected += static_cast<double>(own / (kPi / 0.5f * house.texture[i].g));
+    }
+    const std::vector<double> shares = rooms.front().shares();
+    ASSERT_EQ(shares.size(), 2u);
+    EXPECT_NEAR(shares[0], expected / (2.0 * House::kPlaces), 1e-4);
+    EXPECT_GT(shares[1], shares[0]); // 50 for 30
+    EXPECT_LT(shares[0] + shares[1], 1.0);
+}
+
 } // namespace relamp
