@@ -24,8 +24,9 @@ SHARED_FN vec3 albedoUnder(vec3 irradiance, vec3 radiance)
 // of the texture stands for.
 SHARED_FN vec3 burntOutRadiance(vec3 albedo, vec3 irradiance, vec3 shown, vec3 white)
 {
-    vec3 isOut = clamp((shown / white - kHardlyOut) / (kBurntOut - kHardlyOut), 0.0f, 1.0f);
-    vec3 most = mix(shown, vec3(kMostRadiance), isOut);
+    const vec3 ofWhite = shown / max(white, vec3(kFaintest));
+    const vec3 isOut = clamp((ofWhite - kHardlyOut) / (kBurntOut - kHardlyOut), 0.0f, 1.0f);
+    const vec3 most = mix(shown, max(shown, vec3(kMostRadiance)), isOut);
     return clamp(albedo * irradiance / kPi, shown, most);
 }
 
