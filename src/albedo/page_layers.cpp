@@ -39,8 +39,8 @@ private:
     void makeBlock(size_t begin, size_t count);
     void storeTexel(const TexelBlock& block, const ShadingBlock& shade, const AlbedoBlock& albedo,
                     size_t i, uint32_t pixel);
-    glm::vec3 fillChannels(glm::vec3 shown, glm::vec3 shading, uint32_t surfel, float lack,
-                           uint16_t* rho) const;
+    glm::vec3 fillChannels(glm::vec3 shown, glm::vec3 burntOut, glm::vec3 shading, uint32_t surfel,
+                           float lack, uint16_t* rho) const;
     void fillPadding();
 
     size_t page_;
@@ -71,12 +71,12 @@ LayerMaker::LayerMaker(const Texels& texels, size_t page, const SolvedTexels& so
 
 /// What is burnt out, hidden by noise or whiter than paper, and if asked for what is unlit, follows
 /// the surface around. Returns how many times the shading its light is.
-glm::vec3 LayerMaker::fillChannels(glm::vec3 shown, glm::vec3 shading, uint32_t surfel, float lack,
-                                   uint16_t* rho) const
+glm::vec3 LayerMaker::fillChannels(glm::vec3 shown, glm::vec3 burntOut, glm::vec3 shading,
+                                   uint32_t surfel, float lack, uint16_t* rho) const
 {
     const glm::vec3 around = solved_.fill[surfel];
     const UnknownChannels unknown{
-        .burntOut = burntOutShares(shown, clips_),
+        .burntOut = burntOut,
         .hidden = hiddenWhereLit(shown, shading, options_.darkest, noise_),
         .noise = noiseOfAlbedo(shading, lack, solved_.linearization.whiteOf(surfel), noise_),
         .isUnlit = options_.fill ? glm::lessThan(shading, glm::vec3(options_.darkest))
@@ -117,15 +117,16 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
     const glm::vec3 total(shade.direct.r[i] + shade.indirect.r[i],
                           shade.direct.g[i] + shade.indirect.g[i],
                           shade.direct.b[i] + shade.indirect.b[i]);
-    const Confidence confidence = confidenceOf(
-        radiance, brightestChannel(burntOutShares(shown, clips_)), total, options_.darkest,
-        solved_.trust.empty() ? SurfelTrust{} : solved_.trust[block.surfel[i]],
-        hiddenShare(brightestChannel(shown), noise_));
+    const glm::vec3 burntOut = burntOutShares(shown, clips_);
+    const Confidence confidence =
+        confidenceOf(radiance, brightestChannel(burntOut), total, options_.darkest,
+                     solved_.trust.empty() ? SurfelTrust{} : solved_.trust[block.surfel[i]],
+                     hiddenShare(brightestChannel(shown), noise_));
     layers_.confidence[pixel] = confidence.byte();
     layers_.doubt[pixel] = confidence.doubt;
     if (!texels_.isShared.empty() && texels_.isShared[pixel]) doubtShared(pixel, layers_);
     if (!solved_.fill.empty())
-        lack = fillChannels(shown, total, block.surfel[i], albedo.lack[i], rho);
+        lack = fillChannels(shown, burntOut, total, block.surfel[i], albedo.lack[i], rho);
     storeLight();
 }
 
