@@ -3,6 +3,7 @@
 #include "fit/light_model.h"
 #include "lights/surfel_radiance.h"
 #include "relamp/delight.h"
+#include "scan/rays.h"
 #include "scan/surfels.h"
 #include "shading/tempering.h"
 
