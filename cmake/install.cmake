@@ -28,8 +28,8 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS $<TARGET_FILE_DIR:relamp>)
-# The headers name GLM's types. The program does not need it, and apt brings what is recommended
+# The Python module works with NumPy alone. The headers name GLM's types. The program does not need it, and apt brings what is recommended
 # unless told otherwise. libvulkan1 is looked for when a GPU is.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libglm-dev, libvulkan1")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libglm-dev, libvulkan1, python3-numpy")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS ffmpeg) # for films as .mp4
 include(CPack)

@@ -296,7 +296,7 @@ int run(DelightArguments& arguments)
                                                 arguments.attenuation[2]};
 
     if (arguments.options.gather.quality == relamp::Quality::draft)
-        arguments.scan.options.longestSide = kDraftSide;
+        arguments.scan.options.longestSide = relamp::kDraftSide;
     relamp::Scan scan = relamp::readScan(arguments.scan.file, arguments.scan.options, progress);
     scan.warnings.insert(scan.warnings.end(), notes.begin(), notes.end());
     if (arguments.options.lights)

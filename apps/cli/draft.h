@@ -4,12 +4,9 @@
 #include "relamp/progress.h"
 #include "relamp/scan.h"
 
-/// Pixels of a draft's textures along a side, at most.
-inline constexpr int kDraftSide = 512;
-
 /// What a draft makes of a scan. Throws as delight().
 inline relamp::Decomposition draftOf(const relamp::Scan& scan, relamp::Progress& progress)
 {
-    return relamp::delight(relamp::coarsened(scan, kDraftSide),
+    return relamp::delight(relamp::coarsened(scan, relamp::kDraftSide),
                            {.gather = {.quality = relamp::Quality::draft}}, progress);
 }

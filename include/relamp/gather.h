@@ -16,6 +16,8 @@ enum class Quality {
     standard, // as exact as a photo texture deserves
     high      // four times the rays
 };
+/// Pixels of a draft's textures along a side, at most: ScanOptions::longestSide to read one with.
+constexpr int kDraftSide = 512;
 
 /// Two places, m, that are of one paint.
 struct SamePaint

@@ -43,6 +43,12 @@ triangles=$("$work/consumer/consumer" "$scan")
     exit 1
 }
 
+# The module finds the library by the way from where it was installed.
+PYTHONPATH=$prefix/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -c '
+import sys, relamp
+assert relamp.__file__.startswith(sys.argv[1]), relamp.__file__
+assert relamp.read_scan(sys.argv[2]).triangle_count == 2' "$prefix" "$scan"
+
 # What README shows is a program that builds as it stands, says what is wrong, and does what it is for.
 readonly readme=$work/readme
 mkdir "$readme"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A file in src includes its own layer and those before it. Apps see the public headers, those of src/inside and
-# bench/stage_times.h alone, but for the viewer, which draws by way of src/gpu. A public header names no type of the
+# bench/stage_times.h alone, but for the viewer, which draws by way of src/gpu; Python sees the public ones. A public header names no type of the
 # libraries that relamp works with.
 set -euo pipefail
 
@@ -26,6 +26,7 @@ found=$(
         }'
     includes apps | grep -E '"[^"]*/' | grep -vE '"(relamp|inside)/|"bench/stage_times.h"|^apps/viewer/.*"gpu/' |
         sed 's/$/: neither public nor in src\/inside/' || true
+    includes python | grep -E '"[^"]*/' | grep -v '"relamp/' | sed 's/$/: not a public header/' || true
     includes include/relamp | grep -vE '"relamp/|<glm/|<[a-z_]+>' | sed 's/$/: not for a public header/' || true
     for header in include/relamp/*.h; do
         name=relamp/${header##*/}

@@ -1,0 +1,103 @@
+import os
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+_Path = Union[str, "os.PathLike[str]"]
+_Watcher = Callable[[str, float], object]
+
+__version__: str
+
+class Error(RuntimeError): ...
+
+class Scan:
+    def __init__(
+        self,
+        positions: np.ndarray,
+        triangles: np.ndarray,
+        uv: np.ndarray,
+        texture: np.ndarray,
+        *,
+        name: str = ...,
+        up: str = ...,
+        scale: float = ...,
+    ) -> None: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def file(self) -> os.PathLike[str]: ...
+    @property
+    def warnings(self) -> List[str]: ...
+    @property
+    def triangle_count(self) -> int: ...
+    @property
+    def page_count(self) -> int: ...
+
+def read_scan(
+    file: _Path,
+    *,
+    up: str = ...,
+    scale: float = ...,
+    transfer: str = ...,
+    skip_mesh: Sequence[str] = ...,
+    allow_outside: bool = ...,
+    allow_overlap: bool = ...,
+    longest_side: int = ...,
+    progress: Optional[_Watcher] = ...,
+) -> Scan: ...
+
+class Lights:
+    @property
+    def fixtures(self) -> List[Dict[str, Any]]: ...
+    @property
+    def sun(self) -> Optional[Dict[str, Any]]: ...
+    @property
+    def ambient(self) -> Tuple[float, float, float]: ...
+    def to_json(self) -> str: ...
+
+class Decomposition:
+    @property
+    def lights(self) -> Lights: ...
+    @property
+    def page_count(self) -> int: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def warnings(self) -> List[str]: ...
+    @property
+    def cross_validation(self) -> Dict[str, Any]: ...
+    def layers(self, page: int, threads: int, progress: Optional[_Watcher]) -> Dict[str, np.ndarray]: ...
+    def fixtures(self, page: int) -> np.ndarray: ...
+    def geometry(self, page: int) -> Tuple[np.ndarray, np.ndarray]: ...
+    def save(self, folder: _Path, force: bool, threads: int, progress: Optional[_Watcher]) -> str: ...
+
+class Lighter:
+    def __init__(self, room: Decomposition, threads: int, progress: Optional[_Watcher]) -> None: ...
+    def relight(
+        self, text: str, file: _Path, settings: Sequence[str], threads: int, progress: Optional[_Watcher]
+    ) -> Relit: ...
+
+class Relit:
+    @property
+    def warnings(self) -> List[str]: ...
+    def radiance(self, page: int) -> np.ndarray: ...
+    def picture(
+        self,
+        camera: Optional[Tuple[Any, ...]],
+        size: Tuple[int, int],
+        view: str,
+        exposure: Optional[float],
+        antialias: int,
+        linear: bool,
+        progress: Optional[_Watcher],
+    ) -> np.ndarray: ...
+
+def check(options: Dict[str, Any]) -> None: ...
+def delight(
+    scan: Scan,
+    options: Dict[str, Any],
+    lights: _Path,
+    response: _Path,
+    threads: int,
+    progress: Optional[_Watcher],
+) -> Tuple[Decomposition, List[str]]: ...

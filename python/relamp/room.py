@@ -1,0 +1,211 @@
+"""A room without its light, as `relamp.delight` gives it."""
+
+from __future__ import annotations
+
+import json
+import os
+import threading
+from dataclasses import dataclass
+from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
+
+import numpy as np
+
+from . import _relamp
+from .lights import Lights, lights_of
+from .relit import Light, Relit, text_and_file
+
+Watcher = Callable[[str, float], object]
+
+
+@dataclass(frozen=True)
+class CrossValidation:
+    """Whether places of one paint, which no fit looked at, agree better in the albedo than in the scan.
+
+    Source: docs/method/cross_validation.md.
+    """
+
+    pairs: int  #: pairs of places that were compared; 0: too few to tell
+    scan: float  #: stops that they differ by in the scan
+    albedo: float  #: stops that they differ by in the albedo
+    gain: float  #: dB, 20 log10(scan / albedo)
+    improves: bool  #: False: they agree clearly better in the scan
+
+
+def _frozen(values: np.ndarray) -> np.ndarray:
+    values.flags.writeable = False
+    return values
+
+
+class Page:
+    """One texture of a room. Arrays have its size, row 0 on top, and are read-only.
+
+    They are computed when the first is asked for, once, and every later look at them is at the same
+    memory, which an array keeps for as long as it is used, whether the room is or not.
+    """
+
+    def __init__(self, decomposition: _relamp.Decomposition, index: int, threads: int) -> None:
+        self._decomposition = decomposition
+        self._index = index
+        self._threads = threads
+        self._lock = threading.Lock()
+        self._arrays: Dict[str, np.ndarray] = {}
+
+    def _computed(self, name: str, compute: Callable[[], Dict[str, np.ndarray]]) -> np.ndarray:
+        with self._lock:
+            if name not in self._arrays:
+                self._arrays.update(compute())
+            return self._arrays[name]
+
+    def _layers(self) -> Dict[str, np.ndarray]:
+        halves = self._decomposition.layers(self._index, self._threads, None)
+        layers = {name: halves[name].astype(np.float32) for name in ("albedo", "direct", "indirect")}
+        layers["shading"] = layers["direct"] + layers["indirect"]
+        layers["confidence"] = halves["confidence"].astype(np.float32) / np.float32(255)
+        return {name: _frozen(values) for name, values in layers.items()}
+
+    def _geometry(self) -> Dict[str, np.ndarray]:
+        return dict(zip(("positions", "normals"), self._decomposition.geometry(self._index)))
+
+    @property
+    def albedo(self) -> np.ndarray:
+        """(H, W, 3) float32, linear, 0..0.9: the colour of the surfaces without any light."""
+        return self._computed("albedo", self._layers)
+
+    @property
+    def direct(self) -> np.ndarray:
+        """(H, W, 3) float32: irradiance / pi straight from the lamps, windows and the sun."""
+        return self._computed("direct", self._layers)
+
+    @property
+    def indirect(self) -> np.ndarray:
+        """(H, W, 3) float32: irradiance / pi by way of other surfaces, and through holes."""
+        return self._computed("indirect", self._layers)
+
+    @property
+    def shading(self) -> np.ndarray:
+        """(H, W, 3) float32: direct + indirect. Times the albedo it is the scan, linear."""
+        return self._computed("shading", self._layers)
+
+    @property
+    def confidence(self) -> np.ndarray:
+        """(H, W) float32, 0 (albedo is a guess) to 1. Source: docs/method/confidence.md."""
+        return self._computed("confidence", self._layers)
+
+    @property
+    def fixtures(self) -> np.ndarray:
+        """(H, W) int32: the id of the lamp or window; -1 none, -2 burnt out and no lamp."""
+        return self._computed(
+            "fixtures", lambda: {"fixtures": self._decomposition.fixtures(self._index)}
+        )
+
+    @property
+    def positions(self) -> np.ndarray:
+        """(H, W, 3) float32: where texels lie in the world, m; 0 where no surface is."""
+        return self._computed("positions", self._geometry)
+
+    @property
+    def normals(self) -> np.ndarray:
+        """(H, W, 3) float32, unit; 0 where no surface is."""
+        return self._computed("normals", self._geometry)
+
+    def __repr__(self) -> str:
+        return f"<relamp.Page {self._index} of {self._decomposition.name!r}>"
+
+
+class Room:
+    """A scanned room taken apart. `albedo` and the other arrays are those of its first page.
+
+    >>> room.albedo.shape == room.shading.shape
+    True
+    >>> room.albedo.dtype, room.albedo is room.pages[0].albedo
+    (dtype('float32'), True)
+    >>> [fixture.name for fixture in room.lights.fixtures][:1]
+    ['window 0']
+    """
+
+    def __init__(self, decomposition: _relamp.Decomposition, threads: int = 0) -> None:
+        self._decomposition = decomposition
+        self._threads = threads
+        self.pages: Tuple[Page, ...] = tuple(
+            Page(decomposition, index, threads) for index in range(decomposition.page_count)
+        )
+        self._lock = threading.Lock()
+        self._lighter: Optional[_relamp.Lighter] = None
+
+    @property
+    def lights(self) -> Lights:
+        """The lamps, windows and the sun that were on."""
+        return lights_of(self._decomposition.lights)
+
+    @property
+    def cross_validation(self) -> CrossValidation:
+        """Whether the albedo is better than the scan, as far as that can be told without truth."""
+        return CrossValidation(**self._decomposition.cross_validation)
+
+    @property
+    def warnings(self) -> Tuple[str, ...]:
+        """What a person should know of this result, a sentence each."""
+        return tuple(self._decomposition.warnings)
+
+    albedo = property(lambda self: self.pages[0].albedo, doc=Page.albedo.__doc__)
+    direct = property(lambda self: self.pages[0].direct, doc=Page.direct.__doc__)
+    indirect = property(lambda self: self.pages[0].indirect, doc=Page.indirect.__doc__)
+    shading = property(lambda self: self.pages[0].shading, doc=Page.shading.__doc__)
+    confidence = property(lambda self: self.pages[0].confidence, doc=Page.confidence.__doc__)
+    fixtures = property(lambda self: self.pages[0].fixtures, doc=Page.fixtures.__doc__)
+    positions = property(lambda self: self.pages[0].positions, doc=Page.positions.__doc__)
+    normals = property(lambda self: self.pages[0].normals, doc=Page.normals.__doc__)
+
+    def relight(
+        self,
+        lights: Optional[Light] = None,
+        *,
+        fixtures: Optional[Mapping[Union[int, str], str]] = None,
+        progress: Optional[Watcher] = None,
+    ) -> Relit:
+        """The room in another light, with shadows and all bounces. Fixtures are off unless told.
+
+        lights: a lights file, or its content as a dict. fixtures: what becomes of the room's own
+        lamps by number, name or 'all': 'on', 'off', '50%', '2700K,800lm', 'window'. Rays are cast
+        for the first light only. Raises relamp.Error naming the key or setting.
+        Source: docs/guide/relighting.md.
+
+        >>> room.relight(fixtures={"all": "on"}).picture(size=(64, 36)).shape
+        (36, 64, 3)
+        """
+        text, file = text_and_file(lights)
+        settings = [f"{which}={what}" for which, what in (fixtures or {}).items()]
+        with self._lock:
+            if self._lighter is None:
+                self._lighter = _relamp.Lighter(self._decomposition, self._threads, progress)
+        relit = self._lighter.relight(text, file, settings, self._threads, progress)
+        return Relit(relit, len(self.pages))
+
+    def bake(
+        self,
+        lights: Optional[Light] = None,
+        *,
+        fixtures: Optional[Mapping[Union[int, str], str]] = None,
+        progress: Optional[Watcher] = None,
+    ) -> List[np.ndarray]:
+        """Radiance of the relit room's textures, (H, W, 3) float32 a page; as relight() has it."""
+        return self.relight(lights, fixtures=fixtures, progress=progress).radiance
+
+    def save(
+        self,
+        folder: Union[str, "os.PathLike[str]"],
+        *,
+        force: bool = False,
+        progress: Optional[Watcher] = None,
+    ) -> Dict[str, Any]:
+        """Writes what `relamp delight -o folder` writes, whole or not at all; returns report.json.
+
+        force: also replace files that relamp did not write. Raises relamp.Error where the folder
+        cannot be written. Source: docs/guide/results.md.
+        """
+        report = self._decomposition.save(os.fspath(folder), force, self._threads, progress)
+        return json.loads(report)
+
+    def __repr__(self) -> str:
+        lamps = len(self._decomposition.lights.fixtures)
+        return f"<relamp.Room {self._decomposition.name!r}: {lamps} lamps and windows>"

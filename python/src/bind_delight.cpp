@@ -1,0 +1,170 @@
+#include "arrays.h"
+#include "bind.h"
+#include "watched.h"
+
+#include "relamp/delight.h"
+#include "relamp/response.h"
+#include "relamp/result.h"
+#include "relamp/threads.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+namespace py = pybind11;
+using relamp::Decomposition;
+
+py::dict layersOf(const Decomposition& room, size_t page, int threads, const py::object& progress)
+{
+    using namespace py::literals;
+    const auto layers =
+        std::make_shared<const relamp::PageLayers>(watched(progress, [&](relamp::Progress& watch) {
+            const relamp::ThreadLimit limit(threads);
+            return room.layers(page, watch);
+        }));
+    const auto view = [&](const auto& values, const char* type) {
+        return viewOf(values, type, layers->width, layers->height, layers);
+    };
+    return py::dict("albedo"_a = view(layers->albedo, "float16"),
+                    "direct"_a = view(layers->direct, "float16"),
+                    "indirect"_a = view(layers->indirect, "float16"),
+                    "confidence"_a = view(layers->confidence, "uint8"));
+}
+
+py::array fixtureMapOf(const Decomposition& room, size_t page)
+{
+    const auto map = std::make_shared<const relamp::FixtureMap>(
+        watched(py::none(), [&](relamp::Progress&) { return room.fixtures(page); }));
+    return viewOf(map->id, "int32", map->width, map->height, map);
+}
+
+py::tuple geometryOf(const Decomposition& room, size_t page)
+{
+    const auto geometry = std::make_shared<const relamp::PageGeometry>(
+        watched(py::none(), [&](relamp::Progress&) { return room.geometry(page); }));
+    const auto view = [&](const std::vector<float>& values) {
+        return viewOf(values, "float32", geometry->width, geometry->height, geometry);
+    };
+    return py::make_tuple(view(geometry->positions), view(geometry->normals));
+}
+
+std::filesystem::path sourceOf(const relamp::Scan& scan)
+{
+    return scan.file.empty() ? std::filesystem::path(scan.name + ".glb") : scan.file;
+}
+
+std::string save(const Decomposition& room, const std::filesystem::path& folder, bool force,
+                 int threads, const py::object& progress)
+{
+    const auto replacing = force ? relamp::Replacing::any : relamp::Replacing::unchanged;
+    return watched(progress, [&](relamp::Progress& watch) {
+        const relamp::ThreadLimit limit(threads);
+        return relamp::writeResult(room, sourceOf(*room.scan()), folder, watch, replacing);
+    });
+}
+
+py::dict crossValidationOf(const Decomposition& room)
+{
+    using namespace py::literals;
+    const relamp::CrossValidation& validation = room.crossValidation();
+    return py::dict("pairs"_a = validation.pairs, "scan"_a = validation.scan,
+                    "albedo"_a = validation.albedo, "gain"_a = validation.gain(),
+                    "improves"_a = validation.improves);
+}
+
+int within(const char* keyword, int value, int low, int high)
+{
+    if (value == 0 || (value >= low && value <= high)) return value;
+    throw py::value_error(
+        fmt::format("{}={} is not between {} and {}, nor 0", keyword, value, low, high));
+}
+
+/// The keywords of delight() in relamp/delight.py, which names the default of each once.
+relamp::DelightOptions optionsOf(const py::dict& given)
+{
+    const auto get = [&given](const char* keyword) { return given[keyword]; };
+    const auto places = [&](const char* keyword) {
+        std::vector<glm::vec3> points;
+        for (const auto& [x, y, z] :
+             get(keyword).cast<std::vector<std::tuple<float, float, float>>>())
+            points.emplace_back(x, y, z);
+        return points;
+    };
+    relamp::DelightOptions options;
+    options.solver = namedBy<relamp::Solver>("solver", get("solver").cast<std::string>());
+    relamp::GatherOptions& gather = options.gather;
+    gather.quality = namedBy<relamp::Quality>("quality", get("quality").cast<std::string>());
+    gather.rays = within("rays", get("rays").cast<int>(), 4, 1024);
+    gather.shadowRays = within("shadow_rays", get("shadow_rays").cast<int>(), 1, 1024);
+    gather.lights = places("light");
+    gather.notLights = places("not_a_light");
+    const std::vector<glm::vec3> ends = places("same");
+    for (size_t i = 0; i + 1 < ends.size(); i += 2) gather.same.push_back({ends[i], ends[i + 1]});
+    gather.white = places("white");
+    gather.sun = !get("no_sun").cast<bool>();
+    gather.gain = !get("no_gain").cast<bool>();
+    gather.seed = options.pathtrace.seed = get("seed").cast<uint32_t>();
+    options.pathtrace.samples = within("samples", get("samples").cast<int>(), 1, 65536);
+    options.albedo.darkest = get("darkest").cast<float>();
+    options.albedo.fill = get("fill").cast<bool>();
+    options.engine.engine = namedBy<relamp::Engine>("engine", get("engine").cast<std::string>());
+    options.engine.gpu = get("gpu").cast<std::string>();
+    return options;
+}
+
+/// What relamp delight does between reading a scan and writing its result, in its order.
+std::pair<std::shared_ptr<Decomposition>, std::vector<std::string>>
+delight(const std::shared_ptr<relamp::Scan>& scan, const py::dict& given,
+        const std::filesystem::path& lights, const std::filesystem::path& response, int threads,
+        const py::object& progress)
+{
+    relamp::DelightOptions options = optionsOf(given);
+    std::vector<std::string> notes;
+    auto room = watched(progress, [&](relamp::Progress& watch) {
+        const relamp::ThreadLimit limit(threads);
+        relamp::checkDevice(options.engine);
+        if (!lights.empty()) {
+            options.lights = relamp::readLights(lights, notes);
+            options.fixtures = relamp::readFixturesBeside(lights, scan->file, *scan);
+        }
+        if (response == "straight")
+            options.gather.response = relamp::Response{};
+        else if (!response.empty())
+            options.gather.response = relamp::readResponse(response, notes);
+        if (options.gather.quality == relamp::Quality::draft)
+            return std::make_shared<Decomposition>(
+                relamp::delight(relamp::coarsened(*scan, relamp::kDraftSide), options, watch));
+        return std::make_shared<Decomposition>(
+            relamp::delight(std::shared_ptr<const relamp::Scan>(scan), options, watch));
+    });
+    return {std::move(room), std::move(notes)};
+}
+
+} // namespace
+
+void bindDelight(py::module_& module)
+{
+    py::class_<Decomposition, std::shared_ptr<Decomposition>>(
+        module, "Decomposition", "A room taken apart. relamp.Room is what people hold.")
+        .def_property_readonly("lights", &Decomposition::lights,
+                               py::return_value_policy::reference_internal)
+        .def_property_readonly("page_count",
+                               [](const Decomposition& room) { return room.scan()->pages.size(); })
+        .def_property_readonly("name",
+                               [](const Decomposition& room) { return room.scan()->title(); })
+        .def_property_readonly("warnings", &Decomposition::warnings)
+        .def_property_readonly("cross_validation", &crossValidationOf)
+        .def("layers", &layersOf, py::arg("page"), py::arg("threads"), py::arg("progress"))
+        .def("fixtures", &fixtureMapOf, py::arg("page"))
+        .def("geometry", &geometryOf, py::arg("page"))
+        .def("save", &save, py::arg("folder"), py::arg("force"), py::arg("threads"),
+             py::arg("progress"));
+    module.def(
+        "check", [](const py::dict& options) { optionsOf(options); }, py::arg("options"));
+    module.def("delight", &delight, py::arg("scan"), py::arg("options"), py::arg("lights"),
+               py::arg("response"), py::arg("threads"), py::arg("progress"));
+}
