@@ -9,7 +9,8 @@ from typing import Any, Dict, Iterable, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from . import _relamp
-from .room import Room, Watcher
+from .progress import Progress, watcher_of
+from .room import Room
 
 Place = Sequence[float]
 Path = Union[str, "os.PathLike[str]"]
@@ -62,7 +63,7 @@ def delight(
     engine: str = "auto",
     gpu: str = "",
     threads: int = 0,
-    progress: Optional[Watcher] = None,
+    progress: Progress = None,
     **reading: Any,
 ) -> Room:
     """Takes the light out of a scan, as the program `relamp delight` does; keywords are its options.
@@ -75,7 +76,8 @@ def delight(
     response: 'straight', or a lights.json or report.json of another scan by the same camera.
     rays 4..1024, shadow_rays 1..1024, 0: by quality. samples 1..65536, of the solver pathtrace.
     darkest: 1e-6..1, shading below is believed the less the darker it is. engine: 'auto', 'cpu',
-    'gpu'. threads: 0 is one a core. progress: called with a stage's name and its share done, 0..1.
+    'gpu'. threads: 0 is one a core. progress: called with a stage's name and its share done, 0..1;
+    True: a bar by tqdm.
 
     The same scan and keywords give the same result on any number of threads. Ctrl-C ends it.
     Raises relamp.Error with a sentence about the scan or a file, ValueError about a keyword.
@@ -117,13 +119,14 @@ def delight(
         "gpu": str(gpu),
     }
     _relamp.check(options)
+    watcher = watcher_of(progress)
     if isinstance(scan, _relamp.Scan):
         if reading:
             raise ValueError(f"{next(iter(reading))}: the scan is read already; it goes to read_scan")
     else:
-        scan = _relamp.read_scan(os.fspath(scan), progress=progress, **reading)
+        scan = _relamp.read_scan(os.fspath(scan), progress=watcher, **reading)
     found, notes = _relamp.delight(
-        scan, options, "" if lights is None else os.fspath(lights), searched["response"], threads, progress
+        scan, options, "" if lights is None else os.fspath(lights), searched["response"], threads, watcher
     )
     for note in notes:
         warnings.warn(note, stacklevel=2)

@@ -12,9 +12,8 @@ import numpy as np
 
 from . import _relamp
 from .lights import Lights, lights_of
+from .progress import Progress, watcher_of
 from .relit import Light, Relit, text_and_file
-
-Watcher = Callable[[str, float], object]
 
 
 @dataclass(frozen=True)
@@ -161,7 +160,7 @@ class Room:
         lights: Optional[Light] = None,
         *,
         fixtures: Optional[Mapping[Union[int, str], str]] = None,
-        progress: Optional[Watcher] = None,
+        progress: Progress = None,
     ) -> Relit:
         """The room in another light, with shadows and all bounces. Fixtures are off unless told.
 
@@ -174,11 +173,12 @@ class Room:
         (36, 64, 3)
         """
         text, file = text_and_file(lights)
+        watcher = watcher_of(progress)
         settings = [f"{which}={what}" for which, what in (fixtures or {}).items()]
         with self._lock:
             if self._lighter is None:
-                self._lighter = _relamp.Lighter(self._decomposition, self._threads, progress)
-        relit = self._lighter.relight(text, file, settings, self._threads, progress)
+                self._lighter = _relamp.Lighter(self._decomposition, self._threads, watcher)
+        relit = self._lighter.relight(text, file, settings, self._threads, watcher)
         return Relit(relit, len(self.pages))
 
     def bake(
@@ -186,7 +186,7 @@ class Room:
         lights: Optional[Light] = None,
         *,
         fixtures: Optional[Mapping[Union[int, str], str]] = None,
-        progress: Optional[Watcher] = None,
+        progress: Progress = None,
     ) -> List[np.ndarray]:
         """Radiance of the relit room's textures, (H, W, 3) float32 a page; as relight() has it."""
         return self.relight(lights, fixtures=fixtures, progress=progress).radiance
@@ -196,14 +196,14 @@ class Room:
         folder: Union[str, "os.PathLike[str]"],
         *,
         force: bool = False,
-        progress: Optional[Watcher] = None,
+        progress: Progress = None,
     ) -> Dict[str, Any]:
         """Writes what `relamp delight -o folder` writes, whole or not at all; returns report.json.
 
         force: also replace files that relamp did not write. Raises relamp.Error where the folder
         cannot be written. Source: docs/guide/results.md.
         """
-        report = self._decomposition.save(os.fspath(folder), force, self._threads, progress)
+        report = self._decomposition.save(os.fspath(folder), force, self._threads, watcher_of(progress))
         return json.loads(report)
 
     def __repr__(self) -> str:

@@ -78,9 +78,14 @@ py::dict crossValidationOf(const Decomposition& room)
 
 int within(const char* keyword, int value, int low, int high)
 {
-    if (value == 0 || (value >= low && value <= high)) return value;
-    throw py::value_error(
-        fmt::format("{}={} is not between {} and {}, nor 0", keyword, value, low, high));
+    if (value >= low && value <= high) return value;
+    throw py::value_error(fmt::format("{}={} is not between {} and {}", keyword, value, low, high));
+}
+
+/// 0: left to the solver.
+int withinOrNone(const char* keyword, int value, int low, int high)
+{
+    return value == 0 ? 0 : within(keyword, value, low, high);
 }
 
 /// The keywords of delight() in relamp/delight.py, which names the default of each once.
@@ -98,8 +103,8 @@ relamp::DelightOptions optionsOf(const py::dict& given)
     options.solver = namedBy<relamp::Solver>("solver", get("solver").cast<std::string>());
     relamp::GatherOptions& gather = options.gather;
     gather.quality = namedBy<relamp::Quality>("quality", get("quality").cast<std::string>());
-    gather.rays = within("rays", get("rays").cast<int>(), 4, 1024);
-    gather.shadowRays = within("shadow_rays", get("shadow_rays").cast<int>(), 1, 1024);
+    gather.rays = withinOrNone("rays", get("rays").cast<int>(), 4, 1024);
+    gather.shadowRays = withinOrNone("shadow_rays", get("shadow_rays").cast<int>(), 1, 1024);
     gather.lights = places("light");
     gather.notLights = places("not_a_light");
     const std::vector<glm::vec3> ends = places("same");

@@ -125,6 +125,8 @@ std::shared_ptr<Scan> scanOfFile(const std::filesystem::path& file, const std::s
     options.skipMeshes = std::move(skipMesh);
     options.allowOutside = allowOutside;
     options.allowOverlap = allowOverlap;
+    if (longestSide < 0)
+        throw py::value_error(fmt::format("longest_side={} is less than 0", longestSide));
     options.longestSide = longestSide;
     return watched(progress, [&](relamp::Progress& watch) {
         return std::make_shared<Scan>(relamp::readScan(file, options, watch));

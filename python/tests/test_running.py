@@ -35,6 +35,12 @@ def test_progress_names_stages_and_shares(sample):
     assert all(0 <= share <= 1 for _, share in seen)
 
 
+def test_progress_as_a_bar(sample, capsys):
+    pytest.importorskip("tqdm")
+    relamp.delight(sample, quality="draft", progress=True)
+    assert "rays" in capsys.readouterr().err
+
+
 def test_other_threads_go_on_and_results_are_the_same(sample, room):
     """Held by the work, the lock would let the counter come as far as its first step."""
     counted, done, rooms = [0], threading.Event(), []
@@ -65,6 +71,8 @@ def test_other_threads_go_on_and_results_are_the_same(sample, room):
     [
         (dict(solver="magic"), "solver"),
         (dict(rays=3), "rays=3"),
+        (dict(samples=0), "samples=0"),
+        (dict(longest_side=-1), "longest_side"),
         (dict(darkest=float("nan")), "darkest"),
         (dict(seed=-1), "seed"),
         (dict(threads=-1), "threads"),
