@@ -1,8 +1,9 @@
 import os
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
-import numpy as np
+import numpy.typing as npt
 
+_Array = npt.NDArray[Any]
 _Path = Union[str, "os.PathLike[str]"]
 _Watcher = Callable[[str, float], object]
 
@@ -13,10 +14,10 @@ class Error(RuntimeError): ...
 class Scan:
     def __init__(
         self,
-        positions: np.ndarray,
-        triangles: np.ndarray,
-        uv: np.ndarray,
-        texture: np.ndarray,
+        positions: _Array,
+        triangles: _Array,
+        uv: _Array,
+        texture: _Array,
         *,
         name: str = ...,
         up: str = ...,
@@ -66,9 +67,9 @@ class Decomposition:
     def warnings(self) -> List[str]: ...
     @property
     def cross_validation(self) -> Dict[str, Any]: ...
-    def layers(self, page: int, threads: int, progress: Optional[_Watcher]) -> Dict[str, np.ndarray]: ...
-    def fixtures(self, page: int) -> np.ndarray: ...
-    def geometry(self, page: int) -> Tuple[np.ndarray, np.ndarray]: ...
+    def layers(self, page: int, threads: int, progress: Optional[_Watcher]) -> Dict[str, _Array]: ...
+    def fixtures(self, page: int) -> _Array: ...
+    def geometry(self, page: int) -> Tuple[_Array, _Array]: ...
     def save(self, folder: _Path, force: bool, threads: int, progress: Optional[_Watcher]) -> str: ...
 
 class Lighter:
@@ -80,7 +81,7 @@ class Lighter:
 class Relit:
     @property
     def warnings(self) -> List[str]: ...
-    def radiance(self, page: int) -> np.ndarray: ...
+    def radiance(self, page: int) -> _Array: ...
     def picture(
         self,
         camera: Optional[Tuple[Any, ...]],
@@ -90,7 +91,7 @@ class Relit:
         antialias: int,
         linear: bool,
         progress: Optional[_Watcher],
-    ) -> np.ndarray: ...
+    ) -> _Array: ...
 
 def check(options: Dict[str, Any]) -> None: ...
 def delight(

@@ -96,9 +96,9 @@ def delight(
         "white": _places("white", white),
         "no_sun": bool(no_sun),
         "no_gain": bool(no_gain),
-        "response": "" if response is None else os.fspath(response),
     }
-    _refuse_what_has_no_effect(searched, solver, lights)
+    curve = "" if response is None else os.fspath(response)
+    _refuse_what_has_no_effect({**searched, "response": curve}, solver, lights)
     if not 1e-6 <= darkest <= 1:
         raise ValueError(f"darkest={darkest} is not between 1e-06 and 1")
     if not 0 <= seed < 2**32:
@@ -106,7 +106,7 @@ def delight(
     if not 0 <= threads <= 1024:
         raise ValueError(f"threads={threads} is not between 0 and 1024")
     options = {
-        **{key: value for key, value in searched.items() if key != "response"},
+        **searched,
         "solver": str(solver),
         "quality": str(quality),
         "rays": int(rays),
@@ -126,7 +126,7 @@ def delight(
     else:
         scan = _relamp.read_scan(os.fspath(scan), progress=watcher, **reading)
     found, notes = _relamp.delight(
-        scan, options, "" if lights is None else os.fspath(lights), searched["response"], threads, watcher
+        scan, options, "" if lights is None else os.fspath(lights), curve, threads, watcher
     )
     for note in notes:
         warnings.warn(note, stacklevel=2)

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _relamp
 from .lights import Triple
@@ -46,7 +47,7 @@ class Camera:
     def arguments(self) -> Tuple[Triple, Triple, Triple, float]:
         """Position, unit forward, unit up, field of view."""
 
-        def unit(vector: np.ndarray) -> Triple:
+        def unit(vector: npt.NDArray[Any]) -> Triple:
             x, y, z = (vector / np.linalg.norm(vector)).tolist()
             return x, y, z
 
@@ -68,7 +69,7 @@ class Relit:
         return tuple(self._relit.warnings)
 
     @property
-    def radiance(self) -> List[np.ndarray]:
+    def radiance(self) -> List[npt.NDArray[Any]]:
         """(H, W, 3) float32 a page: the light on the walls, all bounces; 1 = the scan's white."""
         return [self._relit.radiance(page).astype(np.float32) for page in range(self._page_count)]
 
@@ -81,7 +82,7 @@ class Relit:
         exposure: Optional[float] = None,
         antialias: int = 2,
         linear: bool = False,
-    ) -> np.ndarray:
+    ) -> npt.NDArray[Any]:
         """What a camera sees: (H, W, 3) uint8, sRGB; with `linear` float32, the light itself.
 
         camera: None is a view from inside that shows much of the room. size: width and height,

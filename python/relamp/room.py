@@ -9,11 +9,14 @@ from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _relamp
 from .lights import Lights, lights_of
 from .progress import Progress, watcher_of
 from .relit import Light, Relit, text_and_file
+
+Array = npt.NDArray[Any]
 
 
 @dataclass(frozen=True)
@@ -30,7 +33,7 @@ class CrossValidation:
     improves: bool  #: False: they agree clearly better in the scan
 
 
-def _frozen(values: np.ndarray) -> np.ndarray:
+def _frozen(values: Array) -> Array:
     values.flags.writeable = False
     return values
 
@@ -47,63 +50,63 @@ class Page:
         self._index = index
         self._threads = threads
         self._lock = threading.Lock()
-        self._arrays: Dict[str, np.ndarray] = {}
+        self._arrays: Dict[str, Array] = {}
 
-    def _computed(self, name: str, compute: Callable[[], Dict[str, np.ndarray]]) -> np.ndarray:
+    def _computed(self, name: str, compute: Callable[[], Dict[str, Array]]) -> Array:
         with self._lock:
             if name not in self._arrays:
                 self._arrays.update(compute())
             return self._arrays[name]
 
-    def _layers(self) -> Dict[str, np.ndarray]:
+    def _layers(self) -> Dict[str, Array]:
         halves = self._decomposition.layers(self._index, self._threads, None)
         layers = {name: halves[name].astype(np.float32) for name in ("albedo", "direct", "indirect")}
         layers["shading"] = layers["direct"] + layers["indirect"]
         layers["confidence"] = halves["confidence"].astype(np.float32) / np.float32(255)
         return {name: _frozen(values) for name, values in layers.items()}
 
-    def _geometry(self) -> Dict[str, np.ndarray]:
+    def _geometry(self) -> Dict[str, Array]:
         return dict(zip(("positions", "normals"), self._decomposition.geometry(self._index)))
 
     @property
-    def albedo(self) -> np.ndarray:
+    def albedo(self) -> Array:
         """(H, W, 3) float32, linear, 0..0.9: the colour of the surfaces without any light."""
         return self._computed("albedo", self._layers)
 
     @property
-    def direct(self) -> np.ndarray:
+    def direct(self) -> Array:
         """(H, W, 3) float32: irradiance / pi straight from the lamps, windows and the sun."""
         return self._computed("direct", self._layers)
 
     @property
-    def indirect(self) -> np.ndarray:
+    def indirect(self) -> Array:
         """(H, W, 3) float32: irradiance / pi by way of other surfaces, and through holes."""
         return self._computed("indirect", self._layers)
 
     @property
-    def shading(self) -> np.ndarray:
+    def shading(self) -> Array:
         """(H, W, 3) float32: direct + indirect. Times the albedo it is the scan, linear."""
         return self._computed("shading", self._layers)
 
     @property
-    def confidence(self) -> np.ndarray:
+    def confidence(self) -> Array:
         """(H, W) float32, 0 (albedo is a guess) to 1. Source: docs/method/confidence.md."""
         return self._computed("confidence", self._layers)
 
     @property
-    def fixtures(self) -> np.ndarray:
+    def fixtures(self) -> Array:
         """(H, W) int32: the id of the lamp or window; -1 none, -2 burnt out and no lamp."""
         return self._computed(
             "fixtures", lambda: {"fixtures": self._decomposition.fixtures(self._index)}
         )
 
     @property
-    def positions(self) -> np.ndarray:
+    def positions(self) -> Array:
         """(H, W, 3) float32: where texels lie in the world, m; 0 where no surface is."""
         return self._computed("positions", self._geometry)
 
     @property
-    def normals(self) -> np.ndarray:
+    def normals(self) -> Array:
         """(H, W, 3) float32, unit; 0 where no surface is."""
         return self._computed("normals", self._geometry)
 
@@ -187,7 +190,7 @@ class Room:
         *,
         fixtures: Optional[Mapping[Union[int, str], str]] = None,
         progress: Progress = None,
-    ) -> List[np.ndarray]:
+    ) -> List[Array]:
         """Radiance of the relit room's textures, (H, W, 3) float32 a page; as relight() has it."""
         return self.relight(lights, fixtures=fixtures, progress=progress).radiance
 
@@ -204,7 +207,8 @@ class Room:
         cannot be written. Source: docs/guide/results.md.
         """
         report = self._decomposition.save(os.fspath(folder), force, self._threads, watcher_of(progress))
-        return json.loads(report)
+        parsed: Dict[str, Any] = json.loads(report)
+        return parsed
 
     def __repr__(self) -> str:
         lamps = len(self._decomposition.lights.fixtures)
