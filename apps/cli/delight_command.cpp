@@ -5,8 +5,10 @@
 #include "place_arguments.h"
 #include "scan_arguments.h"
 #include "terminal.h"
+#include "unexpected.h"
 
 #include "relamp/delight.h"
+#include "relamp/error.h"
 #include "relamp/result.h"
 #include "relamp/threads.h"
 
@@ -34,7 +36,8 @@ constexpr const char* kThesisGroup =
 
 struct DelightArguments
 {
-    ScanArguments scan;
+    std::vector<std::filesystem::path> scans;
+    ScanArguments scan; // the one that is worked on
     relamp::DelightOptions options;
     std::filesystem::path folder;
     std::filesystem::path lights;
@@ -273,7 +276,7 @@ void printSummary(const DelightArguments& arguments, const relamp::Decomposition
         printAside(closingLine(result.crossValidation()));
 }
 
-int run(DelightArguments& arguments)
+int runOne(DelightArguments& arguments)
 {
     const Talk talk = arguments.quiet || arguments.json ? Talk::quiet : Talk::normal;
     const auto start = std::chrono::steady_clock::now();
@@ -313,6 +316,66 @@ int run(DelightArguments& arguments)
     return 0;
 }
 
+/// The same of one of several, which must not stop the others.
+bool isDone(DelightArguments arguments, const std::filesystem::path& scan)
+{
+    arguments.scan.file = scan;
+    arguments.folder /= scan.stem();
+    try {
+        return runOne(arguments) == 0;
+    } catch (const relamp::Error& error) {
+        if (error.code() == relamp::ErrorCode::cancelled) throw;
+        endProgressDisplay(Talk::normal);
+        printProblem(error.what());
+    } catch (const std::exception& error) {
+        endProgressDisplay(Talk::normal);
+        printProblem(sentenceOf(error));
+    }
+    return false;
+}
+
+int run(DelightArguments& arguments)
+{
+    const std::vector<std::filesystem::path>& scans = arguments.scans;
+    arguments.scan.file = scans.front();
+    if (scans.size() == 1) return runOne(arguments);
+
+    std::error_code failure;
+    std::filesystem::create_directories(arguments.folder, failure);
+    if (failure)
+        throw relamp::Error(relamp::ErrorCode::cannotWrite,
+                            fmt::format("{}: cannot be made: {}; name another folder with -o",
+                                        arguments.folder.string(), failure.message()));
+    const auto done = std::count_if(scans.begin(), scans.end(),
+                                    [&](const auto& scan) { return isDone(arguments, scan); });
+    const std::string all = fmt::format("{} of {} scans are done", done, scans.size());
+    if (done == std::ssize(scans)) {
+        if (!arguments.quiet) printAside(all + "\n");
+        return 0;
+    }
+    printProblem(all + "; what is wrong with the others stands above");
+    return 1;
+}
+
+/// What is about one scan, and folders that would be one.
+void refuseWhatSeveralCannotHave(const CLI::App& command,
+                                 const std::vector<std::filesystem::path>& scans)
+{
+    if (scans.size() == 1) return;
+    for (const char* name : {"--light", "--not-a-light", "--same", "--white", "--lights", "--json"})
+        if (command.count(name) > 0)
+            throw CLI::ValidationError(name, "is about one scan; leave it out, or name one alone");
+    std::map<std::filesystem::path, std::filesystem::path> byFolder;
+    for (const std::filesystem::path& scan : scans) {
+        const auto [other, isNew] = byFolder.emplace(scan.stem(), scan);
+        if (!isNew)
+            throw CLI::ValidationError(
+                "scan", fmt::format("{} and {} would go into one folder, {}; rename one, or take "
+                                    "them one by one",
+                                    other->second.string(), scan.string(), scan.stem().string()));
+    }
+}
+
 } // namespace
 
 void addDelightCommand(CLI::App& app, Run& run)
@@ -320,7 +383,13 @@ void addDelightCommand(CLI::App& app, Run& run)
     CLI::App& command = *app.add_subcommand(
         "delight", "Take the light out of a scan: albedo, lights, relightable GLB");
     const auto arguments = std::make_shared<DelightArguments>();
-    addScanArguments(command, arguments->scan);
+    command
+        .add_option("scan", arguments->scans,
+                    "glTF, GLB, OBJ, PLY, or what else Assimp reads; of several each goes into "
+                    "DIR/<its name>, and one that is broken does not stop the others")
+        ->required()
+        ->type_name("SCAN");
+    addReadingArguments(command, arguments->scan);
     command
         .add_option("-o,--output", arguments->folder,
                     "Folder for the result; made if it is not there")
@@ -356,9 +425,11 @@ void addDelightCommand(CLI::App& app, Run& run)
     command.footer("Examples:\n"
                    "  relamp delight kitchen.glb -o kitchen\n"
                    "  relamp delight scan.obj --up z --scale 0.01 -o out\n"
+                   "  relamp delight scans/*.glb -o results\n"
                    "  relamp delight kitchen.glb -o again --lights kitchen/lights.json");
     command.callback([arguments, &command, &run] {
         refuseWhatHasNoEffect(command, arguments->options.solver, !arguments->lights.empty());
+        refuseWhatSeveralCannotHave(command, arguments->scans);
         run = [arguments] { return ::run(*arguments); };
     });
 }

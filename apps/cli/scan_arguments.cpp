@@ -25,11 +25,15 @@ void refuseEmptyValues(CLI::App& app)
 
 void addScanArguments(CLI::App& command, ScanArguments& arguments)
 {
-    relamp::ScanOptions& options = arguments.options;
-
     command.add_option("scan", arguments.file, "glTF, GLB, OBJ, PLY, or what else Assimp reads")
         ->required()
         ->type_name("SCAN");
+    addReadingArguments(command, arguments);
+}
+
+void addReadingArguments(CLI::App& command, ScanArguments& arguments)
+{
+    relamp::ScanOptions& options = arguments.options;
     command
         .add_option("--up", options.up, "The file's axis that points to the ceiling: y or z [y]")
         ->transform(oneOf<relamp::UpAxis>())

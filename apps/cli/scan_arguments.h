@@ -56,3 +56,5 @@ void refuseEmptyValues(CLI::App& app);
 void addEngineArguments(CLI::App& command, relamp::EngineOptions& engine, const std::string& what);
 
 void addScanArguments(CLI::App& command, ScanArguments& arguments);
+/// All of them but the scan itself.
+void addReadingArguments(CLI::App& command, ScanArguments& arguments);

@@ -293,6 +293,36 @@ TEST_F(ResultProgram, AClosedOutputFailsOnlyWhatIsPrintedThere)
     EXPECT_EQ(jsonOf(folder / "out/report.json")["scan"]["file"], "../room.glb"); // nothing in it
 }
 
+// What a shelf of scans asks for: one command, a folder each, and what is broken stops nothing.
+TEST_F(ResultProgram, SeveralScansGoIntoFoldersOfTheirNames)
+{
+    const Outcome run =
+        inside(".", "cp room.glb hall.glb; head -c 5000 room.glb > broken.glb; "
+                    "$RELAMP delight hall.glb broken.glb room.glb -o all --quality draft -q");
+
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_THAT(run.err, HasSubstr("broken.glb"));
+    EXPECT_THAT(run.err, HasSubstr("2 of 3 scans are done"));
+    for (const char* scan : {"hall", "room"})
+        EXPECT_EQ(contentOf(folder / "all" / scan / "albedo.exr"),
+                  contentOf(folder / "out" / "albedo.exr"));
+    EXPECT_FALSE(fs::exists(folder / "all" / "broken"));
+}
+
+TEST_F(ResultProgram, WhatIsAboutOneScanIsRefusedOfSeveral)
+{
+    const Outcome twins =
+        inside(".", "mkdir a; cp room.glb a; $RELAMP delight room.glb a/room.glb -o all");
+    EXPECT_EQ(twins.exitCode, 2);
+    EXPECT_THAT(twins.err, HasSubstr("room.glb and a/room.glb would go into one folder"));
+
+    const Outcome place =
+        inside(".", "cp room.glb hall.glb; $RELAMP delight room.glb hall.glb -o all --white 1,1,1");
+    EXPECT_EQ(place.exitCode, 2);
+    EXPECT_THAT(place.err, HasSubstr("--white"));
+    EXPECT_FALSE(fs::exists(folder / "all"));
+}
+
 TEST_F(ResultProgram, FilmsKeepAStrangersFrames)
 {
     const std::string film = "$RELAMP relight out --turntable 2 --size 64x36 --fixture all=on -q "
