@@ -1,6 +1,8 @@
 #include "command.h"
 #include "command_words.h"
+#include "completions.h"
 #include "interrupt.h"
+#include "manual.h"
 #include "scan_arguments.h"
 #include "terminal.h"
 #include "unexpected.h"
@@ -70,6 +72,17 @@ int answer(const CLI::ParseError& error, const CLI::App& app)
     return kUsage;
 }
 
+/// For the build, which installs what is written; no command of a person's.
+int writeReference(const CLI::App& app, const std::vector<std::string>& words)
+{
+    const CommandTable table = commandTable(app);
+    if (writeManual(table, words[1] + "/man", words[2]) && writeCompletions(table, words[1]))
+        return 0;
+    printProblem(
+        fmt::format("{}: the reference cannot be written, or {} not read", words[1], words[2]));
+    return kWorldIsWrong;
+}
+
 int report(const relamp::Error& error)
 {
     endProgressDisplay(Talk::normal);
@@ -111,6 +124,7 @@ int main(int argc, char** argv)
     addViewCommand(app, run);
     refuseEmptyValues(app);
     std::vector<std::string> words = commandWords(argc, argv);
+    if (words.size() == 3 && words[0] == "--write-reference") return writeReference(app, words);
     if (const std::string advice = adviceOnCommand(words, app); !advice.empty()) {
         printProblem(advice);
         return kUsage;

@@ -26,6 +26,8 @@ CLI::Validator between(double low, double high);
 template<class Value>
 CLI::Validator oneOf(const std::map<std::string, Value>& values)
 {
+    std::string names; // under which command_table.cpp finds what there is to choose from
+    for (const auto& [name, value] : values) names += ' ' + name;
     const auto take = [values](std::string& word) -> std::string {
         const auto found = values.find(word);
         if (found == values.end()) {
@@ -36,7 +38,7 @@ CLI::Validator oneOf(const std::map<std::string, Value>& values)
         word = std::to_string(static_cast<int>(found->second)); // as CLI11 reads an enumeration
         return "";
     };
-    return {take, ""};
+    return {take, "", "one of" + names};
 }
 
 /// Takes the names of an enumeration, relamp/names.h.

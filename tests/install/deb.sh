@@ -20,8 +20,9 @@ for library in libassimp5 libdraco7 libembree3-3 libfmt9 libopenexr-3-1-30 libop
     expect "$library " "$depends "
 done
 contents=$(dpkg-deb --contents "$deb")
-for file in bin/relamp bin/relamp-view librelamp.so. librelamp_formats.so include/relamp/scan.h relampConfig.cmake man/man1/relamp.1 \
-    python3/dist-packages/relamp/_relamp. python3/dist-packages/relamp/__init__.py; do
+for file in bin/relamp bin/relamp-view librelamp.so. librelamp_formats.so include/relamp/scan.h relampConfig.cmake \
+    man/man1/relamp.1 man/man1/relamp-delight.1 bash-completion/completions/relamp zsh/vendor-completions/_relamp \
+    fish/vendor_completions.d/relamp.fish python3/dist-packages/relamp/_relamp. python3/dist-packages/relamp/__init__.py; do
     expect "$file" "$contents"
 done
 exit $missing
