@@ -60,6 +60,8 @@ CommandTable commandTable(const CLI::App& app)
     CommandTable table{rowOf(app), {}};
     for (const CLI::App* command : app.get_subcommands({}))
         table.commands.push_back(rowOf(*command));
+    for (CommandRow& row : table.commands) // CLI11 hands it down to a command that has none
+        if (row.examples == table.program.examples) row.examples.clear();
     return table;
 }
 

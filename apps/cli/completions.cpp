@@ -46,12 +46,19 @@ std::string forBash(const CommandTable& table)
         R"(# Completion of relamp for bash.
 _relamp() {{
     local current=${{COMP_WORDS[COMP_CWORD]}} words= command=${{COMP_WORDS[1]}}
+    local previous=${{COMP_WORDS[COMP_CWORD - 1]}}
+    # "--solver=gather" comes as three words.
+    if [[ $current == = ]]; then
+        current=
+    elif [[ $previous == = ]]; then
+        previous=${{COMP_WORDS[COMP_CWORD - 2]}}
+    fi
     COMPREPLY=()
     if ((COMP_CWORD == 1)) || [[ $COMP_CWORD == 2 && $command == help ]]; then
         mapfile -t COMPREPLY < <(compgen -W '{} {}' -- "$current")
         return
     fi
-    case "$command ${{COMP_WORDS[COMP_CWORD - 1]}}" in
+    case "$command $previous" in
 {}        *)
             if [[ $current != -* ]]; then
                 compopt -o filenames 2>/dev/null

@@ -35,6 +35,7 @@ done
 ((options > 80)) || complain "--help printed only $options options"
 
 source "$reference/relamp"
+compopt() { :; } # which works only while a line is completed
 completes() { # what is expected, the words of the line, of which the last is completed
     local expected=$1
     shift
@@ -47,6 +48,8 @@ completes relight relamp rel
 completes delight relamp help del
 completes --solver relamp delight --so
 completes 'gather pathtrace thesis' relamp delight --solver ''
+completes pathtrace relamp delight --solver = p
+completes 'gather pathtrace thesis' relamp delight --solver =
 completes pathtrace relamp relight room --solver p
 completes room.glb relamp delight ro
 completes room.glb relamp delight room.glb --lights ro
