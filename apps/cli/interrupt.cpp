@@ -37,14 +37,14 @@ Interrupt::~Interrupt()
 {
     done_ = true;
     watcher_.join();
+    if (isAsked_) kill(getpid(), SIGINT); // it stays blocked, and waits for who asks next
 }
 
 void Interrupt::watch()
 {
     const sigset_t signals = politeSignals();
-    while (!done_ && sigtimedwait(&signals, nullptr, &kPoll) < 0) {
-    }
-    if (done_) return;
+    while (!isAsked_ && !done_) isAsked_ = sigtimedwait(&signals, nullptr, &kPoll) >= 0;
+    if (!isAsked_) return;
     progress_.cancel();
     const auto deadline = Clock::now() + kPatience;
     while (!done_ && Clock::now() < deadline && sigtimedwait(&signals, nullptr, &kPoll) < 0) {

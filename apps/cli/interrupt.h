@@ -9,6 +9,7 @@
 ///
 /// What does not end within the second that a person waits is cut off: half-written files are
 /// removed and the process ends. Make it before any other thread, so that the signals come here.
+/// What came too late for this computation is there for the next: of several scans none begins.
 class Interrupt
 {
 public:
@@ -24,5 +25,6 @@ private:
 
     relamp::Progress& progress_;
     std::atomic<bool> done_{false};
+    bool isAsked_ = false; // the watcher's
     std::thread watcher_;
 };

@@ -12,6 +12,7 @@ from . import _relamp
 from .progress import Progress, watcher_of
 from .room import Room
 
+_READING = ("up", "scale", "transfer", "skip_mesh", "allow_outside", "allow_overlap", "longest_side")
 Place = Sequence[float]
 Path = Union[str, "os.PathLike[str]"]
 
@@ -98,6 +99,9 @@ def delight(
         "no_gain": bool(no_gain),
     }
     curve = "" if response is None else os.fspath(response)
+    for keyword in reading:
+        if keyword not in _READING:
+            raise TypeError(f"delight() got an unexpected keyword argument '{keyword}'")
     _refuse_what_has_no_effect({**searched, "response": curve}, solver, lights)
     if not 1e-6 <= darkest <= 1:
         raise ValueError(f"darkest={darkest} is not between 1e-06 and 1")

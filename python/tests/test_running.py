@@ -87,6 +87,11 @@ def test_wrong_keyword_is_a_sentence(sample, keywords, word):
         relamp.delight(sample, **keywords)
 
 
+def test_keyword_that_there_is_not(sample):
+    with pytest.raises(TypeError, match="unexpected keyword argument 'rayz'"):
+        relamp.delight(sample, rayz=3)
+
+
 def test_lights_of_a_file_that_is_not_there(sample):
     with pytest.raises(relamp.Error, match="nowhere.json"):
         relamp.delight(sample, lights="nowhere.json")

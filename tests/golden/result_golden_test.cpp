@@ -309,6 +309,16 @@ TEST_F(ResultProgram, SeveralScansGoIntoFoldersOfTheirNames)
     EXPECT_FALSE(fs::exists(folder / "all" / "broken"));
 }
 
+TEST_F(ResultProgram, CtrlCEndsAllScansThatAreToCome)
+{
+    const Outcome run =
+        inside(".", "for i in 1 2 3 4 5 6 7 8; do cp room.glb $i.glb; done; timeout "
+                    "-s INT 1.5 $RELAMP delight [1-8].glb -o all --quality draft -q");
+
+    EXPECT_EQ(run.exitCode, 124);
+    EXPECT_FALSE(fs::exists(folder / "all" / "8"));
+}
+
 TEST_F(ResultProgram, WhatIsAboutOneScanIsRefusedOfSeveral)
 {
     const Outcome twins =
