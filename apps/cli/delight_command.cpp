@@ -341,13 +341,14 @@ int run(DelightArguments& arguments)
     if (scans.size() == 1) return runOne(arguments);
 
     std::error_code failure;
-    std::filesystem::create_directories(arguments.folder, failure);
+    const bool isNew = std::filesystem::create_directories(arguments.folder, failure);
     if (failure)
         throw relamp::Error(relamp::ErrorCode::cannotWrite,
                             fmt::format("{}: cannot be made: {}; name another folder with -o",
                                         arguments.folder.string(), failure.message()));
     const auto done = std::count_if(scans.begin(), scans.end(),
                                     [&](const auto& scan) { return isDone(arguments, scan); });
+    if (done == 0 && isNew) std::filesystem::remove(arguments.folder, failure); // it is empty
     const std::string all = fmt::format("{} of {} scans are done", done, scans.size());
     if (done == std::ssize(scans)) {
         if (!arguments.quiet) printAside(all + "\n");
@@ -365,6 +366,13 @@ void refuseWhatSeveralCannotHave(const CLI::App& command,
     for (const char* name : {"--light", "--not-a-light", "--same", "--white", "--lights", "--json"})
         if (command.count(name) > 0)
             throw CLI::ValidationError(name, "is about one scan; leave it out, or name one alone");
+    std::error_code ignored;
+    for (const std::filesystem::path& scan : scans)
+        if (!std::filesystem::exists(scan, ignored)) // a word that was mistyped: begin nothing
+            throw CLI::ValidationError("scan",
+                                       fmt::format("{}: no such file; of several scans each has "
+                                                   "to be there before any work is done",
+                                                   scan.string()));
     std::map<std::filesystem::path, std::filesystem::path> byFolder;
     for (const std::filesystem::path& scan : scans) {
         const auto [other, isNew] = byFolder.emplace(scan.stem(), scan);
