@@ -316,8 +316,8 @@ int runOne(DelightArguments& arguments)
     return 0;
 }
 
-/// The same of one of several, which must not stop the others.
-bool isDone(DelightArguments arguments, const std::filesystem::path& scan)
+/// The same of one of several, whose failure must not stop the others; false where it fails.
+bool runOneOfSeveral(DelightArguments arguments, const std::filesystem::path& scan)
 {
     arguments.scan.file = scan;
     arguments.folder /= scan.stem();
@@ -346,8 +346,9 @@ int run(DelightArguments& arguments)
         throw relamp::Error(relamp::ErrorCode::cannotWrite,
                             fmt::format("{}: cannot be made: {}; name another folder with -o",
                                         arguments.folder.string(), failure.message()));
-    const auto done = std::count_if(scans.begin(), scans.end(),
-                                    [&](const auto& scan) { return isDone(arguments, scan); });
+    const auto done = std::count_if(scans.begin(), scans.end(), [&](const auto& scan) {
+        return runOneOfSeveral(arguments, scan);
+    });
     if (done == 0 && isNew) std::filesystem::remove(arguments.folder, failure); // it is empty
     const std::string all = fmt::format("{} of {} scans are done", done, scans.size());
     if (done == std::ssize(scans)) {

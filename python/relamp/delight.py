@@ -4,31 +4,15 @@ from __future__ import annotations
 
 import os
 import warnings
-from typing import Any, Dict, Iterable, Optional, Sequence, Tuple, Union
-
-import numpy as np
+from typing import Any, Dict, Iterable, Optional, Tuple, Union
 
 from . import _relamp
+from .places import Place, ends_of, places_of
 from .progress import Progress, watcher_of
 from .room import Room
 
 _READING = ("up", "scale", "transfer", "skip_mesh", "allow_outside", "allow_overlap", "longest_side")
-Place = Sequence[float]
 Path = Union[str, "os.PathLike[str]"]
-
-
-def _places(keyword: str, places: Iterable[Place]) -> Sequence[Tuple[float, ...]]:
-    array = np.asarray(list(places), dtype=np.float64).reshape(-1, 3) if places else np.empty((0, 3))
-    if not np.isfinite(array).all():
-        raise ValueError(f"{keyword}: a place is three finite numbers, in metres")
-    return [tuple(place) for place in array.tolist()]
-
-
-def _ends(same: Iterable[Tuple[Place, Place]]) -> Sequence[Tuple[float, ...]]:
-    pairs = list(same)
-    if any(len(pair) != 2 for pair in pairs):
-        raise ValueError("same: each is a pair of places, ((x, y, z), (x, y, z))")
-    return _places("same", [end for pair in pairs for end in pair])
 
 
 def _refuse_what_has_no_effect(given: Dict[str, Any], solver: str, lights: Optional[Path]) -> None:
@@ -91,10 +75,10 @@ def delight(
     ValueError: quality="best" is none of draft, standard, high
     """
     searched = {
-        "light": _places("light", light),
-        "not_a_light": _places("not_a_light", not_a_light),
-        "same": _ends(same),
-        "white": _places("white", white),
+        "light": places_of("light", light),
+        "not_a_light": places_of("not_a_light", not_a_light),
+        "same": ends_of("same", same),
+        "white": places_of("white", white),
         "no_sun": bool(no_sun),
         "no_gain": bool(no_gain),
     }
@@ -109,7 +93,7 @@ def delight(
         raise ValueError(f"seed={seed} is not between 0 and 4294967295")
     if not 0 <= threads <= 1024:
         raise ValueError(f"threads={threads} is not between 0 and 1024")
-    options = {
+    options = _relamp.Options({
         **searched,
         "solver": str(solver),
         "quality": str(quality),
@@ -121,8 +105,7 @@ def delight(
         "fill": bool(fill),
         "engine": str(engine),
         "gpu": str(gpu),
-    }
-    _relamp.check(options)
+    })
     watcher = watcher_of(progress)
     if isinstance(scan, _relamp.Scan):
         if reading:

@@ -14,6 +14,7 @@ import numpy.typing as npt
 
 from . import _relamp
 from .lights import Triple
+from .places import is_finite
 
 #: What a lights file says (docs/guide/lights.md): its path, or its content as a dict.
 Light = Union[str, "os.PathLike[str]", Mapping[str, Any]]
@@ -34,7 +35,7 @@ class Camera:
     field_of_view: float = 1.3  #: rad across the width, 0..pi
 
     def __post_init__(self) -> None:
-        if not np.isfinite([*self.position, *self.target, *self.up, self.field_of_view]).all():
+        if not is_finite([*self.position, *self.target, *self.up, self.field_of_view]):
             raise ValueError("Camera: all numbers must be finite")
         if not 0 < self.field_of_view < math.pi:
             raise ValueError(f"field_of_view={self.field_of_view} is not between 0 and pi")
@@ -59,13 +60,14 @@ class Camera:
 class Relit:
     """A room under one light; Room.relight() makes it."""
 
-    def __init__(self, relit: _relamp.Relit, page_count: int) -> None:
+    def __init__(self, relit: _relamp.Relit, page_count: int, threads: int) -> None:
         self._relit = relit
         self._page_count = page_count
+        self._threads = threads
 
     @property
     def warnings(self) -> Tuple[str, ...]:
-        """What was passed over of the light, a sentence each."""
+        """What was passed over of the light, or is doubtful of it, a sentence each."""
         return tuple(self._relit.warnings)
 
     @property
@@ -98,7 +100,7 @@ class Relit:
             raise ValueError(f"exposure={exposure} is not between -32 and 32")
         arguments = None if camera is None else camera.arguments()
         picture = self._relit.picture(
-            arguments, (width, height), view, exposure, int(antialias), bool(linear), None
+            arguments, (width, height), view, exposure, int(antialias), bool(linear), self._threads, None
         )
         return picture.astype(np.float32) if linear else picture
 

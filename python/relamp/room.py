@@ -49,66 +49,78 @@ class Page:
         self._decomposition = decomposition
         self._index = index
         self._threads = threads
-        self._lock = threading.Lock()
-        self._arrays: Dict[str, Array] = {}
+        self._lock = threading.RLock()
+        self._made: Dict[str, Any] = {}
 
-    def _computed(self, name: str, compute: Callable[[], Dict[str, Array]]) -> Array:
+    def _once(self, name: str, make: Callable[[], Any]) -> Any:
         with self._lock:
-            if name not in self._arrays:
-                self._arrays.update(compute())
-            return self._arrays[name]
+            if name not in self._made:
+                self._made[name] = make()
+            return self._made[name]
 
-    def _layers(self) -> Dict[str, Array]:
-        halves = self._decomposition.layers(self._index, self._threads, None)
-        layers = {name: halves[name].astype(np.float32) for name in ("albedo", "direct", "indirect")}
-        layers["shading"] = layers["direct"] + layers["indirect"]
-        layers["confidence"] = halves["confidence"].astype(np.float32) / np.float32(255)
-        return {name: _frozen(values) for name, values in layers.items()}
+    def _float(self, name: str) -> Array:
+        """A layer of the library's half floats or bytes; only those that are asked for are made."""
+        layers = self._once(
+            "layers", lambda: self._decomposition.layers(self._index, self._threads, None)
+        )
+        return _frozen(layers[name].astype(np.float32))
 
-    def _geometry(self) -> Dict[str, Array]:
-        return dict(zip(("positions", "normals"), self._decomposition.geometry(self._index)))
+    def _layer(self, name: str) -> Array:
+        made: Array = self._once(name, lambda: self._float(name))
+        return made
+
+    def _geometry(self) -> Tuple[Array, Array]:
+        made: Tuple[Array, Array] = self._once(
+            "geometry", lambda: self._decomposition.geometry(self._index, self._threads)
+        )
+        return made
 
     @property
     def albedo(self) -> Array:
         """(H, W, 3) float32, linear, 0..0.9: the colour of the surfaces without any light."""
-        return self._computed("albedo", self._layers)
+        return self._layer("albedo")
 
     @property
     def direct(self) -> Array:
         """(H, W, 3) float32: irradiance / pi straight from the lamps, windows and the sun."""
-        return self._computed("direct", self._layers)
+        return self._layer("direct")
 
     @property
     def indirect(self) -> Array:
         """(H, W, 3) float32: irradiance / pi by way of other surfaces, and through holes."""
-        return self._computed("indirect", self._layers)
+        return self._layer("indirect")
 
     @property
     def shading(self) -> Array:
         """(H, W, 3) float32: direct + indirect. Times the albedo it is the scan, linear."""
-        return self._computed("shading", self._layers)
+        made: Array = self._once("shading", lambda: _frozen(self.direct + self.indirect))
+        return made
 
     @property
     def confidence(self) -> Array:
         """(H, W) float32, 0 (albedo is a guess) to 1. Source: docs/method/confidence.md."""
-        return self._computed("confidence", self._layers)
+        made: Array = self._once(
+            "confidence", lambda: _frozen(self._float("confidence") / np.float32(255))
+        )
+        return made
 
     @property
     def fixtures(self) -> Array:
         """(H, W) int32: the id of the lamp or window; -1 none, -2 burnt out and no lamp."""
-        return self._computed(
-            "fixtures", lambda: {"fixtures": self._decomposition.fixtures(self._index)}
+        made: Array = self._once(
+            "fixtures", lambda: self._decomposition.fixtures(self._index, self._threads)
         )
+        return made
 
     @property
     def positions(self) -> Array:
         """(H, W, 3) float32: where texels lie in the world, m; 0 where no surface is."""
-        return self._computed("positions", self._geometry)
+        return self._geometry()[0]
 
     @property
     def normals(self) -> Array:
         """(H, W, 3) float32, unit; 0 where no surface is."""
-        return self._computed("normals", self._geometry)
+        return self._geometry()[1]
 
     def __repr__(self) -> str:
         return f"<relamp.Page {self._index} of {self._decomposition.name!r}>"
@@ -182,7 +194,7 @@ class Room:
             if self._lighter is None:
                 self._lighter = _relamp.Lighter(self._decomposition, self._threads, watcher)
         relit = self._lighter.relight(text, file, settings, self._threads, watcher)
-        return Relit(relit, len(self.pages))
+        return Relit(relit, len(self.pages), self._threads)
 
     def bake(
         self,

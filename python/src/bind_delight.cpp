@@ -5,7 +5,6 @@
 #include "relamp/delight.h"
 #include "relamp/response.h"
 #include "relamp/result.h"
-#include "relamp/threads.h"
 
 #include <memory>
 #include <string>
@@ -21,11 +20,8 @@ using relamp::Decomposition;
 py::dict layersOf(const Decomposition& room, size_t page, int threads, const py::object& progress)
 {
     using namespace py::literals;
-    const auto layers =
-        std::make_shared<const relamp::PageLayers>(watched(progress, [&](relamp::Progress& watch) {
-            const relamp::ThreadLimit limit(threads);
-            return room.layers(page, watch);
-        }));
+    const auto layers = std::make_shared<const relamp::PageLayers>(watched(
+        progress, threads, [&](relamp::Progress& watch) { return room.layers(page, watch); }));
     const auto view = [&](const auto& values, const char* type) {
         return viewOf(values, type, layers->width, layers->height, layers);
     };
@@ -35,17 +31,17 @@ py::dict layersOf(const Decomposition& room, size_t page, int threads, const py:
                     "confidence"_a = view(layers->confidence, "uint8"));
 }
 
-py::array fixtureMapOf(const Decomposition& room, size_t page)
+py::array fixtureMapOf(const Decomposition& room, size_t page, int threads)
 {
     const auto map = std::make_shared<const relamp::FixtureMap>(
-        watched(py::none(), [&](relamp::Progress&) { return room.fixtures(page); }));
+        watched(py::none(), threads, [&](relamp::Progress&) { return room.fixtures(page); }));
     return viewOf(map->id, "int32", map->width, map->height, map);
 }
 
-py::tuple geometryOf(const Decomposition& room, size_t page)
+py::tuple geometryOf(const Decomposition& room, size_t page, int threads)
 {
     const auto geometry = std::make_shared<const relamp::PageGeometry>(
-        watched(py::none(), [&](relamp::Progress&) { return room.geometry(page); }));
+        watched(py::none(), threads, [&](relamp::Progress&) { return room.geometry(page); }));
     const auto view = [&](const std::vector<float>& values) {
         return viewOf(values, "float32", geometry->width, geometry->height, geometry);
     };
@@ -61,8 +57,7 @@ std::string save(const Decomposition& room, const std::filesystem::path& folder,
                  int threads, const py::object& progress)
 {
     const auto replacing = force ? relamp::Replacing::any : relamp::Replacing::unchanged;
-    return watched(progress, [&](relamp::Progress& watch) {
-        const relamp::ThreadLimit limit(threads);
+    return watched(progress, threads, [&](relamp::Progress& watch) {
         return relamp::writeResult(room, sourceOf(*room.scan()), folder, watch, replacing);
     });
 }
@@ -74,6 +69,15 @@ py::dict crossValidationOf(const Decomposition& room)
     return py::dict("pairs"_a = validation.pairs, "scan"_a = validation.scan,
                     "albedo"_a = validation.albedo, "gain"_a = validation.gain(),
                     "improves"_a = validation.improves);
+}
+
+/// All that the program says of a scan and of what came of it.
+std::vector<std::string> warningsOf(const Decomposition& room)
+{
+    std::vector<std::string> warnings = room.scan()->warnings;
+    const std::vector<std::string> ofResult = room.warnings();
+    warnings.insert(warnings.end(), ofResult.begin(), ofResult.end());
+    return warnings;
 }
 
 int within(const char* keyword, int value, int low, int high)
@@ -123,14 +127,12 @@ relamp::DelightOptions optionsOf(const py::dict& given)
 
 /// What relamp delight does between reading a scan and writing its result, in its order.
 std::pair<std::shared_ptr<Decomposition>, std::vector<std::string>>
-delight(const std::shared_ptr<relamp::Scan>& scan, const py::dict& given,
+delight(const std::shared_ptr<relamp::Scan>& scan, relamp::DelightOptions options,
         const std::filesystem::path& lights, const std::filesystem::path& response, int threads,
         const py::object& progress)
 {
-    relamp::DelightOptions options = optionsOf(given);
     std::vector<std::string> notes;
-    auto room = watched(progress, [&](relamp::Progress& watch) {
-        const relamp::ThreadLimit limit(threads);
+    auto room = watched(progress, threads, [&](relamp::Progress& watch) {
         relamp::checkDevice(options.engine);
         if (!lights.empty()) {
             options.lights = relamp::readLights(lights, notes);
@@ -161,15 +163,15 @@ void bindDelight(py::module_& module)
                                [](const Decomposition& room) { return room.scan()->pages.size(); })
         .def_property_readonly("name",
                                [](const Decomposition& room) { return room.scan()->title(); })
-        .def_property_readonly("warnings", &Decomposition::warnings)
+        .def_property_readonly("warnings", &warningsOf)
         .def_property_readonly("cross_validation", &crossValidationOf)
         .def("layers", &layersOf, py::arg("page"), py::arg("threads"), py::arg("progress"))
-        .def("fixtures", &fixtureMapOf, py::arg("page"))
-        .def("geometry", &geometryOf, py::arg("page"))
+        .def("fixtures", &fixtureMapOf, py::arg("page"), py::arg("threads"))
+        .def("geometry", &geometryOf, py::arg("page"), py::arg("threads"))
         .def("save", &save, py::arg("folder"), py::arg("force"), py::arg("threads"),
              py::arg("progress"));
-    module.def(
-        "check", [](const py::dict& options) { optionsOf(options); }, py::arg("options"));
+    py::class_<relamp::DelightOptions>(module, "Options", "The keywords of delight(), checked.")
+        .def(py::init(&optionsOf), py::arg("given"));
     module.def("delight", &delight, py::arg("scan"), py::arg("options"), py::arg("lights"),
                py::arg("response"), py::arg("threads"), py::arg("progress"));
 }

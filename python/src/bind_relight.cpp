@@ -4,7 +4,6 @@
 
 #include "relamp/picture.h"
 #include "relamp/relight.h"
-#include "relamp/threads.h"
 
 #include <memory>
 #include <mutex>
@@ -26,10 +25,14 @@ public:
           photographer(relighter_)
     {}
 
-    std::vector<relamp::Image> radiance(const relamp::Relighting& light, relamp::Progress& progress)
+    /// `warnings` receives what is doubtful of the light.
+    std::vector<relamp::Image> radiance(const relamp::Relighting& light,
+                                        std::vector<std::string>& warnings,
+                                        relamp::Progress& progress)
     {
         const std::scoped_lock one(mutex_);
         relighter_.light(light, progress);
+        warnings.insert(warnings.end(), relighter_.warnings().begin(), relighter_.warnings().end());
         return relamp::radianceOfPages(relighter_, progress);
     }
 
@@ -55,10 +58,8 @@ struct Relit
 std::shared_ptr<Lighter> lighterOf(const relamp::Decomposition& room, int threads,
                                    const py::object& progress)
 {
-    return watched(progress, [&](relamp::Progress& watch) {
-        const relamp::ThreadLimit limit(threads);
-        return std::make_shared<Lighter>(room, watch);
-    });
+    return watched(progress, threads,
+                   [&](relamp::Progress& watch) { return std::make_shared<Lighter>(room, watch); });
 }
 
 /// `text` is that of a lights file, and `file` where it lies; empty: all is dark but for what
@@ -75,9 +76,8 @@ std::shared_ptr<Relit> relight(const std::shared_ptr<Lighter>& lighter, const st
                        ? relamp::darkened(captured)
                        : relamp::RelightingReader().read(text, file, captured, relit->warnings);
     for (const std::string& setting : settings) relamp::setFixture(relit->light, captured, setting);
-    relit->pages = watched(progress, [&](relamp::Progress& watch) {
-        const relamp::ThreadLimit limit(threads);
-        return lighter->radiance(relit->light, watch);
+    relit->pages = watched(progress, threads, [&](relamp::Progress& watch) {
+        return lighter->radiance(relit->light, relit->warnings, watch);
     });
     return relit;
 }
@@ -105,7 +105,7 @@ relamp::Camera cameraOf(const CameraArguments& given)
 /// `exposure`: stops; None: so that the log-average is middle grey. `linear`: the light itself.
 py::array pictureOf(const Relit& relit, const std::optional<CameraArguments>& given,
                     std::pair<int, int> size, const std::string& view,
-                    std::optional<float> exposure, int antialias, bool linear,
+                    std::optional<float> exposure, int antialias, bool linear, int threads,
                     const py::object& progress)
 {
     const relamp::Photographer& photographer = relit.lighter->photographer;
@@ -117,14 +117,14 @@ py::array pictureOf(const Relit& relit, const std::optional<CameraArguments>& gi
                                    .sky = relit.light.sky,
                                    .lamps = relit.light.lights};
     if (linear) {
-        const auto image =
-            std::make_shared<const relamp::Image>(watched(progress, [&](relamp::Progress& watch) {
+        const auto image = std::make_shared<const relamp::Image>(
+            watched(progress, threads, [&](relamp::Progress& watch) {
                 return photographer.take(relit.pages, camera, options, watch);
             }));
         return viewOf(image->half(), "float16", image->width, image->height, image);
     }
     const auto bytes = std::make_shared<const std::vector<uint8_t>>(
-        watched(progress, [&](relamp::Progress& watch) {
+        watched(progress, threads, [&](relamp::Progress& watch) {
             options.view.exposure =
                 exposure ? *exposure
                          : photographer.automaticExposure(relit.pages, camera, options, watch);
@@ -146,5 +146,6 @@ void bindRelight(py::module_& module)
         .def_readonly("warnings", &Relit::warnings)
         .def("radiance", &radianceOf, py::arg("page"))
         .def("picture", &pictureOf, py::arg("camera"), py::arg("size"), py::arg("view"),
-             py::arg("exposure"), py::arg("antialias"), py::arg("linear"), py::arg("progress"));
+             py::arg("exposure"), py::arg("antialias"), py::arg("linear"), py::arg("threads"),
+             py::arg("progress"));
 }

@@ -128,7 +128,7 @@ std::shared_ptr<Scan> scanOfFile(const std::filesystem::path& file, const std::s
     if (longestSide < 0)
         throw py::value_error(fmt::format("longest_side={} is less than 0", longestSide));
     options.longestSide = longestSide;
-    return watched(progress, [&](relamp::Progress& watch) {
+    return watched(progress, 0, [&](relamp::Progress& watch) {
         return std::make_shared<Scan>(relamp::readScan(file, options, watch));
     });
 }

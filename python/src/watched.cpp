@@ -1,5 +1,7 @@
 #include "watched.h"
 
+#include "relamp/threads.h"
+
 #include <chrono>
 #include <future>
 #include <mutex>
@@ -39,12 +41,16 @@ bool endsSoon(const std::future<void>& done)
 
 } // namespace
 
-void runWatched(const py::object& watcher, const std::function<void(relamp::Progress&)>& work)
+void runWatched(const py::object& watcher, int threads,
+                const std::function<void(relamp::Progress&)>& work)
 {
     LatestEvent latest;
     relamp::Progress progress(
         [&latest](const relamp::Progress::Event& event) { latest.set(event); });
-    std::future<void> done = std::async(std::launch::async, [&] { work(progress); });
+    std::future<void> done = std::async(std::launch::async, [&] {
+        const relamp::ThreadLimit limit(threads);
+        work(progress);
+    });
     try {
         while (!endsSoon(done)) {
             if (PyErr_CheckSignals() != 0) throw py::error_already_set();

@@ -85,6 +85,19 @@ def test_dark_room_is_black(room):
     assert room.relight().picture(size=(32, 18), exposure=0.0).max() < 8
 
 
+def test_light_after_one_that_was_interrupted_is_the_same(room):
+    """What an interrupted light has left must not be in the next."""
+    whole = room.bake(fixtures={"all": "on"})[0]
+
+    def refuse(stage, share):
+        raise KeyboardInterrupt
+
+    lamps = [{"type": "sphere", "position": [1, 1, z], "radius": 0.2, "radiance": [9, 9, 9]} for z in (-2, -1, 0, 1)]
+    with pytest.raises(KeyboardInterrupt):
+        room.relight({"lights": lamps * 40}, progress=refuse)
+    assert (room.bake(fixtures={"all": "on"})[0] == whole).all()
+
+
 def test_picture_from_a_camera(room):
     relit = room.relight(fixtures={"all": "on"})
     low, high = room.positions.min(axis=(0, 1)), room.positions.max(axis=(0, 1))

@@ -77,6 +77,8 @@ def test_other_threads_go_on_and_results_are_the_same(sample, room):
         (dict(seed=-1), "seed"),
         (dict(threads=-1), "threads"),
         (dict(white=[(0, 0, float("inf"))]), "white"),
+        (dict(white=[(0, 0, 1e300)]), "white"),
+        (dict(white=[(1, 2), (3, 4), (5, 6)]), "white"),
         (dict(same=[((0, 0, 0),)]), "same"),
         (dict(lights="lights.json", no_sun=True), "no_sun"),
         (dict(up="x"), "up"),

@@ -311,11 +311,14 @@ TEST_F(ResultProgram, SeveralScansGoIntoFoldersOfTheirNames)
 
 TEST_F(ResultProgram, CtrlCEndsAllScansThatAreToCome)
 {
-    const Outcome run =
-        inside(".", "for i in 1 2 3 4 5 6 7 8; do cp room.glb $i.glb; done; timeout "
-                    "-s INT 1.5 $RELAMP delight [1-8].glb -o all --quality draft -q");
+    std::vector<std::string> arguments{"delight", "-o", folder / "all", "-q", "--quality", "draft"};
+    for (const char* name :
+         {"1.glb", "2.glb", "3.glb", "4.glb", "5.glb", "6.glb", "7.glb", "8.glb"}) {
+        fs::copy_file(folder / "room.glb", folder / name);
+        arguments.push_back(folder / name);
+    }
 
-    EXPECT_EQ(run.exitCode, 124);
+    EXPECT_EQ(runRelamp(arguments, 1.5).exitCode, 130);
     EXPECT_FALSE(fs::exists(folder / "all" / "8"));
 }
 
