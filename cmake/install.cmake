@@ -1,6 +1,7 @@
-# `cmake --install` gives bin/relamp, the library with its headers, and what find_package(relamp) reads;
-# `cpack` puts the same into one Debian package.
+# `cmake --install` gives bin/relamp, the library with its headers, what find_package(relamp) reads, and the Python
+# module; `cpack` puts the module into the Debian package python3-relamp, and all else into relamp.
 include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME relamp)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/relamp)
 install(TARGETS relamp EXPORT relamp_targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -33,9 +34,23 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS $<TARGET_FILE_DIR:relamp>)
-# The Python module works with NumPy alone. The headers name GLM's types. The program does not need it, and apt brings what is recommended
-# unless told otherwise. libvulkan1 is looked for when a GPU is.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libglm-dev, libvulkan1, python3-numpy")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS ffmpeg) # for films as .mp4
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/src) # librelamp, which the module loads
+# The headers name GLM's types. The program does not need it, and apt brings what is recommended unless told otherwise.
+# libvulkan1 is looked for when a GPU is.
+set(CPACK_DEBIAN_RELAMP_PACKAGE_RECOMMENDS "libglm-dev, libvulkan1")
+set(CPACK_DEBIAN_RELAMP_PACKAGE_SUGGESTS ffmpeg) # for films as .mp4
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
+set(CPACK_COMPONENTS_ALL relamp)
+set(CPACK_DEBIAN_RELAMP_PACKAGE_NAME relamp)
+if(TARGET relamp_python)
+    list(APPEND CPACK_COMPONENTS_ALL python3)
+    math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+    set(CPACK_COMPONENT_PYTHON3_DEPENDS relamp)
+    set(CPACK_DEBIAN_PYTHON3_PACKAGE_NAME python3-relamp)
+    set(CPACK_DEBIAN_PYTHON3_PACKAGE_SECTION python)
+    set(CPACK_DEBIAN_PYTHON3_DESCRIPTION "relamp for Python: the light taken out of a scanned room, as NumPy arrays")
+    set(CPACK_DEBIAN_PYTHON3_PACKAGE_DEPENDS
+        "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
+endif()
 include(CPack)

@@ -13,24 +13,36 @@ text names the file, the thing in it and the way out; a wrong argument is a Valu
 
 from ._relamp import Error, Scan, __version__, read_scan
 from .delight import delight
+from .inspection import Inspection, PageInspection, inspect
 from .lights import Fixture, Lights, Sun
+from .page import DOUBTS, Page
 from .relit import Camera, Relit
-from .room import CrossValidation, Page, Room
+from .room import CameraModel, CrossValidation, Opening, Room
+from .verification import Verification, VerifiedBin, verify
 
 __all__ = [
+    "DOUBTS",
     "Camera",
+    "CameraModel",
     "CrossValidation",
     "Error",
     "Fixture",
+    "Inspection",
     "Lights",
+    "Opening",
     "Page",
+    "PageInspection",
     "Relit",
     "Room",
     "Scan",
     "Sun",
+    "Verification",
+    "VerifiedBin",
     "__version__",
     "delight",
+    "inspect",
     "read_scan",
+    "verify",
 ]
 for _public in (Error, Scan, read_scan):
     _public.__module__ = "relamp"

@@ -8,6 +8,7 @@ _Path = Union[str, "os.PathLike[str]"]
 _Watcher = Callable[[str, float], object]
 
 __version__: str
+DOUBTS: Tuple[str, ...]
 
 class Error(RuntimeError): ...
 
@@ -67,6 +68,10 @@ class Decomposition:
     def warnings(self) -> List[str]: ...
     @property
     def cross_validation(self) -> Dict[str, Any]: ...
+    @property
+    def openings(self) -> List[Dict[str, Any]]: ...
+    @property
+    def camera(self) -> Dict[str, Any]: ...
     def layers(self, page: int, threads: int, progress: Optional[_Watcher]) -> Dict[str, _Array]: ...
     def fixtures(self, page: int, threads: int) -> _Array: ...
     def geometry(self, page: int, threads: int) -> Tuple[_Array, _Array]: ...
@@ -93,6 +98,42 @@ class Relit:
         threads: int,
         progress: Optional[_Watcher],
     ) -> _Array: ...
+
+class FilmArguments:
+    def __init__(
+        self,
+        camera: Optional[Tuple[Any, ...]],
+        size: Tuple[int, int],
+        view: str,
+        exposure: Optional[float],
+        antialias: int,
+        turntable: int,
+        fps: float,
+        force: bool,
+    ) -> None: ...
+
+def write_film(
+    lighter: Lighter,
+    target: _Path,
+    text: str,
+    file: _Path,
+    settings: Sequence[str],
+    timeline: _Path,
+    arguments: FilmArguments,
+    threads: int,
+    progress: Optional[_Watcher],
+) -> List[str]: ...
+def inspect(scan: Scan, threads: int, progress: Optional[_Watcher]) -> Dict[str, Any]: ...
+def verify(
+    folder: _Path,
+    samples: int,
+    places: int,
+    seed: int,
+    scan: _Path,
+    allow_outside: bool,
+    threads: int,
+    progress: Optional[_Watcher],
+) -> Dict[str, Any]: ...
 
 class Options:
     def __init__(self, given: Dict[str, Any]) -> None: ...

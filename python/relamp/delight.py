@@ -12,6 +12,10 @@ from .progress import Progress, watcher_of
 from .room import Room
 
 _READING = ("up", "scale", "transfer", "skip_mesh", "allow_outside", "allow_overlap", "longest_side")
+_THESIS = (
+    "emitter_threshold", "expansion", "light_levels", "attenuation", "power", "ambient", "merge_distance", "rsm_size",
+    "lpv_size", "lpv_steps", "flatten_reach", "flatten_range", "no_lpv", "no_ambient",
+)  # fmt: skip
 Path = Union[str, "os.PathLike[str]"]
 
 
@@ -49,12 +53,15 @@ def delight(
     gpu: str = "",
     threads: int = 0,
     progress: Progress = None,
-    **reading: Any,
+    **more: Any,
 ) -> Room:
     """Takes the light out of a scan, as the program `relamp delight` does; keywords are its options.
 
-    scan: a file, or a relamp.Scan. For a file, `reading` are the keywords of relamp.read_scan: up,
-    scale, transfer, skip_mesh, allow_outside, allow_overlap.
+    scan: a file, or a relamp.Scan. For a file, `more` can be keywords of relamp.read_scan: up,
+    scale, transfer, skip_mesh, allow_outside, allow_overlap. For the thesis solver it can be its
+    parameters: emitter_threshold, expansion, light_levels, attenuation, power, ambient,
+    merge_distance, rsm_size, lpv_size, lpv_steps, flatten_reach, flatten_range, no_lpv, no_ambient;
+    see docs/guide/thesis.md.
     solver: 'gather', 'pathtrace' or 'thesis'. quality: 'draft', 'standard' or 'high'.
     lights: a lights.json, instead of looking for lamps. light, not_a_light: places (m) that shine or
     do not; same: pairs of places of one paint; white: places that are white as paper.
@@ -83,9 +90,13 @@ def delight(
         "no_gain": bool(no_gain),
     }
     curve = "" if response is None else os.fspath(response)
-    for keyword in reading:
-        if keyword not in _READING:
+    reading = {keyword: value for keyword, value in more.items() if keyword in _READING}
+    thesis = {keyword: value for keyword, value in more.items() if keyword in _THESIS}
+    for keyword in more:
+        if keyword not in _READING and keyword not in _THESIS:
             raise TypeError(f"delight() got an unexpected keyword argument '{keyword}'")
+        if keyword in _THESIS and solver != "thesis":
+            raise ValueError(f"{keyword}: only the thesis solver has a use for it; leave it out")
     _refuse_what_has_no_effect({**searched, "response": curve}, solver, lights)
     if not 1e-6 <= darkest <= 1:
         raise ValueError(f"darkest={darkest} is not between 1e-06 and 1")
@@ -103,6 +114,7 @@ def delight(
         "samples": int(samples),
         "darkest": float(darkest),
         "fill": bool(fill),
+        "thesis": thesis,
         "engine": str(engine),
         "gpu": str(gpu),
     })

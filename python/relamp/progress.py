@@ -16,7 +16,7 @@ def watcher_of(progress: Progress) -> Optional[Watcher]:
     if callable(progress):
         return progress
     try:
-        from tqdm.auto import tqdm
+        from tqdm.auto import tqdm  # type: ignore[import]
     except ImportError:
         raise ValueError(
             "progress=True shows a bar by tqdm, which is not there; install python3-tqdm, or give a function"

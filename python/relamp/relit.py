@@ -57,6 +57,17 @@ class Camera:
         return position, forward, unit(np.asarray(self.up, float)), float(self.field_of_view)
 
 
+def refuse_picture(size: Tuple[int, int], antialias: int, exposure: Optional[float]) -> None:
+    """A ValueError where the numbers of a picture are not what they can be."""
+    width, height = (int(side) for side in size)
+    if not (1 <= width <= 16384 and 1 <= height <= 16384):
+        raise ValueError(f"size={size}: sides are between 1 and 16384 pixels")
+    if not 1 <= antialias <= 16:
+        raise ValueError(f"antialias={antialias} is not between 1 and 16")
+    if exposure is not None and not -32 <= exposure <= 32:
+        raise ValueError(f"exposure={exposure} is not between -32 and 32")
+
+
 class Relit:
     """A room under one light; Room.relight() makes it."""
 
@@ -91,16 +102,11 @@ class Relit:
         1..16384. view: 'agx', 'aces' or 'standard'. exposure: stops, -32..32; None: the log-average
         becomes middle grey. antialias: rays through a pixel, along each side, 1..16.
         """
-        width, height = (int(side) for side in size)
-        if not (1 <= width <= 16384 and 1 <= height <= 16384):
-            raise ValueError(f"size={size}: sides are between 1 and 16384 pixels")
-        if not 1 <= antialias <= 16:
-            raise ValueError(f"antialias={antialias} is not between 1 and 16")
-        if exposure is not None and not -32 <= exposure <= 32:
-            raise ValueError(f"exposure={exposure} is not between -32 and 32")
+        refuse_picture(size, antialias, exposure)
+        width, height = size
         arguments = None if camera is None else camera.arguments()
         picture = self._relit.picture(
-            arguments, (width, height), view, exposure, int(antialias), bool(linear), self._threads, None
+            arguments, (int(width), int(height)), view, exposure, int(antialias), bool(linear), self._threads, None
         )
         return picture.astype(np.float32) if linear else picture
 

@@ -6,17 +6,16 @@ import json
 import os
 import threading
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
-
-import numpy as np
-import numpy.typing as npt
+from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
 
 from . import _relamp
-from .lights import Lights, lights_of
-from .progress import Progress, watcher_of
-from .relit import Light, Relit, text_and_file
+from .lights import Lights, Triple, lights_of
+from .page import Array, Page
+from .progress import Progress, Watcher, watcher_of
+from .relit import Camera, Light, Relit, refuse_picture, text_and_file
 
-Array = npt.NDArray[Any]
+Path = Union[str, "os.PathLike[str]"]
+Settings = Optional[Mapping[Union[int, str], str]]
 
 
 @dataclass(frozen=True)
@@ -33,97 +32,32 @@ class CrossValidation:
     improves: bool  #: False: they agree clearly better in the scan
 
 
-def _frozen(values: Array) -> Array:
-    values.flags.writeable = False
-    return values
+@dataclass(frozen=True)
+class Opening:
+    """A large hole of a scan, through which light comes: a window, a door, a missing ceiling.
 
-
-class Page:
-    """One texture of a room. Arrays have its size, row 0 on top, and are read-only.
-
-    They are computed when the first is asked for, once, and every later look at them is at the same
-    memory, which an array keeps for as long as it is used, whether the room is or not.
+    Source: docs/method/openings.md.
     """
 
-    def __init__(self, decomposition: _relamp.Decomposition, index: int, threads: int) -> None:
-        self._decomposition = decomposition
-        self._index = index
-        self._threads = threads
-        self._lock = threading.RLock()
-        self._made: Dict[str, Any] = {}
+    centre: Triple  #: m
+    normal: Triple  #: unit, into the room
+    area: float  #: m^2
+    radiance: Triple  #: 1 = the texture's white: mean of what lies behind it
 
-    def _once(self, name: str, make: Callable[[], Any]) -> Any:
-        with self._lock:
-            if name not in self._made:
-                self._made[name] = make()
-            return self._made[name]
 
-    def _float(self, name: str) -> Array:
-        """A layer of the library's half floats or bytes; only those that are asked for are made."""
-        layers = self._once(
-            "layers", lambda: self._decomposition.layers(self._index, self._threads, None)
-        )
-        return _frozen(layers[name].astype(np.float32))
+@dataclass(frozen=True)
+class CameraModel:
+    """What the camera made of the light of the room. Source: docs/method/camera.md."""
 
-    def _layer(self, name: str) -> Array:
-        made: Array = self._once(name, lambda: self._float(name))
-        return made
+    contrast: float  #: stops of the texture that a stop of light made in the mid-tones
+    response: Tuple[float, ...]  #: slopes of the curve at 6, 4, 2.5, 1.2 and 0 stops below white
+    local_exponent: float  #: of brightness over half a metre; 1: no local tone mapping
+    gain_stops: float  #: from the darkest place's exposure to the brightest's
+    drifted: float  #: 0..1, how likely the exposure did
 
-    def _geometry(self) -> Tuple[Array, Array]:
-        made: Tuple[Array, Array] = self._once(
-            "geometry", lambda: self._decomposition.geometry(self._index, self._threads)
-        )
-        return made
 
-    @property
-    def albedo(self) -> Array:
-        """(H, W, 3) float32, linear, 0..0.9: the colour of the surfaces without any light."""
-        return self._layer("albedo")
-
-    @property
-    def direct(self) -> Array:
-        """(H, W, 3) float32: irradiance / pi straight from the lamps, windows and the sun."""
-        return self._layer("direct")
-
-    @property
-    def indirect(self) -> Array:
-        """(H, W, 3) float32: irradiance / pi by way of other surfaces, and through holes."""
-        return self._layer("indirect")
-
-    @property
-    def shading(self) -> Array:
-        """(H, W, 3) float32: direct + indirect. Times the albedo it is the scan, linear."""
-        made: Array = self._once("shading", lambda: _frozen(self.direct + self.indirect))
-        return made
-
-    @property
-    def confidence(self) -> Array:
-        """(H, W) float32, 0 (albedo is a guess) to 1. Source: docs/method/confidence.md."""
-        made: Array = self._once(
-            "confidence", lambda: _frozen(self._float("confidence") / np.float32(255))
-        )
-        return made
-
-    @property
-    def fixtures(self) -> Array:
-        """(H, W) int32: the id of the lamp or window; -1 none, -2 burnt out and no lamp."""
-        made: Array = self._once(
-            "fixtures", lambda: self._decomposition.fixtures(self._index, self._threads)
-        )
-        return made
-
-    @property
-    def positions(self) -> Array:
-        """(H, W, 3) float32: where texels lie in the world, m; 0 where no surface is."""
-        return self._geometry()[0]
-
-    @property
-    def normals(self) -> Array:
-        """(H, W, 3) float32, unit; 0 where no surface is."""
-        return self._geometry()[1]
-
-    def __repr__(self) -> str:
-        return f"<relamp.Page {self._index} of {self._decomposition.name!r}>"
+def _settings(fixtures: Settings) -> List[str]:
+    return [f"{which}={what}" for which, what in (fixtures or {}).items()]
 
 
 class Room:
@@ -152,6 +86,16 @@ class Room:
         return lights_of(self._decomposition.lights)
 
     @property
+    def openings(self) -> Tuple[Opening, ...]:
+        """Large holes of the scan that light comes through, by falling area."""
+        return tuple(Opening(**opening) for opening in self._decomposition.openings)
+
+    @property
+    def camera(self) -> CameraModel:
+        """What the camera did, which the albedo is free of."""
+        return CameraModel(**self._decomposition.camera)
+
+    @property
     def cross_validation(self) -> CrossValidation:
         """Whether the albedo is better than the scan, as far as that can be told without truth."""
         return CrossValidation(**self._decomposition.cross_validation)
@@ -166,6 +110,8 @@ class Room:
     indirect = property(lambda self: self.pages[0].indirect, doc=Page.indirect.__doc__)
     shading = property(lambda self: self.pages[0].shading, doc=Page.shading.__doc__)
     confidence = property(lambda self: self.pages[0].confidence, doc=Page.confidence.__doc__)
+    doubt = property(lambda self: self.pages[0].doubt, doc=Page.doubt.__doc__)
+    emission = property(lambda self: self.pages[0].emission, doc=Page.emission.__doc__)
     fixtures = property(lambda self: self.pages[0].fixtures, doc=Page.fixtures.__doc__)
     positions = property(lambda self: self.pages[0].positions, doc=Page.positions.__doc__)
     normals = property(lambda self: self.pages[0].normals, doc=Page.normals.__doc__)
@@ -174,7 +120,7 @@ class Room:
         self,
         lights: Optional[Light] = None,
         *,
-        fixtures: Optional[Mapping[Union[int, str], str]] = None,
+        fixtures: Settings = None,
         progress: Progress = None,
     ) -> Relit:
         """The room in another light, with shadows and all bounces. Fixtures are off unless told.
@@ -189,26 +135,80 @@ class Room:
         """
         text, file = text_and_file(lights)
         watcher = watcher_of(progress)
-        settings = [f"{which}={what}" for which, what in (fixtures or {}).items()]
+        relit = self._lit(watcher).relight(text, file, _settings(fixtures), self._threads, watcher)
+        return Relit(relit, len(self.pages), self._threads)
+
+    def _lit(self, watcher: Optional[Watcher]) -> _relamp.Lighter:
         with self._lock:
             if self._lighter is None:
                 self._lighter = _relamp.Lighter(self._decomposition, self._threads, watcher)
-        relit = self._lighter.relight(text, file, settings, self._threads, watcher)
-        return Relit(relit, len(self.pages), self._threads)
+            return self._lighter
 
     def bake(
         self,
         lights: Optional[Light] = None,
         *,
-        fixtures: Optional[Mapping[Union[int, str], str]] = None,
+        fixtures: Settings = None,
         progress: Progress = None,
     ) -> List[Array]:
         """Radiance of the relit room's textures, (H, W, 3) float32 a page; as relight() has it."""
         return self.relight(lights, fixtures=fixtures, progress=progress).radiance
 
+    def film(
+        self,
+        target: Path,
+        lights: Optional[Light] = None,
+        *,
+        fixtures: Settings = None,
+        turntable: int = 0,
+        timeline: Optional[Path] = None,
+        fps: float = 24,
+        camera: Optional[Camera] = None,
+        size: Tuple[int, int] = (1280, 720),
+        view: str = "agx",
+        exposure: Optional[float] = None,
+        antialias: int = 2,
+        force: bool = False,
+        progress: Progress = None,
+    ) -> Tuple[str, ...]:
+        """Writes a film, whole or not at all: target is a .mp4, by ffmpeg, or a folder of pictures.
+
+        turntable: frames 1..9999 of one turn of the camera. timeline: a file of light that changes.
+        One of them is needed. fps: frames a second, 1..240. Light as of relight(), pictures as of
+        Relit.picture(). Returns warnings, a sentence each. Raises relamp.Error where the film
+        cannot be written. Source: docs/guide/relighting.md.
+        """
+        if not 0 <= turntable <= 9999:
+            raise ValueError(f"turntable={turntable} is not between 1 and 9999")
+        if not turntable and timeline is None:
+            raise ValueError("film() needs turntable, a number of frames, or timeline, a file")
+        if not 1 <= fps <= 240:
+            raise ValueError(f"fps={fps} is not between 1 and 240")
+        refuse_picture(size, antialias, exposure)
+        pose = None if camera is None else camera.arguments()
+        width, height = size
+        arguments = _relamp.FilmArguments(
+            pose, (int(width), int(height)), view, exposure, int(antialias), int(turntable), float(fps), force
+        )
+        text, file = text_and_file(lights)
+        changes = "" if timeline is None else os.fspath(timeline)
+        watcher = watcher_of(progress)
+        notes = _relamp.write_film(
+            self._lit(watcher),
+            os.fspath(target),
+            text,
+            file,
+            _settings(fixtures),
+            changes,
+            arguments,
+            self._threads,
+            watcher,
+        )
+        return tuple(notes)
+
     def save(
         self,
-        folder: Union[str, "os.PathLike[str]"],
+        folder: Path,
         *,
         force: bool = False,
         progress: Progress = None,

@@ -16,6 +16,9 @@ void bindScan(pybind11::module_& module);
 void bindLights(pybind11::module_& module);
 void bindDelight(pybind11::module_& module);
 void bindRelight(pybind11::module_& module);
+void bindFilm(pybind11::module_& module);
+void bindInspect(pybind11::module_& module);
+void bindVerify(pybind11::module_& module);
 
 /// The value that a keyword names, or a ValueError that says which there are.
 template<class Enum>

@@ -6,8 +6,10 @@
 #include "relamp/response.h"
 #include "relamp/result.h"
 
+#include <array>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -28,7 +30,8 @@ py::dict layersOf(const Decomposition& room, size_t page, int threads, const py:
     return py::dict("albedo"_a = view(layers->albedo, "float16"),
                     "direct"_a = view(layers->direct, "float16"),
                     "indirect"_a = view(layers->indirect, "float16"),
-                    "confidence"_a = view(layers->confidence, "uint8"));
+                    "confidence"_a = view(layers->confidence, "uint8"),
+                    "doubt"_a = view(layers->doubt, "uint8"));
 }
 
 py::array fixtureMapOf(const Decomposition& room, size_t page, int threads)
@@ -71,6 +74,27 @@ py::dict crossValidationOf(const Decomposition& room)
                     "improves"_a = validation.improves);
 }
 
+py::list openingsOf(const Decomposition& room)
+{
+    using namespace py::literals;
+    py::list openings;
+    for (const relamp::Opening& opening : room.openings())
+        openings.append(py::dict("centre"_a = tupleOf(opening.centre),
+                                 "normal"_a = tupleOf(opening.normal), "area"_a = opening.area,
+                                 "radiance"_a = tupleOf(opening.radiance)));
+    return openings;
+}
+
+py::dict cameraModelOf(const Decomposition& room)
+{
+    using namespace py::literals;
+    const relamp::CameraModel& camera = room.lights().camera;
+    return py::dict("contrast"_a = camera.response.contrast(),
+                    "response"_a = py::tuple(py::cast(camera.response.slope)),
+                    "local_exponent"_a = camera.tone.exponent, "gain_stops"_a = camera.stops(),
+                    "drifted"_a = camera.drifted);
+}
+
 /// All that the program says of a scan and of what came of it.
 std::vector<std::string> warningsOf(const Decomposition& room)
 {
@@ -90,6 +114,43 @@ int within(const char* keyword, int value, int low, int high)
 int withinOrNone(const char* keyword, int value, int low, int high)
 {
     return value == 0 ? 0 : within(keyword, value, low, high);
+}
+
+/// The parameters of the thesis solver that were given; the others stay as they are.
+relamp::ThesisOptions thesisOf(const py::dict& given)
+{
+    relamp::ThesisOptions thesis;
+    const auto set = [&given](const char* keyword, auto& value, auto low, auto high) {
+        using Value = std::remove_pointer_t<decltype(&low)>;
+        if (!given.contains(keyword)) return;
+        const auto number = given[keyword].cast<Value>();
+        if (!(number >= low && number <= high))
+            throw py::value_error(
+                fmt::format("{}={} is not between {} and {}", keyword, number, low, high));
+        value = number;
+    };
+    set("emitter_threshold", thesis.emitterThreshold, 0.0f, 1.0f);
+    set("expansion", thesis.expansion, 1.0f, 1e4f);
+    set("light_levels", thesis.lightLevels, 0, 10);
+    set("power", thesis.power, 1e-6f, 1e6f);
+    set("ambient", thesis.ambient, 0.0f, 1e6f);
+    set("merge_distance", thesis.mergeDistance, 0.0f, 1e6f);
+    set("rsm_size", thesis.rsmSize, 8, 512);
+    set("lpv_size", thesis.lpvSize, 8, 128);
+    set("lpv_steps", thesis.lpvSteps, 1, 128);
+    set("flatten_reach", thesis.flattenReach, 1.0f, 2.0f);
+    set("flatten_range", thesis.flattenRange, 0.01f, 10.0f);
+    if (given.contains("attenuation")) {
+        const auto k = given["attenuation"].cast<std::array<float, 3>>();
+        for (const float factor : k)
+            if (!(factor >= 0.0f && factor <= 1e6f))
+                throw py::value_error(
+                    fmt::format("attenuation: {} is not between 0 and 1000000", factor));
+        thesis.attenuation = glm::vec3(k[0], k[1], k[2]);
+    }
+    if (given.contains("no_lpv")) thesis.useLpv = !given["no_lpv"].cast<bool>();
+    if (given.contains("no_ambient")) thesis.useAmbient = !given["no_ambient"].cast<bool>();
+    return thesis;
 }
 
 /// The keywords of delight() in relamp/delight.py, which names the default of each once.
@@ -118,6 +179,7 @@ relamp::DelightOptions optionsOf(const py::dict& given)
     gather.gain = !get("no_gain").cast<bool>();
     gather.seed = options.pathtrace.seed = get("seed").cast<uint32_t>();
     options.pathtrace.samples = within("samples", get("samples").cast<int>(), 1, 65536);
+    options.thesis = thesisOf(get("thesis"));
     options.albedo.darkest = get("darkest").cast<float>();
     options.albedo.fill = get("fill").cast<bool>();
     options.engine.engine = namedBy<relamp::Engine>("engine", get("engine").cast<std::string>());
@@ -165,11 +227,16 @@ void bindDelight(py::module_& module)
                                [](const Decomposition& room) { return room.scan()->title(); })
         .def_property_readonly("warnings", &warningsOf)
         .def_property_readonly("cross_validation", &crossValidationOf)
+        .def_property_readonly("openings", &openingsOf)
+        .def_property_readonly("camera", &cameraModelOf)
         .def("layers", &layersOf, py::arg("page"), py::arg("threads"), py::arg("progress"))
         .def("fixtures", &fixtureMapOf, py::arg("page"), py::arg("threads"))
         .def("geometry", &geometryOf, py::arg("page"), py::arg("threads"))
         .def("save", &save, py::arg("folder"), py::arg("force"), py::arg("threads"),
              py::arg("progress"));
+    py::list doubts;
+    for (const char* name : relamp::Names<relamp::Doubt>::all) doubts.append(name);
+    module.attr("DOUBTS") = py::tuple(doubts);
     py::class_<relamp::DelightOptions>(module, "Options", "The keywords of delight(), checked.")
         .def(py::init(&optionsOf), py::arg("given"));
     module.def("delight", &delight, py::arg("scan"), py::arg("options"), py::arg("lights"),

@@ -1,12 +1,10 @@
 #include "arrays.h"
 #include "bind.h"
+#include "camera_arguments.h"
+#include "lighter.h"
 #include "watched.h"
 
-#include "relamp/picture.h"
-#include "relamp/relight.h"
-
 #include <memory>
-#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,36 +13,6 @@ namespace
 {
 
 namespace py = pybind11;
-
-/// A room and what rays found of it, for one light after the other.
-class Lighter
-{
-public:
-    Lighter(const relamp::Decomposition& decomposition, relamp::Progress& progress)
-        : room(relamp::delitRoomOf(decomposition, progress)), relighter_(room, {}, progress),
-          photographer(relighter_)
-    {}
-
-    /// `warnings` receives what is doubtful of the light.
-    std::vector<relamp::Image> radiance(const relamp::Relighting& light,
-                                        std::vector<std::string>& warnings,
-                                        relamp::Progress& progress)
-    {
-        const std::scoped_lock one(mutex_);
-        relighter_.light(light, progress);
-        warnings.insert(warnings.end(), relighter_.warnings().begin(), relighter_.warnings().end());
-        return relamp::radianceOfPages(relighter_, progress);
-    }
-
-    const relamp::DelitRoom room;
-
-private:
-    std::mutex mutex_;
-    relamp::Relighter relighter_;
-
-public:
-    const relamp::Photographer photographer;
-};
 
 /// A room under one light.
 struct Relit
@@ -62,8 +30,6 @@ std::shared_ptr<Lighter> lighterOf(const relamp::Decomposition& room, int thread
                    [&](relamp::Progress& watch) { return std::make_shared<Lighter>(room, watch); });
 }
 
-/// `text` is that of a lights file, and `file` where it lies; empty: all is dark but for what
-/// `settings` turn on.
 std::shared_ptr<Relit> relight(const std::shared_ptr<Lighter>& lighter, const std::string& text,
                                const std::filesystem::path& file,
                                const std::vector<std::string>& settings, int threads,
@@ -71,13 +37,12 @@ std::shared_ptr<Relit> relight(const std::shared_ptr<Lighter>& lighter, const st
 {
     const auto relit = std::make_shared<Relit>();
     relit->lighter = lighter;
-    const relamp::Lights& captured = lighter->room.captured;
-    relit->light = text.empty()
-                       ? relamp::darkened(captured)
-                       : relamp::RelightingReader().read(text, file, captured, relit->warnings);
-    for (const std::string& setting : settings) relamp::setFixture(relit->light, captured, setting);
+    relit->light = lightOf(lighter->room.captured, text, file, settings, relit->warnings);
     relit->pages = watched(progress, threads, [&](relamp::Progress& watch) {
-        return lighter->radiance(relit->light, relit->warnings, watch);
+        return lighter->under(relit->light, relit->warnings, watch,
+                              [&](const relamp::Relighter& relighter) {
+                                  return relamp::radianceOfPages(relighter, watch);
+                              });
     });
     return relit;
 }
@@ -86,20 +51,6 @@ py::array radianceOf(const std::shared_ptr<Relit>& relit, size_t page)
 {
     const relamp::Image& image = relit->pages.at(page);
     return viewOf(image.half(), "float16", image.width, image.height, relit);
-}
-
-using CameraArguments = std::tuple<std::tuple<float, float, float>, std::tuple<float, float, float>,
-                                   std::tuple<float, float, float>, float>;
-
-relamp::Camera cameraOf(const CameraArguments& given)
-{
-    const auto vectorOf = [](const std::tuple<float, float, float>& v) {
-        return glm::vec3(std::get<0>(v), std::get<1>(v), std::get<2>(v));
-    };
-    return {.position = vectorOf(std::get<0>(given)),
-            .forward = vectorOf(std::get<1>(given)),
-            .up = vectorOf(std::get<2>(given)),
-            .fieldOfView = std::get<3>(given)};
 }
 
 /// `exposure`: stops; None: so that the log-average is middle grey. `linear`: the light itself.

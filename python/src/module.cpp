@@ -12,4 +12,7 @@ PYBIND11_MODULE(_relamp, module)
     bindLights(module);
     bindDelight(module);
     bindRelight(module);
+    bindFilm(module);
+    bindInspect(module);
+    bindVerify(module);
 }

@@ -10,7 +10,10 @@ import pytest
 import relamp
 
 
-@pytest.mark.parametrize("part", ["relamp", "relamp.delight", "relamp.room", "relamp.relit", "relamp.lights"])
+PARTS = [f"relamp.{part}" for part in ("delight", "room", "page", "relit", "lights", "inspection", "verification")]
+
+
+@pytest.mark.parametrize("part", PARTS)
 def test_examples_of_docstrings_are_true(part, room):
     module = importlib.import_module(part)
     failed, _ = doctest.testmod(module, extraglobs={"room": room, "relamp": relamp})
@@ -33,6 +36,7 @@ def test_stub_names_what_the_module_has():
     stub = ast.parse((Path(relamp.__file__).parent / "_relamp.pyi").read_text())
     module = importlib.import_module("relamp._relamp")
     named = {node.name for node in stub.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
+    named |= {node.target.id for node in stub.body if isinstance(node, ast.AnnAssign)} - {"__version__"}
     assert named == {name for name in dir(module) if not name.startswith("_")}
     for node in stub.body:
         if isinstance(node, ast.ClassDef) and node.name != "Error":

@@ -99,6 +99,8 @@ Scan coarsened(Scan scan, int longestSide)
     for (Page& page : scan.pages)
         if (const int factor = factorFor(page, longestSide); factor > 1)
             page.image = shrunk(page.image, factor);
+    int& limit = scan.options.longestSide; // whoever reads the scan again gets the same textures
+    limit = limit > 0 ? std::min(limit, longestSide) : longestSide;
     return scan;
 }
 

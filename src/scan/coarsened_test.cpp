@@ -31,6 +31,14 @@ TEST(Coarsened, AveragesLightAndNotBytes)
     EXPECT_EQ(image.encoded()[0], 188); // sRGB of a half
 }
 
+TEST(Coarsened, SaysSoInItsOptions)
+{
+    Scan scan = scanOf(greyImage(12, 5, std::vector<uint8_t>(60, 7)));
+    EXPECT_EQ(coarsened(scan, 3).options.longestSide, 3);
+    scan.options.longestSide = 2;
+    EXPECT_EQ(coarsened(scan, 3).options.longestSide, 2);
+}
+
 TEST(Coarsened, HalvesUntilTheLongerSideFits)
 {
     const Scan scan = coarsened(scanOf(greyImage(12, 5, std::vector<uint8_t>(60, 7))), 3);
