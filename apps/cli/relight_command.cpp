@@ -6,6 +6,8 @@
 
 #include "relamp/error.h"
 #include "relamp/film.h"
+#include "relamp/lightmaps.h"
+#include "relamp/names.h"
 #include "relamp/relight.h"
 #include "relamp/threads.h"
 
@@ -37,6 +39,8 @@ struct RelightArguments
     std::vector<std::string> fixtures;
     std::filesystem::path output;
     bool bake = false;
+    std::optional<relamp::LightmapFormat> lightmaps; // of each light; none: one of all together
+    int side = 0;                                    // pixels, of these
     bool force = false;
     bool keepNothing = false;
     bool quiet = false;
@@ -45,6 +49,8 @@ struct RelightArguments
 relamp::Relighting lightingOf(const RelightArguments& arguments, const relamp::Lights& captured,
                               std::vector<std::string>& warnings)
 {
+    if (arguments.lightmaps && arguments.lights.empty() && arguments.fixtures.empty())
+        return relamp::asCaptured(captured);
     relamp::Relighting lighting =
         arguments.lights.empty() ? relamp::darkened(captured)
                                  : relamp::readRelighting(arguments.lights, captured, warnings);
@@ -175,6 +181,13 @@ float writeBaked(const RelightArguments& arguments, const relamp::Relighter& rel
     return view.exposure;
 }
 
+relamp::LightmapOptions lightmapsOf(const RelightArguments& arguments)
+{
+    return {.format = arguments.lightmaps.value_or(relamp::LightmapFormat::exr),
+            .longestSide = arguments.side,
+            .replacing = arguments.force ? relamp::Replacing::any : relamp::Replacing::unchanged};
+}
+
 /// Gives the exposure; `notes` receives what is doubtful of the light or of the room.
 float write(RelightArguments& arguments, const relamp::DelitRoom& room,
             std::vector<std::string>& notes, relamp::Progress& progress)
@@ -182,10 +195,16 @@ float write(RelightArguments& arguments, const relamp::DelitRoom& room,
     const Wish wish = wishOf(arguments, room, notes);
     if (arguments.picture.show != Show::relit) return writeUnlit(arguments, room, wish, progress);
     if (arguments.picture.isFilm()) relamp::checkFilm(filmOf(arguments, wish), arguments.output);
+    if (arguments.lightmaps) relamp::checkLightmaps(arguments.output, lightmapsOf(arguments));
     const relamp::Relighting lighting = lightingOf(arguments, room.captured, notes);
     if (isDark(lighting) && !wish.timeline) notes.push_back(nothingShines(arguments, room));
     if (!arguments.keepNothing) arguments.options.transport = room.transport;
     relamp::Relighter relighter(room, arguments.options, progress);
+    if (arguments.lightmaps) {
+        relamp::writeLightmaps(relighter, lighting, arguments.output, lightmapsOf(arguments),
+                               progress);
+        return 0.0f;
+    }
     relighter.light(lighting, progress);
     const float exposure = arguments.bake
                                ? writeBaked(arguments, relighter, progress)
@@ -198,7 +217,8 @@ float write(RelightArguments& arguments, const relamp::DelitRoom& room,
 void checkPlace(const RelightArguments& arguments)
 {
     const std::filesystem::path& output = arguments.output;
-    const bool isFolder = arguments.picture.isFilm() && !relamp::isVideo(output);
+    const bool isFolder =
+        arguments.lightmaps.has_value() || (arguments.picture.isFilm() && !relamp::isVideo(output));
     std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
     std::error_code error;
     while (isFolder && !std::filesystem::exists(folder, error) && folder != folder.parent_path())
@@ -255,7 +275,11 @@ std::string complaintOfOutput(const RelightArguments& arguments)
     const PictureArguments& picture = arguments.picture;
     if (arguments.bake && (picture.isFilm() || picture.show != Show::relit))
         return "--bake goes with one light, neither with films nor with --show";
-    if (arguments.bake && ending != ".exr" && ending != ".glb")
+    if (!arguments.bake && arguments.lightmaps) return "--per-lamp goes with --bake";
+    if (!arguments.lightmaps && arguments.side > 0) return "--side goes with --bake --per-lamp";
+    if (arguments.lightmaps && !ending.empty())
+        return "with --bake --per-lamp, the name after -o is that of a folder, without an ending";
+    if (arguments.bake && !arguments.lightmaps && ending != ".exr" && ending != ".glb")
         return "with --bake, the name after -o must end in .exr or .glb";
     if (arguments.bake && picture.exposureOf(true).automatic)
         return "--exposure auto goes with pictures and films; give --bake a number of stops";
@@ -336,10 +360,22 @@ void addRelightCommand(CLI::App& app, Run& run)
     command
         .add_option("-o,--output", arguments->output,
                     "A picture, .png or .exr; of films a folder, or .mp4; with --bake "
-                    "radiance.exr, one for each texture, or a model, baked.glb")
+                    "radiance.exr, one for each texture, or a model, baked.glb, or a folder")
         ->required()
         ->type_name("FILE");
     command.add_flag("--bake", arguments->bake, "Bake the light into textures");
+    command
+        .add_option("--per-lamp", arguments->lightmaps,
+                    "With --bake: a lightmap of each light by itself, exr or png, and "
+                    "lightmaps.json, into the folder -o; of the room's own lights, where no others "
+                    "are given (docs/guide/lightmaps.md)")
+        ->transform(oneOf<relamp::LightmapFormat>())
+        ->type_name("FORMAT");
+    command
+        .add_option("--side", arguments->side,
+                    "Pixels of a lightmap along a side, at most [as the texture]")
+        ->check(between(1, 65536))
+        ->type_name("N");
     addLightOptions(command, *arguments);
     addPictureArguments(command, arguments->picture);
     addSolverOptions(command, arguments->options);
@@ -357,7 +393,8 @@ void addRelightCommand(CLI::App& app, Run& run)
         "  relamp relight kitchen --lights lamp.json -o light.png --view standard --exposure 0\n"
         "  relamp relight kitchen --timeline day.json -o day.mp4\n"
         "  relamp relight kitchen --lights lamp.json --bake -o radiance.exr\n"
-        "  relamp relight kitchen --fixture all=on --fixture 2=off --bake -o baked.glb");
+        "  relamp relight kitchen --fixture all=on --fixture 2=off --bake -o baked.glb\n"
+        "  relamp relight kitchen --bake --per-lamp exr -o lightmaps");
     command.callback([arguments, &run] {
         const std::string complaint = complaintOfOutput(*arguments);
         if (!complaint.empty()) throw CLI::ValidationError("--output", complaint);

@@ -5,6 +5,7 @@
 #include "relamp/devices.h"
 #include "relamp/gather.h"
 #include "relamp/image.h"
+#include "relamp/lightmaps.h"
 #include "relamp/relight.h"
 #include "relamp/scan.h"
 #include "relamp/view.h"
@@ -66,6 +67,12 @@ struct Names<LightType>
 {
     static constexpr std::array<const char*, 6> all{"point", "spot",   "rectangle",
                                                     "disc",  "sphere", "sun"};
+};
+
+template<>
+struct Names<LightmapFormat>
+{
+    static constexpr std::array<const char*, 2> all{"exr", "png"};
 };
 
 template<>

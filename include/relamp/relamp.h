@@ -14,6 +14,7 @@
 #include "relamp/image.h"
 #include "relamp/inspect.h"
 #include "relamp/light_probes.h"
+#include "relamp/lightmaps.h"
 #include "relamp/lights.h"
 #include "relamp/names.h"
 #include "relamp/pathtrace.h"

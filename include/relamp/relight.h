@@ -87,10 +87,15 @@ struct Relighting
     std::vector<NewLight> lights;
     std::vector<LitFixture> fixtures; // first those of the room, in its order
     Sky sky;
+    bool windowsAreSaid = false; // true: nothing is a window but what `isWindow` says
 };
 
 /// The room's own fixtures, all switched off.
 RELAMP_API Relighting darkened(const Lights& captured);
+
+/// The light that the scan was made in: fixtures on, sun, and what came through holes, which is one
+/// sky here.
+RELAMP_API Relighting asCaptured(const Lights& captured);
 
 /// Reads a lights file for relighting, described in docs/guide/lights.md: what delight writes, and
 /// lights of all types. Fixtures of the room are off unless the file turns them on. `warnings`
@@ -215,6 +220,9 @@ public:
     /// Radiance of every texel of a page under the light that was set, linear half RGB of the
     /// page's size; pixels that no surface covers continue what lies next to them.
     [[nodiscard]] Image radiance(size_t page, Progress& progress = unwatched()) const;
+    /// Irradiance / pi of the same, a lightmap; `longestSide` as LightmapOptions has it.
+    [[nodiscard]] Image shading(size_t page, int longestSide = 0,
+                                Progress& progress = unwatched()) const;
 
     [[nodiscard]] const DelitRoom& room() const;
     /// What is doubtful of the room or of the light that was set, a sentence each.

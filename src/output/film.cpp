@@ -3,12 +3,10 @@
 #include "base/fail.h"
 #include "base/file.h"
 #include "image/light_meter.h"
-#include "output/folder_record.h"
+#include "output/listed_folder.h"
 #include "output/small_picture.h"
-#include "output/staged_folder.h"
 #include "output/video_file.h"
 #include "relamp/printable.h"
-#include "relamp/version.h"
 
 #include <algorithm>
 #include <functional>
@@ -20,7 +18,8 @@ namespace relamp
 namespace
 {
 
-constexpr const char* kList = "film.json"; // of a folder's frames
+constexpr const char* kFilmList =
+    "film.json"; // of a folder's frames, by which the next film knows them
 
 /// Calls `take(frame)` for one after the other; what it gives is sRGB.
 using TakeFrame = std::function<std::vector<uint8_t>(int frame)>;
@@ -43,31 +42,21 @@ bool isFrame(const std::string& name)
            });
 }
 
-void checkFolder(const std::filesystem::path& folder, Replacing replacing)
+FolderRules rulesOf(const Film& film)
 {
-    Progress nobody;
-    const StagedFolder trial(folder, nobody);
-    if (replacing == Replacing::unchanged)
-        checkReplaceable(folder, FolderRecord::read(folder, kList),
-                         [](const std::string& name) { return name == kList || isFrame(name); });
+    return {kFilmList, [](const std::string& name) { return name == kFilmList || isFrame(name); },
+            film.replacing};
 }
 
-/// The frames, and a list of them by which the next film knows its own.
 void writeFolder(const std::filesystem::path& folder, const Film& film, const TakeFrame& take,
                  Progress& progress)
 {
-    StagedFolder staged(folder, progress);
+    ListedFolder files(folder, rulesOf(film), progress);
     for (int frame = 0; frame < film.frames; ++frame) {
         const auto png = encodePng(take(frame), sizeOf(film), 3);
-        writeFile(staged / nameOfFrame(frame), std::as_bytes(std::span(png)));
+        writeFile(files / nameOfFrame(frame), std::as_bytes(std::span(png)));
     }
-    const FolderRecord record(staged.path(), kList);
-    const nlohmann::ordered_json list{{"program", std::string("relamp ") + version()},
-                                      {"files", record.asJson()}};
-    writeFile(staged / kList, list.dump(1, '\t') + "\n");
-    progress.check();
-    checkFolder(folder, film.replacing);
-    staged.commit(kList, FolderRecord::read(folder, kList).names());
+    files.commit(nlohmann::ordered_json::object());
 }
 
 void writeVideo(const std::filesystem::path& file, const Film& film, const TakeFrame& take,
@@ -151,7 +140,7 @@ bool isVideo(const std::filesystem::path& target)
 
 void checkFilm(const Film& film, const std::filesystem::path& target)
 {
-    if (!isVideo(target)) return checkFolder(target, film.replacing);
+    if (!isVideo(target)) return checkListedFolder(target, rulesOf(film));
     Progress nobody;
     const VideoFile trial(target, sizeOf(film), film.framesPerSecond, nobody);
 }

@@ -106,6 +106,19 @@ Relighting darkened(const Lights& captured)
     return lighting;
 }
 
+Relighting asCaptured(const Lights& captured)
+{
+    Relighting lighting = darkened(captured);
+    for (size_t place = 0; place < captured.fixtures.size(); ++place)
+        lighting.fixtures[place].fixture.radiance = captured.fixtures[place].radiance;
+    if (captured.sun)
+        lighting.lights.push_back({.type = LightType::sun,
+                                   .emission = captured.sun->irradiance,
+                                   .direction = -captured.sun->direction});
+    lighting.sky.radiance = captured.ambient;
+    return lighting;
+}
+
 void setFixture(Relighting& lighting, const Lights& captured, const std::string& setting)
 {
     const size_t equals = setting.find('=');

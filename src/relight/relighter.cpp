@@ -150,6 +150,11 @@ Image Relighter::radiance(size_t page, Progress& progress) const
     return relitPage(*state_, page, progress);
 }
 
+Image Relighter::shading(size_t page, int longestSide, Progress& progress) const
+{
+    return shadingPage(*state_, page, longestSide, progress);
+}
+
 const DelitRoom& Relighter::room() const
 {
     return state_->room;

@@ -296,9 +296,11 @@ void LightsReader::readWhite(const JsonItem& top)
 
 Relighting LightsReader::read(const JsonItem& top)
 {
-    top.warnOfUnknown(
-        {"format", "units", "fixtures", "lights", "ambient", "openings", "sun", "sky", "white"},
-        warnings_);
+    // What delight says of the camera and of how far it believes its shading is not about new
+    // light.
+    top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient", "openings", "sun", "sky",
+                       "white", "camera", "tempering"},
+                      warnings_);
     lighting_ = darkened(captured_);
     readWhite(top);
     readFixtures(top);

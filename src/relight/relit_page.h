@@ -16,4 +16,11 @@ std::vector<glm::vec3> reflecting(const Relighter::State& state);
 /// Radiance of a page's texels: albedo * shading, and what lamps that are on send.
 Image relitPage(const Relighter::State& state, size_t page, Progress& progress);
 
+/// Their albedo as light meets it (RoomAlbedo), linear.
+Image albedoPage(const Relighter::State& state, size_t page);
+
+/// Their shading, irradiance / pi, in a picture whose sides are halved until none is longer than
+/// `longestSide`; 0: as large as the page.
+Image shadingPage(const Relighter::State& state, size_t page, int longestSide, Progress& progress);
+
 } // namespace relamp

@@ -60,7 +60,8 @@ std::vector<uint8_t> likelyWindowOpenings(const RayScene& scene,
 Relighting withWindowOpenings(Relighting lighting, const Lights& captured,
                               std::span<const uint8_t> isOpening)
 {
-    const bool isSaid = std::ranges::any_of(lighting.fixtures, &LitFixture::isWindow);
+    const bool isSaid =
+        lighting.windowsAreSaid || std::ranges::any_of(lighting.fixtures, &LitFixture::isWindow);
     if (isSaid || !hasOutsideLight(lighting)) return lighting;
     for (LitFixture& lit : lighting.fixtures) {
         const size_t place = captured.placeOf(lit.fixture.id);

@@ -120,6 +120,31 @@ TEST_F(RelightProgram, WritesTheSameBytesOnAnyNumberOfThreadsAndFromAnOldTranspo
     EXPECT_GT(std::filesystem::file_size(room() + "/transport.bin"), 1000000u);
 }
 
+TEST_F(RelightProgram, LightmapsOfLampsAddUpToTheirLight)
+{
+    ASSERT_EQ(bake(out("all.exr"), {"--lights", room() + "/lights.json"}).exitCode, 0);
+    ASSERT_EQ(bake(out("maps"), {"--per-lamp", "exr"}).exitCode, 0);
+    const Picture all = readPicture(out("all.exr"));
+    const Picture albedo = readPicture(out("maps") / "albedo.exr");
+    const Picture fixtures = readPicture(out("maps") / "fixtures.png");
+    Picture sum = albedo;
+    std::fill(sum.rgb.begin(), sum.rgb.end(), glm::vec3(0.0f));
+    const auto list = nlohmann::json::parse(contentOf(out("maps") / "lightmaps.json"));
+    for (const nlohmann::json& light : list["lights"]) {
+        const Picture map = readPicture(out("maps") / light["maps"][0]["file"].get<std::string>());
+        for (size_t i = 0; i < sum.rgb.size(); ++i) sum.rgb[i] += map.rgb[i] * albedo.rgb[i];
+    }
+    EXPECT_EQ(list["lights"].size(), 4u); // a window, two lamps, and what comes in through holes
+    const Picture mask = readPicture(kSample / "mask.png");
+    const auto isPaint = [&](size_t i) {
+        return mask.rgb[i].r > 0.5f && fixtures.rgb[i] == glm::vec3(0.0f);
+    };
+    // A lamp that is off reflects the light of the others; one that is on does not.
+    EXPECT_NEAR(psnr(sum, all, 1.0f, isPaint), 42.3, 0.5);
+    EXPECT_THAT(bake(out("maps.exr"), {"--per-lamp", "exr"}).err, HasSubstr("a folder"));
+    EXPECT_THAT(bake(out("maps.exr"), {"--side", "64"}).err, HasSubstr("--per-lamp"));
+}
+
 TEST_F(RelightProgram, BakesAModelThatNeedsNoLight)
 {
     const Outcome run = bake(out("baked.glb"), {"--fixture", "all=on", "--exposure", "1"});
