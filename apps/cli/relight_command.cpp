@@ -1,6 +1,7 @@
 #include "command.h"
 #include "interrupt.h"
 #include "picture_arguments.h"
+#include "pipes.h"
 #include "scan_arguments.h"
 #include "terminal.h"
 
@@ -29,6 +30,8 @@
 namespace
 {
 
+constexpr size_t kMostPiped = size_t{16} << 20; // bytes, of a lights file
+
 struct RelightArguments
 {
     ScanArguments room; // a folder of delight's, or a scan whose texture is an albedo
@@ -36,6 +39,7 @@ struct RelightArguments
     relamp::RelightOptions options;
     PictureArguments picture;
     std::filesystem::path lights;
+    std::string pipedLights; // the text, where that is -
     std::vector<std::string> fixtures;
     std::filesystem::path output;
     bool bake = false;
@@ -53,7 +57,10 @@ relamp::Relighting lightingOf(const RelightArguments& arguments, const relamp::L
         return relamp::asCaptured(captured);
     relamp::Relighting lighting =
         arguments.lights.empty() ? relamp::darkened(captured)
-                                 : relamp::readRelighting(arguments.lights, captured, warnings);
+        : isPipe(arguments.lights)
+            ? relamp::RelightingReader().read(arguments.pipedLights, arguments.lights, captured,
+                                              warnings)
+            : relamp::readRelighting(arguments.lights, captured, warnings);
     for (const std::string& setting : arguments.fixtures)
         relamp::setFixture(lighting, captured, setting);
     return lighting;
@@ -242,8 +249,12 @@ void checkIsNotScan(const std::filesystem::path& output, const relamp::DelitRoom
 
 int run(RelightArguments& arguments)
 {
-    const Talk talk = arguments.quiet ? Talk::quiet : Talk::normal;
     const auto start = std::chrono::steady_clock::now();
+    // Before Ctrl-C is kept for the work, for nothing else ends a wait for a person's typing.
+    if (isPipe(arguments.lights)) arguments.pipedLights = readPiped(kMostPiped);
+    std::optional<PipedFile> piped;
+    if (isPipe(arguments.output)) arguments.output = piped.emplace(".png").path();
+    const Talk talk = arguments.quiet ? Talk::quiet : Talk::normal;
     relamp::Progress progress(progressDisplay(talk));
     const Interrupt interrupt(progress);
     const relamp::ThreadLimit threads(arguments.room.threads);
@@ -259,10 +270,13 @@ int run(RelightArguments& arguments)
 
     endProgressDisplay(talk);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    if (piped) piped->send();
     if (talk == Talk::quiet) return 0;
-    printAside(fmt::format(
-        "{}: {} in {:.1f} s{}\n", arguments.room.file.string(), arguments.output.string(),
-        elapsed.count(), isMeasured(arguments) ? fmt::format(", exposure {:.2f}", exposure) : ""));
+    if (!piped)
+        printAside(
+            fmt::format("{}: {} in {:.1f} s{}\n", arguments.room.file.string(),
+                        arguments.output.string(), elapsed.count(),
+                        isMeasured(arguments) ? fmt::format(", exposure {:.2f}", exposure) : ""));
     for (const std::string& note : notes) printProblem("note: " + note);
     return 0;
 }
@@ -271,8 +285,12 @@ int run(RelightArguments& arguments)
 std::string complaintOfOutput(const RelightArguments& arguments)
 {
     const std::string ending = arguments.output.extension().string();
-    const bool isPicture = ending == ".png" || ending == ".exr";
+    const bool isPicture = ending == ".png" || ending == ".exr" || isPipe(arguments.output);
     const PictureArguments& picture = arguments.picture;
+    if (isPipe(arguments.output) && (arguments.bake || picture.isFilm()))
+        return "a single picture goes to -, as PNG; name a file or a folder for what --bake, "
+               "--turntable "
+               "and --timeline write";
     if (arguments.bake && (picture.isFilm() || picture.show != Show::relit))
         return "--bake goes with one light, neither with films nor with --show";
     if (!arguments.bake && arguments.lightmaps) return "--per-lamp goes with --bake";
@@ -326,7 +344,7 @@ void addLightOptions(CLI::App& command, RelightArguments& arguments)
 {
     command
         .add_option("--lights", arguments.lights,
-                    "The new light: a lights file (docs/guide/lights.md)")
+                    "The new light: a lights file (docs/guide/lights.md), or - for standard input")
         ->type_name("FILE");
     command
         .add_option("--fixture", arguments.fixtures,
@@ -359,7 +377,8 @@ void addRelightCommand(CLI::App& app, Run& run)
                                             "texture is an albedo");
     command
         .add_option("-o,--output", arguments->output,
-                    "A picture, .png or .exr; of films a folder, or .mp4; with --bake "
+                    "A picture, .png or .exr, or - for a PNG on standard output; of films a "
+                    "folder, or .mp4; with --bake "
                     "radiance.exr, one for each texture, or a model, baked.glb, or a folder")
         ->required()
         ->type_name("FILE");

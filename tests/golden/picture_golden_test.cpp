@@ -91,6 +91,23 @@ protected:
 
 } // namespace
 
+TEST_F(PictureProgram, GoesThroughPipes)
+{
+    const std::string relit = "$RELAMP relight " + room() + " --camera " +
+                              (*shared / "camera.json").string() + " --size 160x90 ";
+    const Outcome run =
+        runInShell(relit + "--lights - -o - <" + lamp + " >" + (folder / "piped.png").string());
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    expectWritten({"--lights", lamp, "-o", folder / "file.png"});
+    EXPECT_EQ(contentOf(folder / "piped.png"), contentOf(folder / "file.png"));
+    const Outcome empty = runInShell(relit + "--lights - -o - </dev/null");
+    EXPECT_EQ(empty.exitCode, 1);
+    EXPECT_EQ(empty.out, "");
+    EXPECT_THAT(empty.err, HasSubstr("nothing came on standard input"));
+    EXPECT_EQ(runInShell(relit + "--lights - -o - <" + lamp + " >/dev/full").exitCode, 1);
+    EXPECT_EQ(relight({"--fixture", "all=on", "--bake", "-o", "-"}).exitCode, 2);
+}
+
 // A stop more is twice the light, and an EXR is the light itself.
 TEST_F(PictureProgram, ALampLightsTheRoom)
 {
