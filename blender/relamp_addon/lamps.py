@@ -1,0 +1,156 @@
+"""Lights of Blender that stand for the lamps and windows that relamp found.
+
+What a watt is to Cycles (tests/cycles_units.py measures it): a point light of W watts has the radiant
+intensity W / (4 pi), so that it sends W in all; an area light has W / 4 along its normal, whatever its
+shape, so that its radiance is W / (4 area); a sun has the irradiance W on what faces it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import bpy
+import numpy
+from mathutils import Matrix, Vector
+
+from . import places
+from .faces import Samples
+from .result import Lamp, Result
+
+FLAT = 0.6  # length of the mean normal, from which on a lamp shines to one side: a disc and a rectangle have 1
+FULL = 0.85  # share of its rectangle that a lamp fills, if it is one; an ellipse fills 0.79
+CLEARANCE = 0.005  # m, of an area light before the surface that it stands for
+
+
+@dataclass
+class Shape:
+    """Of a flat lamp: where it is, and how large."""
+
+    centre: numpy.ndarray
+    axes: numpy.ndarray  # rows: along its width, its height, its normal
+    size: tuple[float, float]
+    is_ellipse: bool
+
+
+def new_light(lamp: Lamp, samples: Samples, unit: float) -> bpy.types.Object:
+    """`samples` are those of its surface, none where the scan does not show it. `unit`: metres of a
+    unit of Blender's.
+    """
+    area = lamp.area / unit**2
+    shape = _shape(lamp, samples, area, unit)
+    if shape is None:
+        light = bpy.data.lights.new(lamp.name, "POINT")
+        radius = math.sqrt(max(area, 0) / (4 * math.pi))
+        light.shadow_soft_size = radius
+        set_power(light, math.pi * area * lamp.radiance)
+        thing = bpy.data.objects.new(lamp.name, light)
+        thing.location = _middle(lamp, samples, unit)
+    else:
+        thing = area_light(lamp.name, shape, lamp.radiance)
+    thing.visible_camera = False  # its surface is seen instead
+    return thing
+
+
+def area_light(name: str, shape: Shape, radiance: numpy.ndarray) -> bpy.types.Object:
+    light = bpy.data.lights.new(name, "AREA")
+    light.shape = "ELLIPSE" if shape.is_ellipse else "RECTANGLE"
+    light.size, light.size_y = shape.size
+    share = math.pi / 4 if shape.is_ellipse else 1
+    set_power(light, 4 * shape.size[0] * shape.size[1] * share * radiance)
+    thing = bpy.data.objects.new(name, light)
+    width, height, normal = (Vector(axis) for axis in shape.axes)
+    turn = Matrix((width, height, -normal)).transposed()  # a light shines along its -Z
+    if turn.determinant() < 0:
+        turn = Matrix((-width, height, -normal)).transposed()
+    thing.matrix_world = Matrix.Translation(Vector(shape.centre)) @ turn.to_4x4()
+    return thing
+
+
+def new_sun(sun: dict) -> bpy.types.Object:
+    light = bpy.data.lights.new("sun", "SUN")
+    light.angle = math.radians(0.53)
+    set_power(light, numpy.array(sun["irradiance"], float))
+    thing = bpy.data.objects.new("sun", light)
+    towards = places.to_blender(numpy.array([sun["direction"]], float))[0]
+    thing.rotation_euler = Vector(towards).to_track_quat("Z", "Y").to_euler()
+    return thing
+
+
+def set_power(light: bpy.types.Light, watts: numpy.ndarray) -> None:
+    """Power of each channel, as power and colour."""
+    most = float(watts.max())
+    light.energy = most
+    if most > 0:
+        light.color = watts / most
+
+
+def lamp_samples(all_samples: list[Samples], number: int) -> Samples:
+    """Those of one lamp, of all objects."""
+    chosen = [one.lamp == number for one in all_samples]
+
+    def joined(name: str) -> numpy.ndarray:
+        parts = [getattr(one, name)[where] for one, where in zip(all_samples, chosen)]
+        return numpy.concatenate(parts) if parts else numpy.empty((0, 3))
+
+    return Samples(joined("place"), joined("normal"), joined("area"), joined("lamp"))
+
+
+def new_lights(result: Result, samples: list[Samples], unit: float) -> list[bpy.types.Object]:
+    lights = [new_light(lamp, lamp_samples(samples, number), unit)
+              for number, lamp in enumerate(result.lamps, 1)]
+    return lights
+
+
+def _middle(lamp: Lamp, samples: Samples, unit: float) -> Vector:
+    if len(samples.area):
+        return Vector(numpy.average(samples.place, axis=0, weights=samples.area))
+    return Vector(places.to_blender(lamp.centre[None])[0] / unit)
+
+
+def _shape(lamp: Lamp, samples: Samples, area: float, unit: float) -> Shape | None:
+    """None where it is not flat."""
+    if not len(samples.area):
+        if lamp.normal is None or area <= 0:
+            return None
+        normal = places.to_blender(lamp.normal[None])[0]
+        side = 2 * math.sqrt(area / math.pi)
+        axes = numpy.array([*_across(normal), normal])
+        return Shape(numpy.array(_middle(lamp, samples, unit)), axes, (side, side), True)
+    mean = numpy.average(samples.normal, axis=0, weights=samples.area)
+    if numpy.linalg.norm(mean) < FLAT:
+        return None
+    normal = mean / numpy.linalg.norm(mean)
+    away = samples.place - numpy.average(samples.place, axis=0, weights=samples.area)
+    middle = samples.place[0] - away[0]
+    width, height, low, high = _narrowest(away, _across(normal))
+    extent = high - low
+    fills = samples.area.sum() / max(float(extent.prod()), 1e-20)
+    before = float((away @ normal).max()) + CLEARANCE / unit
+    centre = middle + normal * before + numpy.array([width, height]).T @ ((low + high) / 2)
+    is_ellipse = fills < FULL
+    # The area is relamp's; only the proportions are those of its surface.
+    grown = math.sqrt(area / (extent.prod() * (math.pi / 4 if is_ellipse else 1)))
+    return Shape(centre, numpy.array([width, height, normal]), tuple(extent * grown), is_ellipse)
+
+
+def _across(normal: numpy.ndarray) -> tuple[numpy.ndarray, numpy.ndarray]:
+    """Two axes at right angles to a normal and to each other; the first is level."""
+    helper = [0, 0, 1] if abs(normal[2]) < 0.9 else [0, 1, 0]
+    first = numpy.cross(helper, normal)
+    first /= numpy.linalg.norm(first)
+    return first, numpy.cross(normal, first)
+
+
+def _narrowest(away: numpy.ndarray, axes) -> tuple[numpy.ndarray, ...]:
+    """Axes of the smallest rectangle around nearly all places, and its ends."""
+    best = None
+    for turn in numpy.radians(numpy.arange(0, 90, 3)):
+        width = math.cos(turn) * axes[0] + math.sin(turn) * axes[1]
+        height = math.cos(turn) * axes[1] - math.sin(turn) * axes[0]
+        on = away @ numpy.array([width, height]).T
+        low, high = numpy.quantile(on, [0.005, 0.995], axis=0)
+        area = float((high - low).prod())
+        if best is None or area < 0.98 * best[0]:  # a level one unless another is clearly smaller
+            best = (area, width, height, low, high)
+    return best[1:]
