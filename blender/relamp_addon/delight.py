@@ -33,11 +33,12 @@ class Job:
     def finish(self, context: bpy.types.Context) -> bpy.types.Collection:
         self.run.check()
         result = Result(f"{self.folder}/result")
-        for thing in self.scan.objects:
+        objects = self.scan.objects()
+        for thing in objects:
             former = state.room_of(thing)
             if former:
                 room.remove(former)
-        return room.build(context, self.scan, result, self.scan.objects[0].name)
+        return room.build(context, self.scan, result, objects[0].name)
 
     def close(self) -> None:
         shutil.rmtree(self.folder, ignore_errors=True)
@@ -84,7 +85,7 @@ class RELAMP_OT_delight(bpy.types.Operator):
         return {"RUNNING_MODAL"}
 
     def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
-        if event.type == "ESC" or context.window_manager.relamp_cancel:
+        if event.type == "ESC" and event.value == "PRESS" or context.window_manager.relamp_cancel:
             self.cancel(context)
             self.report({"INFO"}, "relamp was cancelled; nothing has changed")
             return {"CANCELLED"}
@@ -93,7 +94,7 @@ class RELAMP_OT_delight(bpy.types.Operator):
         job = RELAMP_OT_delight.job
         ended = job.run.poll()
         _show_progress(context, job.run)
-        if not ended:
+        if not ended or context.mode != "OBJECT":  # meshes are not changed under a person's hands
             return {"PASS_THROUGH"}
         try:
             return self._done(context, job)
@@ -158,7 +159,9 @@ def _settings(context: bpy.types.Context, objects: list[bpy.types.Object]) -> pr
 
 
 def _show_progress(context: bpy.types.Context, run: process.Run) -> None:
+    is_done = run.child.poll() == 0
     context.workspace.status_text_set(
+        "relamp is done: go to Object Mode to see it" if is_done and context.mode != "OBJECT" else
         f"relamp: {100 * run.fraction:.0f} %, {run.stage}     Esc: cancel")
     _redraw(context)
 

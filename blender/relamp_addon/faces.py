@@ -22,6 +22,10 @@ class Samples:
     area: numpy.ndarray    # (N,), in square units
     lamp: numpy.ndarray    # (N,), 1 + index of the lamp, 0: none
 
+    def of(self, chosen: numpy.ndarray) -> "Samples":
+        return Samples(self.place[chosen], self.normal[chosen], self.area[chosen],
+                       self.lamp[chosen])
+
 
 def faces_of_lamps(mesh: bpy.types.Mesh, uv_layer: bpy.types.MeshUVLoopLayer,
                    lamp_map: numpy.ndarray) -> numpy.ndarray:

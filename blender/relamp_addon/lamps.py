@@ -18,7 +18,9 @@ from . import places
 from .faces import Samples
 from .result import Lamp, Result
 
-FLAT = 0.6  # length of the mean normal, from which on a lamp shines to one side: a disc and a rectangle have 1
+ONE_SIDED = 0.9  # length of the mean normal from which on a lamp is one light; a flat one has 1
+ROUND = 0.15  # below which it is a ball; half a ball has 0.5, a whole one 0
+LEAST = 0.03  # share of a lamp that is worth a light of its own
 FULL = 0.85  # share of its rectangle that a lamp fills, if it is one; an ellipse fills 0.79
 CLEARANCE = 0.005  # m, of an area light before the surface that it stands for
 
@@ -33,23 +35,62 @@ class Shape:
     is_ellipse: bool
 
 
-def new_light(lamp: Lamp, samples: Samples, unit: float) -> bpy.types.Object:
-    """`samples` are those of its surface, none where the scan does not show it. `unit`: metres of a
-    unit of Blender's.
-    """
+def new_lights(result: Result, samples: list[Samples], unit: float) -> list[bpy.types.Object]:
+    """Of all lamps. `unit`: metres of a unit of Blender's."""
+    lights = []
+    for number, lamp in enumerate(result.lamps, 1):
+        lights += _lights_of(lamp, lamp_samples(samples, number), unit)
+    for light in lights:
+        light.visible_camera = False  # the lamp's surface is seen instead
+    return lights
+
+
+def _lights_of(lamp: Lamp, samples: Samples, unit: float) -> list[bpy.types.Object]:
+    """`samples` are those of its surface, none where the scan does not show it."""
     area = lamp.area / unit**2
-    shape = _shape(lamp, samples, area, unit)
-    if shape is None:
-        light = bpy.data.lights.new(lamp.name, "POINT")
-        radius = math.sqrt(max(area, 0) / (4 * math.pi))
-        light.shadow_soft_size = radius
-        set_power(light, math.pi * area * lamp.radiance)
-        thing = bpy.data.objects.new(lamp.name, light)
-        thing.location = _middle(lamp, samples, unit)
-    else:
-        thing = area_light(lamp.name, shape, lamp.radiance)
-    thing.visible_camera = False  # its surface is seen instead
+    if not len(samples.area):
+        if lamp.normal is None or area <= 0:
+            return [_ball(lamp, samples, area, unit)]
+        return [area_light(lamp.name, _disc(lamp, samples, area, unit), lamp.radiance)]
+    mean = numpy.average(samples.normal, axis=0, weights=samples.area)
+    length = numpy.linalg.norm(mean)
+    if length < ROUND:
+        return [_ball(lamp, samples, area, unit)]
+    pieces = [samples] if length > ONE_SIDED else _sides(samples, mean / length)
+    lights = []
+    for piece in pieces:
+        share = piece.area.sum() / samples.area.sum()
+        name = lamp.name if not lights else f"{lamp.name} side {len(lights)}"
+        shape = _flat(piece, area * share, unit)
+        light = area_light(name, shape, lamp.radiance)
+        if lights:  # they are moved and turned together
+            light.parent = lights[0]
+            light.matrix_parent_inverse = lights[0].matrix_world.inverted()
+        lights.append(light)
+    return lights
+
+
+def _ball(lamp: Lamp, samples: Samples, area: float, unit: float) -> bpy.types.Object:
+    light = bpy.data.lights.new(lamp.name, "POINT")
+    light.shadow_soft_size = math.sqrt(max(area, 0) / (4 * math.pi))
+    set_power(light, math.pi * area * lamp.radiance)
+    thing = bpy.data.objects.new(lamp.name, light)
+    thing.location = _middle(lamp, samples, unit)
     return thing
+
+
+def _sides(samples: Samples, normal: numpy.ndarray) -> list[Samples]:
+    """The front of a lamp first, then those of its four sides that are worth a light."""
+    front = samples.of(samples.normal @ normal > 0.7)
+    width, height = _narrowest(front.place, _across(normal))[:2] if len(front.area) \
+        else _across(normal)
+    faces = numpy.array([normal, width, -width, height, -height])
+    nearest = (samples.normal @ faces.T).argmax(axis=1)
+    share = numpy.bincount(nearest, samples.area, len(faces)) / samples.area.sum()
+    kept = [side for side in range(1, len(faces)) if share[side] > LEAST]
+    others = [side for side in range(len(faces)) if side not in kept]
+    pieces = [samples.of(numpy.isin(nearest, others)), *(samples.of(nearest == k) for k in kept)]
+    return [piece for piece in pieces if len(piece.area)]
 
 
 def area_light(name: str, shape: Shape, radiance: numpy.ndarray) -> bpy.types.Object:
@@ -87,19 +128,11 @@ def set_power(light: bpy.types.Light, watts: numpy.ndarray) -> None:
 
 def lamp_samples(all_samples: list[Samples], number: int) -> Samples:
     """Those of one lamp, of all objects."""
-    chosen = [one.lamp == number for one in all_samples]
-
-    def joined(name: str) -> numpy.ndarray:
-        parts = [getattr(one, name)[where] for one, where in zip(all_samples, chosen)]
-        return numpy.concatenate(parts) if parts else numpy.empty((0, 3))
-
-    return Samples(joined("place"), joined("normal"), joined("area"), joined("lamp"))
-
-
-def new_lights(result: Result, samples: list[Samples], unit: float) -> list[bpy.types.Object]:
-    lights = [new_light(lamp, lamp_samples(samples, number), unit)
-              for number, lamp in enumerate(result.lamps, 1)]
-    return lights
+    own = [one.of(one.lamp == number) for one in all_samples]
+    if not own:
+        return Samples(numpy.empty((0, 3)), numpy.empty((0, 3)), numpy.empty(0), numpy.empty(0))
+    return Samples(*(numpy.concatenate([getattr(one, name) for one in own])
+                     for name in ("place", "normal", "area", "lamp")))
 
 
 def _middle(lamp: Lamp, samples: Samples, unit: float) -> Vector:
@@ -108,21 +141,18 @@ def _middle(lamp: Lamp, samples: Samples, unit: float) -> Vector:
     return Vector(places.to_blender(lamp.centre[None])[0] / unit)
 
 
-def _shape(lamp: Lamp, samples: Samples, area: float, unit: float) -> Shape | None:
-    """None where it is not flat."""
-    if not len(samples.area):
-        if lamp.normal is None or area <= 0:
-            return None
-        normal = places.to_blender(lamp.normal[None])[0]
-        side = 2 * math.sqrt(area / math.pi)
-        axes = numpy.array([*_across(normal), normal])
-        return Shape(numpy.array(_middle(lamp, samples, unit)), axes, (side, side), True)
+def _disc(lamp: Lamp, samples: Samples, area: float, unit: float) -> Shape:
+    normal = places.to_blender(lamp.normal[None])[0]
+    side = 2 * math.sqrt(area / math.pi)
+    axes = numpy.array([*_across(normal), normal])
+    return Shape(numpy.array(_middle(lamp, samples, unit)), axes, (side, side), True)
+
+
+def _flat(samples: Samples, area: float, unit: float) -> Shape:
     mean = numpy.average(samples.normal, axis=0, weights=samples.area)
-    if numpy.linalg.norm(mean) < FLAT:
-        return None
     normal = mean / numpy.linalg.norm(mean)
-    away = samples.place - numpy.average(samples.place, axis=0, weights=samples.area)
-    middle = samples.place[0] - away[0]
+    middle = numpy.average(samples.place, axis=0, weights=samples.area)
+    away = samples.place - middle
     width, height, low, high = _narrowest(away, _across(normal))
     extent = high - low
     fills = samples.area.sum() / max(float(extent.prod()), 1e-20)

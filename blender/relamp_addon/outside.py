@@ -47,6 +47,7 @@ def _pane(name: str, opening: dict, unit: float) -> bpy.types.Object:
                      [(0, 1, 2, 3)])
     mesh.materials.append(_glowing(name, numpy.array(opening["radiance"], float)))
     thing = bpy.data.objects.new(name, mesh)
+    thing.display_type = "WIRE"
     normal = places.to_blender(numpy.array([opening["normal"]], float))[0]
     first, second = lamps._across(normal)
     turn = Matrix([Vector(first), Vector(second), Vector(normal)]).transposed().to_4x4()

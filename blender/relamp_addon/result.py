@@ -72,6 +72,6 @@ def _lamp(entry: dict) -> Lamp:
     normal = entry.get("normal", "omni")
     on = 1.0 if entry.get("on", True) else 0.0
     return Lamp(int(entry["id"]), entry.get("name") or f"lamp {entry['id']}",
-                numpy.array(entry["centre"]),
-                None if isinstance(normal, str) else numpy.array(normal),
+                numpy.array(entry["centre"], float),
+                None if isinstance(normal, str) else numpy.array(normal, float),
                 float(entry.get("area", 0)), on * numpy.array(entry["radiance"], float))

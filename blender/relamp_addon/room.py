@@ -22,7 +22,7 @@ def build(context: bpy.types.Context, scan: ScanFile, result: Result,
     own.world = outside.new_world(f"relamp {name}", result)
     pages = _Pages(scan, result, name, own.switch)
     samples = []
-    for thing in scan.objects:
+    for thing in scan.objects():
         samples += _dress(thing, own, pages)
 
     own.lamps = _collection(room, f"{name} lamps", lamps.new_lights(result, samples, unit))
@@ -33,7 +33,6 @@ def build(context: bpy.types.Context, scan: ScanFile, result: Result,
     own.summary = _summary(result)
     own.warnings = "\n".join(result.report.get("warnings", []))
     context.scene.collection.children.link(room)
-    own.mode = "LAMPS"
     switch.show(room)
     return room
 
@@ -46,7 +45,7 @@ class _Pages:
         palette = materials.new_palette(f"{name} lamps", result)
         self.pages = {image.name_full: materials.load_page(result, scan.page_name(image),
                                                            image.name, palette)
-                      for image in scan.images}
+                      for image in list(bpy.data.images) if image.name_full in scan.images}
         self.made: dict[tuple, bpy.types.Material] = {}
 
     def page(self, material: bpy.types.Material) -> materials.PageImages:
@@ -108,9 +107,7 @@ def _collection(parent: bpy.types.Collection, name: str,
 
 
 def _summary(result: Result) -> str:
-    count = len(result.lamps)
-    return f"{count} lamp{'' if count == 1 else 's'} and windows found" if count else \
-        "no lamp found"
+    return f"lamps and windows found: {len(result.lamps) or 'none'}"
 
 
 def remove(room: bpy.types.Collection) -> None:

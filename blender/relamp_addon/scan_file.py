@@ -24,13 +24,23 @@ ARRAY_BUFFER, ELEMENT_BUFFER = 34962, 34963
 
 @dataclass
 class ScanFile:
+    """Things are known by name: what Blender hands out is void once a person has pressed undo."""
+
     path: str
-    objects: list[bpy.types.Object]
-    images: list[bpy.types.Image] = field(default_factory=list)  # image i is the page "page i"
+    names: list[str]  # of the objects
+    images: list[str] = field(default_factory=list)  # by name_full; image i is the page "page i"
     linear: bool = False
 
     def page_name(self, image: bpy.types.Image) -> str:
-        return f"page {self.images.index(image)}"
+        return f"page {self.images.index(image.name_full)}"
+
+    def objects(self) -> list[bpy.types.Object]:
+        """Throws Refusal where one has gone meanwhile."""
+        for name in self.names:
+            if name not in bpy.data.objects:
+                raise Refusal(f'"{name}" was removed or renamed while relamp worked on it; undo '
+                              "that and begin again")
+        return [bpy.data.objects[name] for name in self.names]
 
 
 def scan_objects(context: bpy.types.Context) -> list[bpy.types.Object]:
@@ -43,25 +53,33 @@ def scan_objects(context: bpy.types.Context) -> list[bpy.types.Object]:
     if not found:
         raise Refusal("no scan is selected; click its mesh in the 3D view, all of them where there "
                       "are several")
+    for one in found:
+        if one.library or one.data.library:
+            raise Refusal(f'"{one.name}" is linked from another file, so it gets no new materials '
+                          "here; Object > Relations > Make Local")
+        if sum(other.data == one.data for other in found) > 1:
+            raise Refusal(f'"{one.name}" shares its mesh with another selected object, so its '
+                          "texture stands for two places; Object > Relations > Make Single User")
     return sorted(found, key=lambda one: one.name)
 
 
 def write_scan(context: bpy.types.Context, objects: list[bpy.types.Object],
                folder: str) -> ScanFile:
     """Throws Refusal where an object has no texture or no UV map."""
-    scan = ScanFile(os.path.join(folder, "scan.gltf"), objects)
+    scan = ScanFile(os.path.join(folder, "scan.gltf"), [thing.name for thing in objects])
     gltf = _Gltf()
     depsgraph = context.evaluated_depsgraph_get()
     for thing in objects:
         _add_object(gltf, scan, thing, depsgraph, places.metres_per_unit(context.scene))
-    transfers = {is_linear(image) for image in scan.images}
+    images = {image.name_full: image for image in bpy.data.images}
+    transfers = {is_linear(images[name]) for name in scan.images}
     if len(transfers) > 1:
         raise Refusal("some textures of the scan have the colour space sRGB and some a linear one; "
                       "delight the objects of each kind by themselves")
     scan.linear = transfers == {True}
-    for index, image in enumerate(scan.images):
-        file = write_picture(image, os.path.join(folder, f"page{index}"))
-        gltf.add_image(os.path.basename(file), scan.page_name(image))
+    for index, name in enumerate(scan.images):
+        file = write_picture(images[name], os.path.join(folder, f"page{index}"))
+        gltf.add_image(os.path.basename(file), scan.page_name(images[name]))
     gltf.write(scan.path)
     return scan
 
@@ -81,10 +99,10 @@ def _add_object(gltf: "_Gltf", scan: ScanFile, thing: bpy.types.Object,
                 raise Refusal(f'faces of "{thing.name}" have no material, so no texture; give them '
                               "one that shows the scan's photo")
             texture = texture_of(material)
-            if texture.image not in scan.images:
-                scan.images.append(texture.image)
+            if texture.image.name_full not in scan.images:
+                scan.images.append(texture.image.name_full)
             gltf.add_primitive(thing.name, *corners.of_slot(slot, texture.uv_layer),
-                               scan.images.index(texture.image))
+                               scan.images.index(texture.image.name_full))
     finally:
         evaluated.to_mesh_clear()
 

@@ -39,7 +39,7 @@ class Room(bpy.types.PropertyGroup):
     """Of a collection: a scan that was delit."""
 
     is_room: bpy.props.BoolProperty()
-    mode: bpy.props.EnumProperty(name="Show", items=MODES, default="LAMPS", update=_show)
+    mode: bpy.props.EnumProperty(name="Show", items=MODES, default="ALBEDO", update=_show)
     parts: bpy.props.CollectionProperty(type=Part)
     switch: bpy.props.PointerProperty(type=bpy.types.NodeTree)
     lamps: bpy.props.PointerProperty(type=bpy.types.Collection)

@@ -1,0 +1,105 @@
+"""What the add-on's watts are to Cycles: a light has the radiance, size and direction that it was given."""
+
+import math
+import tempfile
+import unittest
+
+import bpy
+import numpy
+import scenes
+from relamp_addon import lamps, places
+from relamp_addon.faces import Samples
+from relamp_addon.result import Lamp
+
+RADIANCE = numpy.array([3.0, 2.0, 1.0])
+SAMPLES = 2048
+NOTHING = Samples(numpy.empty((0, 3)), numpy.empty((0, 3)), numpy.empty(0), numpy.empty(0))
+
+
+class Units(unittest.TestCase):
+    def setUp(self):
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        scene = bpy.context.scene
+        scene.render.resolution_x = scene.render.resolution_y = 4
+        bpy.ops.mesh.primitive_plane_add(size=0.02)
+        paper = bpy.data.materials.new("paper")
+        paper.use_nodes = True
+        paper.node_tree.nodes.clear()
+        diffuse = paper.node_tree.nodes.new("ShaderNodeBsdfDiffuse")
+        diffuse.inputs["Color"].default_value = (1, 1, 1, 1)
+        output = paper.node_tree.nodes.new("ShaderNodeOutputMaterial")
+        paper.node_tree.links.new(diffuse.outputs[0], output.inputs["Surface"])
+        bpy.context.object.data.materials.append(paper)
+        camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+        camera.data.type, camera.data.ortho_scale = "ORTHO", 0.01
+        camera.location = (0, 0, 0.5)
+        scene.collection.objects.link(camera)
+        scene.camera = camera
+
+    def shown(self, *lights: bpy.types.Object) -> numpy.ndarray:
+        """What white paper at the origin, facing up, shows under them."""
+        for light in lights:
+            bpy.context.scene.collection.objects.link(light)
+        with tempfile.TemporaryDirectory() as folder:
+            return scenes.render(SAMPLES, folder).mean(axis=(0, 1))
+
+    def test_flat_lamp_has_its_radiance_whatever_its_shape(self):
+        """Irradiance / pi of a small lamp straight above is L A / d^2 / pi."""
+        lamp = Lamp(0, "lamp", numpy.array([0.0, 2, 0]), numpy.array([0.0, -1, 0]), 0.01, RADIANCE)
+        by_disc = self.shown(*lamps._lights_of(lamp, NOTHING, 1.0))
+        numpy.testing.assert_allclose(by_disc, RADIANCE * 0.01 / 4 / math.pi, rtol=0.01)
+
+    def test_rectangle_of_a_surface_sends_what_the_surface_does(self):
+        grid = (numpy.indices((40, 10)).reshape(2, -1).T + 0.5) / [40, 10] - 0.5
+        place = numpy.column_stack([grid * [0.2, 0.05], numpy.full(400, 2.0)])
+        samples = Samples(place, numpy.tile([0.0, 0, -1], (400, 1)), numpy.full(400, 0.01 / 400),
+                          numpy.ones(400))
+        lamp = Lamp(0, "lamp", numpy.zeros(3), numpy.array([0.0, -1, 0]), 0.01, RADIANCE)
+        light, = lamps._lights_of(lamp, samples, 1.0)
+        self.assertEqual(light.data.shape, "RECTANGLE")
+        self.assertAlmostEqual(light.data.size * light.data.size_y, 0.01, places=5)
+        self.assertAlmostEqual(max(light.data.size, light.data.size_y), 0.2, delta=0.01)
+        numpy.testing.assert_allclose(self.shown(light), RADIANCE * 0.01 / 4 / math.pi, rtol=0.015)
+
+    def test_lamp_that_shines_all_around_sends_pi_l_a(self):
+        lamp = Lamp(0, "lamp", numpy.array([0.0, 2, 0]), None, 0.01, RADIANCE)
+        light, = lamps._lights_of(lamp, NOTHING, 1.0)
+        self.assertEqual(light.data.type, "POINT")
+        self.assertAlmostEqual(4 * math.pi * light.data.shadow_soft_size**2, 0.01, places=6)
+        # A ball of radius r has the radiant intensity L pi r^2 = L A / 4.
+        numpy.testing.assert_allclose(self.shown(light), RADIANCE * 0.0025 / 4 / math.pi, rtol=0.01)
+
+    def test_sun_has_its_irradiance(self):
+        sun = lamps.new_sun({"direction": [0, 1, 0], "irradiance": list(RADIANCE)})
+        numpy.testing.assert_allclose(self.shown(sun), RADIANCE / math.pi, rtol=0.01)
+
+    def test_box_is_a_light_a_side_that_go_with_the_front(self):
+        """Half a cube under the ceiling: its front and its four sides."""
+        normals = numpy.array([[0, 0, -1], [1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]], float)
+        place, normal = [], []
+        for one in normals:
+            across = numpy.array(lamps._across(one))
+            grid = (numpy.indices((10, 10)).reshape(2, -1).T + 0.5) / 50 - 0.1
+            place.append(grid @ across + one * 0.1 + [0, 0, 2])
+            normal.append(numpy.tile(one, (100, 1)))
+        samples = Samples(numpy.concatenate(place), numpy.concatenate(normal),
+                          numpy.full(500, 0.04 / 100), numpy.ones(500))
+        lamp = Lamp(7, "box", numpy.zeros(3), numpy.array([0.0, -1, 0]), 0.2, RADIANCE)
+        made = lamps._lights_of(lamp, samples, 1.0)
+        self.assertEqual([one.name for one in made],
+                         ["box", "box side 1", "box side 2", "box side 3", "box side 4"])
+        for one in made:
+            self.assertAlmostEqual(one.data.energy, 4 * 0.04 * 3, delta=0.01)
+            bpy.context.scene.collection.objects.link(one)
+        bpy.context.view_layer.update()
+        side = made[1]
+        before = side.matrix_world.translation.copy()
+        made[0].location.z -= 1
+        bpy.context.view_layer.update()
+        self.assertAlmostEqual((before - side.matrix_world.translation).z, 1, places=5)
+        self.assertGreater(before.to_2d().length, 0.1)  # outside of the box
+
+    def test_frames_go_there_and_back(self):
+        some = numpy.array([[1.0, 2, 3], [-4, 5, 6]])
+        numpy.testing.assert_array_equal(places.to_blender(places.to_relamp(some)), some)
+        numpy.testing.assert_array_equal(places.to_relamp(numpy.array([[0.0, 0, 1]])), [[0, 1, 0]])
