@@ -42,6 +42,8 @@ def bake(context: bpy.types.Context, room: bpy.types.Collection, samples: int) -
     if own.mode not in switch.RELIT:
         own.mode = "LAMPS"
     made = state.materials_of(room)
+    for former in {material.relamp.baked for material in made if material.relamp.baked}:
+        bpy.data.images.remove(former)
     images = {}
     for material in made:
         albedo = material.relamp.albedo

@@ -24,8 +24,9 @@ class Job:
             settings = _settings(context, objects)
             program.find_program(settings.program)  # before the work of writing
             self.scan = scan_file.write_scan(context, objects, self.folder)
-            self.run = process.Run(program.command(settings, self.scan.path, self.scan.linear,
-                                                   f"{self.folder}/result"))
+            command = program.command(settings, self.scan.path, self.scan.linear,
+                                      f"{self.folder}/result")
+            self.run = process.Run(command, self.scan.path)
         except BaseException:
             self.close()
             raise
@@ -154,7 +155,7 @@ CLASSES = (RELAMP_OT_delight, RELAMP_OT_cancel, RELAMP_OT_remove)
 def _settings(context: bpy.types.Context, objects: list[bpy.types.Object]) -> program.Settings:
     chosen, own = context.scene.relamp, preferences.current(context)
     return program.Settings(own.program if own else "", chosen.quality,
-                            own.threads if own else 0, chosen.sun,
+                            own.threads if own else 0, chosen.sun, chosen.allow_overlap,
                             hints.options(context.scene, objects))
 
 

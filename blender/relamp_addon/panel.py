@@ -30,6 +30,7 @@ class RELAMP_PT_delight(_Panel):
             return
         layout.prop(settings, "quality")
         layout.prop(settings, "sun")
+        layout.prop(settings, "allow_overlap")
         layout.operator("relamp.delight", icon="LIGHT")
 
 

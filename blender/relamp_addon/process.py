@@ -23,7 +23,9 @@ ENDS = dict(zip(BEGINS, [*list(BEGINS.values())[1:], 1.0]))
 class Run:
     """relamp as a child; poll() now and then."""
 
-    def __init__(self, command: list[str]):
+    def __init__(self, command: list[str], scan: str = ""):
+        """`scan`: a file in `command` that a person knows nothing of, and is not told of."""
+        self._scan = scan
         try:
             self.child = subprocess.Popen(command, stdin=subprocess.DEVNULL,
                                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
@@ -72,7 +74,8 @@ class Run:
 
     def _sentence(self) -> str:
         told = [line for line in self.said if not line.startswith("relamp: note: ")]
-        return " ".join(line.removeprefix("relamp: ").strip() for line in told)
+        whole = " ".join(line.removeprefix("relamp: ").strip() for line in told)
+        return whole.replace(self._scan, "the scan") if self._scan else whole
 
     def _read(self) -> None:
         for line in self.child.stderr:

@@ -17,6 +17,7 @@ class Settings:
     quality: str = "standard"
     threads: int = 0  # 0: one a core
     sun: bool = True
+    allow_overlap: bool = False
     hints: list[str] = field(default_factory=list)  # options of delight, as they are passed
 
 
@@ -49,4 +50,6 @@ def command(settings: Settings, scan: str, linear: bool, output: str) -> list[st
         words += ["--threads", str(settings.threads)]
     if not settings.sun:
         words.append("--no-sun")
+    if settings.allow_overlap:
+        words.append("--allow-overlap")
     return words

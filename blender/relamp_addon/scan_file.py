@@ -93,6 +93,7 @@ def _add_object(gltf: "_Gltf", scan: ScanFile, thing: bpy.types.Object,
     mesh = evaluated.to_mesh()
     try:
         corners = _Corners(mesh, thing, metres)
+        slots: dict[tuple[int, str], list[int]] = {}  # by texture and UV map
         for slot in numpy.unique(corners.slot):
             material = scanned_material(thing, min(slot, len(thing.material_slots) - 1))
             if material is None:
@@ -101,8 +102,10 @@ def _add_object(gltf: "_Gltf", scan: ScanFile, thing: bpy.types.Object,
             texture = texture_of(material)
             if texture.image.name_full not in scan.images:
                 scan.images.append(texture.image.name_full)
-            gltf.add_primitive(thing.name, *corners.of_slot(slot, texture.uv_layer),
-                               scan.images.index(texture.image.name_full))
+            page = scan.images.index(texture.image.name_full)
+            slots.setdefault((page, texture.uv_layer), []).append(slot)
+        for (page, uv_layer), those in slots.items():
+            gltf.add_primitive(thing.name, *corners.of_slots(those, uv_layer), page)
     finally:
         evaluated.to_mesh_clear()
 
@@ -127,9 +130,9 @@ class _Corners:
         length = numpy.linalg.norm(normal, axis=1, keepdims=True)
         self.normal = places.to_relamp(normal / numpy.maximum(length, 1e-20))
 
-    def of_slot(self, slot: int, uv_layer: str) -> tuple[numpy.ndarray, ...]:
+    def of_slots(self, slots: list[int], uv_layer: str) -> tuple[numpy.ndarray, ...]:
         """Positions, normals and texture coordinates of vertices, and the triangles of these."""
-        loops = self.loops[self.slot == slot].ravel()
+        loops = self.loops[numpy.isin(self.slot, slots)].ravel()
         uv = read(uv_layer_of(self.mesh, self.thing, uv_layer).data, "uv", 2)
         row = numpy.concatenate([self.vertex[:, None].view(numpy.float32), uv,
                                  self.normal.astype(numpy.float32)], axis=1)[loops]

@@ -52,7 +52,7 @@ def _set_worlds(room: bpy.types.Collection) -> None:
     """A scene has one world: that of the room that is relit, else what it was before."""
     own = room.relamp
     for scene in bpy.data.scenes:
-        if room.name not in scene.collection.children_recursive:
+        if room not in scene.collection.children_recursive:
             continue
         if own.mode in RELIT:
             if scene.world != own.world:

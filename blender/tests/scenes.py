@@ -65,7 +65,7 @@ def look_by(file: str, width: int, height: int) -> None:
 
 
 def render(samples: int, folder: str) -> numpy.ndarray:
-    """Radiance by Cycles, (height, width, 3), rows from below."""
+    """Radiance by Cycles and opacity, (height, width, 4), rows from below."""
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
     scene.cycles.samples = samples
@@ -73,6 +73,8 @@ def render(samples: int, folder: str) -> numpy.ndarray:
     scene.cycles.use_adaptive_sampling = False
     scene.cycles.max_bounces = scene.cycles.diffuse_bounces = 12
     scene.cycles.sample_clamp_indirect = 0  # which takes light away
+    scene.render.film_transparent = True
+    scene.render.image_settings.color_mode = "RGBA"
     scene.render.image_settings.file_format = "OPEN_EXR"
     scene.render.image_settings.color_depth = "32"
     scene.render.filepath = os.path.join(folder, "picture.exr")
@@ -86,7 +88,7 @@ def render(samples: int, folder: str) -> numpy.ndarray:
 def pixels(image: bpy.types.Image) -> numpy.ndarray:
     values = numpy.empty(len(image.pixels), numpy.float32)
     image.pixels.foreach_get(values)
-    return values.reshape(image.size[1], image.size[0], -1)[..., :3]
+    return values.reshape(image.size[1], image.size[0], -1)
 
 
 def srgb(radiance: numpy.ndarray) -> numpy.ndarray:

@@ -11,7 +11,7 @@ import scenes
 
 UNCLIPPED = 0.97  # of white; what is brighter a texture does not tell
 LEAST = 25  # dB
-SIZE = (96, 54)
+SIZE = (80, 45)
 
 
 class Relit(unittest.TestCase):
@@ -22,33 +22,26 @@ class Relit(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         scenes.look_by(f"{scenes.SAMPLE}/camera.json", *SIZE)
         cls.room.relamp.mode = "SCANNED"
-        cls.scan = scenes.render(16, cls.folder.name)
+        shown = scenes.render(16, cls.folder.name)
+        cls.scan = shown[..., :3]
+        # Told by the scan: not burnt out, and no hole of it, through which one sees outside.
+        cls.told = (cls.scan < UNCLIPPED).all(axis=2) & (shown[..., 3] > 0.999)
+        assert cls.told.mean() > 0.9
 
     def psnr(self, mode: str, samples: int) -> float:
         self.room.relamp.mode = mode
-        picture = scenes.render(samples, self.folder.name)
-        unclipped = (self.scan < UNCLIPPED).all(axis=2)
-        self.assertGreater(unclipped.mean(), 0.9)
-        error = (scenes.srgb(picture) - scenes.srgb(self.scan))[unclipped]
+        picture = scenes.render(samples, self.folder.name)[..., :3]
+        error = (scenes.srgb(picture) - scenes.srgb(self.scan))[self.told]
         psnr = -10 * math.log10(float(numpy.mean(error**2)))
         print(f"{mode}: {psnr:.2f} dB")
         if os.environ.get("RELAMP_PICTURES"):
-            bpy.data.images["Render Result"].save_render(
-                f"{os.environ['RELAMP_PICTURES']}/{mode}.exr")
+            numpy.save(f"{os.environ['RELAMP_PICTURES']}/{mode}.npy", picture[::-1])
+            numpy.save(f"{os.environ['RELAMP_PICTURES']}/SCANNED.npy", self.scan[::-1])
         return psnr
 
     def test_by_the_lights_found_it_looks_as_it_was_scanned(self):
-        self.assertGreater(self.psnr("LAMPS", 256), LEAST)
+        self.assertGreater(self.psnr("LAMPS", 160), LEAST)
 
     def test_by_the_surfaces_of_its_lamps_it_looks_as_it_was_scanned(self):
-        self.assertGreater(self.psnr("SURFACES", 512), LEAST)
+        self.assertGreater(self.psnr("SURFACES", 320), LEAST)
 
-    def test_one_kind_of_lamp_alone_lights_it(self):
-        """Both at once would be twice the light; the two kinds agree."""
-        self.room.relamp.mode = "LAMPS"
-        lamps = scenes.render(32, self.folder.name)
-        self.room.relamp.mode = "SURFACES"
-        surfaces = scenes.render(64, self.folder.name)
-        seen = (self.scan < UNCLIPPED).all(axis=2)
-        ratio = numpy.minimum(lamps, 2)[seen].mean() / numpy.minimum(surfaces, 2)[seen].mean()
-        self.assertAlmostEqual(ratio, 1, delta=0.15)
