@@ -73,9 +73,9 @@ class RELAMP_PT_room(_Panel):
             _sentence(layout, f"Colours are shown by {context.scene.view_settings.view_transform}, "
                               "which is flatter than the scan; Standard shows them as they are.")
             layout.operator("relamp.standard_view")
-        row = layout.row(align=True)
-        row.operator("relamp.bake", icon="RENDER_STILL")
-        row.prop(context.scene.relamp, "bake_samples")
+        column = layout.column(align=True)
+        column.prop(context.scene.relamp, "bake_samples")
+        column.operator("relamp.bake", icon="RENDER_STILL")
         for warning in own.warnings.splitlines():
             _sentence(layout, warning, "ERROR")
         layout.operator("relamp.remove", icon="LOOP_BACK")
