@@ -73,6 +73,9 @@ def _lights_of(lamp: Lamp, samples: Samples, unit: float) -> list[bpy.types.Obje
 def _ball(lamp: Lamp, samples: Samples, area: float, unit: float) -> bpy.types.Object:
     light = bpy.data.lights.new(lamp.name, "POINT")
     light.shadow_soft_size = math.sqrt(max(area, 0) / (4 * math.pi))
+    # Shadow rays pass the lamp's surface, which the light stands in; rays that come upon it do not, and Cycles must
+    # not count on them to find the light.
+    light.cycles.use_multiple_importance_sampling = False
     set_power(light, math.pi * area * lamp.radiance)
     thing = bpy.data.objects.new(lamp.name, light)
     thing.location = _middle(lamp, samples, unit)

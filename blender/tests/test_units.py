@@ -7,7 +7,7 @@ import unittest
 import bpy
 import numpy
 import scenes
-from relamp_addon import lamps, places
+from relamp_addon import faces, images, lamps, materials, places
 from relamp_addon.faces import Samples
 from relamp_addon.result import Lamp
 
@@ -19,6 +19,7 @@ NOTHING = Samples(numpy.empty((0, 3)), numpy.empty((0, 3)), numpy.empty(0), nump
 class Units(unittest.TestCase):
     def setUp(self):
         bpy.ops.wm.read_factory_settings(use_empty=True)
+        bpy.ops.preferences.addon_enable(module="relamp_addon")
         scene = bpy.context.scene
         scene.render.resolution_x = scene.render.resolution_y = 4
         bpy.ops.mesh.primitive_plane_add(size=0.02)
@@ -32,7 +33,8 @@ class Units(unittest.TestCase):
         bpy.context.object.data.materials.append(paper)
         camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
         camera.data.type, camera.data.ortho_scale = "ORTHO", 0.01
-        camera.location = (0, 0, 0.5)
+        camera.location = (0, 0, 0.05)
+        camera.data.clip_start = 0.01
         scene.collection.objects.link(camera)
         scene.camera = camera
 
@@ -98,6 +100,45 @@ class Units(unittest.TestCase):
         bpy.context.view_layer.update()
         self.assertAlmostEqual((before - side.matrix_world.translation).z, 1, places=5)
         self.assertGreater(before.to_2d().length, 0.1)  # outside of the box
+
+    def test_globe_lights_as_much_by_its_surface_as_by_the_light_in_it(self):
+        """The globe must not stand in the light's way, and no light must be missing where a ray meets it.
+        A ball of radius r shows L r^2 / d^2.
+        """
+        bpy.ops.mesh.primitive_uv_sphere_add(segments=96, ring_count=48, radius=0.2, location=(0, 0, 0.3))
+        globe = bpy.context.object
+        white = images.from_array("white", numpy.ones((4, 4, 3)), is_float=False)
+        palette = images.from_array("palette", numpy.array([[[0, 0, 0], RADIANCE]]), is_float=True)
+        numbers = images.from_array("numbers", numpy.full((4, 4, 1), 1 / 255), is_float=False)
+        page = materials.PageImages(numpy.ones((4, 4), int), white, white, numbers, palette)
+        switch = materials.new_switch("switch")
+        layer = globe.data.uv_layers[0]
+        globe.data.materials.append(materials.new_material("globe", page, layer.name, switch, True))
+        chosen = faces.faces_of_lamps(globe.data, layer, page.lamp_numbers)
+        self.assertTrue(chosen.all())
+        bpy.context.view_layer.update()
+        samples = faces.samples_of_lamps(globe, layer, page.lamp_numbers, chosen)
+        area = 4 * math.pi * 0.2**2
+        self.assertAlmostEqual(samples.area.sum(), area, delta=0.005 * area)
+        lamp = Lamp(0, "globe", numpy.zeros(3), None, area, RADIANCE)
+        light, = lamps._lights_of(lamp, samples, 1.0)
+        numpy.testing.assert_allclose(light.location, (0, 0, 0.3), atol=1e-3)
+        bpy.context.scene.collection.objects.link(light)
+
+        value = {name: switch.nodes[name].outputs[0] for name in ("Flat", "Shine", "Surfaces")}
+        value["Flat"].default_value, value["Shine"].default_value = 0, 1
+        ball = RADIANCE * 0.2**2 / 0.3**2
+        disc = RADIANCE * 0.2**2 / (0.3**2 + 0.2**2)  # what Cycles before 4 makes of a point light so near
+        value["Surfaces"].default_value = 1
+        light.hide_render = True
+        materials.lights_by_surface(globe.material_slots[0].material, True)
+        numpy.testing.assert_allclose(self.shown(), ball, rtol=0.02)
+
+        value["Surfaces"].default_value = 0
+        light.hide_render = False
+        materials.lights_by_surface(globe.material_slots[0].material, False)
+        shown = self.shown()
+        self.assertTrue((shown > 0.98 * disc).all() and (shown < 1.02 * ball).all(), shown)
 
     def test_frames_go_there_and_back(self):
         some = numpy.array([[1.0, 2, 3], [-4, 5, 6]])
