@@ -137,7 +137,7 @@ class RELAMP_OT_cancel(bpy.types.Operator):
 class RELAMP_OT_remove(bpy.types.Operator):
     bl_idname = "relamp.remove"
     bl_label = "Give the Scan back"
-    bl_description = "Remove the lights and materials that relamp made, and leave the scan as it was"
+    bl_description = "Remove the lights and materials that relamp made; the scan is as it was"
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod

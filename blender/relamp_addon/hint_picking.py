@@ -1,7 +1,5 @@
 """Operators that take hints from selected faces, or from a click into the 3D view."""
 
-from __future__ import annotations
-
 import bpy
 from bpy_extras import view3d_utils
 
@@ -93,7 +91,7 @@ CLASSES = (RELAMP_OT_hint, RELAMP_OT_forget_hint)
 
 
 def _under(context: bpy.types.Context, event: bpy.types.Event):
-    """The object under the mouse and the place on it, in its own space; None where there is none."""
+    """The object under the mouse and the place on it, in its own space; None for none."""
     region = next(one for one in context.area.regions if one.type == "WINDOW")
     at = (event.mouse_x - region.x, event.mouse_y - region.y)
     if not (0 <= at[0] < region.width and 0 <= at[1] < region.height):

@@ -1,7 +1,5 @@
 """What a person tells relamp about the scan: places, picked on its faces."""
 
-from __future__ import annotations
-
 import bpy
 import numpy
 from mathutils import Vector

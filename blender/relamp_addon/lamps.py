@@ -1,8 +1,8 @@
 """Lights of Blender that stand for the lamps and windows that relamp found.
 
-What a watt is to Cycles (tests/cycles_units.py measures it): a point light of W watts has the radiant
-intensity W / (4 pi), so that it sends W in all; an area light has W / 4 along its normal, whatever its
-shape, so that its radiance is W / (4 area); a sun has the irradiance W on what faces it.
+What a watt is to Cycles (tests/test_units.py measures it): a point light of W watts has the radiant
+intensity W / (4 pi), so that it sends W in all; an area light has W / 4 along its normal, whatever
+its shape, so that its radiance is W / (4 area); a sun has the irradiance W on what faces it.
 """
 
 from __future__ import annotations
@@ -39,13 +39,13 @@ def new_lights(result: Result, samples: list[Samples], unit: float) -> list[bpy.
     """Of all lamps. `unit`: metres of a unit of Blender's."""
     lights = []
     for number, lamp in enumerate(result.lamps, 1):
-        lights += _lights_of(lamp, lamp_samples(samples, number), unit)
+        lights += lights_of(lamp, lamp_samples(samples, number), unit)
     for light in lights:
         light.visible_camera = False  # the lamp's surface is seen instead
     return lights
 
 
-def _lights_of(lamp: Lamp, samples: Samples, unit: float) -> list[bpy.types.Object]:
+def lights_of(lamp: Lamp, samples: Samples, unit: float) -> list[bpy.types.Object]:
     """`samples` are those of its surface, none where the scan does not show it."""
     area = lamp.area / unit**2
     if not len(samples.area):
@@ -73,8 +73,8 @@ def _lights_of(lamp: Lamp, samples: Samples, unit: float) -> list[bpy.types.Obje
 def _ball(lamp: Lamp, samples: Samples, area: float, unit: float) -> bpy.types.Object:
     light = bpy.data.lights.new(lamp.name, "POINT")
     light.shadow_soft_size = math.sqrt(max(area, 0) / (4 * math.pi))
-    # Shadow rays pass the lamp's surface, which the light stands in; rays that come upon it do not, and Cycles must
-    # not count on them to find the light.
+    # Shadow rays pass the lamp's surface, which the light stands in; rays that come upon it do
+    # not, and Cycles must not count on them to find the light.
     light.cycles.use_multiple_importance_sampling = False
     set_power(light, math.pi * area * lamp.radiance)
     thing = bpy.data.objects.new(lamp.name, light)
@@ -85,8 +85,8 @@ def _ball(lamp: Lamp, samples: Samples, area: float, unit: float) -> bpy.types.O
 def _sides(samples: Samples, normal: numpy.ndarray) -> list[Samples]:
     """The front of a lamp first, then those of its four sides that are worth a light."""
     front = samples.of(samples.normal @ normal > 0.7)
-    width, height = _narrowest(front.place, _across(normal))[:2] if len(front.area) \
-        else _across(normal)
+    width, height = _narrowest(front.place, across_of(normal))[:2] if len(front.area) \
+        else across_of(normal)
     faces = numpy.array([normal, width, -width, height, -height])
     nearest = (samples.normal @ faces.T).argmax(axis=1)
     share = numpy.bincount(nearest, samples.area, len(faces)) / samples.area.sum()
@@ -147,7 +147,7 @@ def _middle(lamp: Lamp, samples: Samples, unit: float) -> Vector:
 def _disc(lamp: Lamp, samples: Samples, area: float, unit: float) -> Shape:
     normal = places.to_blender(lamp.normal[None])[0]
     side = 2 * math.sqrt(area / math.pi)
-    axes = numpy.array([*_across(normal), normal])
+    axes = numpy.array([*across_of(normal), normal])
     return Shape(numpy.array(_middle(lamp, samples, unit)), axes, (side, side), True)
 
 
@@ -156,7 +156,7 @@ def _flat(samples: Samples, area: float, unit: float) -> Shape:
     normal = mean / numpy.linalg.norm(mean)
     middle = numpy.average(samples.place, axis=0, weights=samples.area)
     away = samples.place - middle
-    width, height, low, high = _narrowest(away, _across(normal))
+    width, height, low, high = _narrowest(away, across_of(normal))
     extent = high - low
     fills = samples.area.sum() / max(float(extent.prod()), 1e-20)
     before = float((away @ normal).max()) + CLEARANCE / unit
@@ -167,7 +167,7 @@ def _flat(samples: Samples, area: float, unit: float) -> Shape:
     return Shape(centre, numpy.array([width, height, normal]), tuple(extent * grown), is_ellipse)
 
 
-def _across(normal: numpy.ndarray) -> tuple[numpy.ndarray, numpy.ndarray]:
+def across_of(normal: numpy.ndarray) -> tuple[numpy.ndarray, numpy.ndarray]:
     """Two axes at right angles to a normal and to each other; the first is level."""
     helper = [0, 0, 1] if abs(normal[2]) < 0.9 else [0, 1, 0]
     first = numpy.cross(helper, normal)

@@ -1,8 +1,8 @@
 """Materials of a room without its light.
 
-A texel is matte and has the albedo; one of a lamp shines to its front and reflects nothing, as relamp
-takes it. Which texel is of which lamp stands in the lamp map, the lamps' radiance in the palette, an
-image with one pixel a lamp: so radiance is exact, and 8 bits a texel are enough.
+A texel is matte and has the albedo; one of a lamp shines to its front and reflects nothing, as
+relamp takes it. Which texel is of which lamp stands in the lamp map, the lamps' radiance in the
+palette, an image with one pixel a lamp: so radiance is exact, and 8 bits a texel are enough.
 
 All materials of a room hang on one node group, the switch (switch.py), with three numbers:
 Flat (1: show the picture of the node "shown" as it is, without light), Shine (1: lamps are on) and

@@ -2,8 +2,8 @@
 
 relamp finds one radiance for all small holes together, and one or two for each large one. The world
 has the mean of all, `ambient`. What a large hole shows more or less than that, a pane in it shows
-instead of the world: a mesh, not a light of Blender's, for that would shine beside the world and not
-instead of it.
+instead of the world: a mesh, not a light of Blender's, for that would shine beside the world and
+not instead of it.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def _pane(name: str, opening: dict, unit: float) -> bpy.types.Object:
     thing = bpy.data.objects.new(name, mesh)
     thing.display_type = "WIRE"
     normal = places.to_blender(numpy.array([opening["normal"]], float))[0]
-    first, second = lamps._across(normal)
+    first, second = lamps.across_of(normal)
     turn = Matrix([Vector(first), Vector(second), Vector(normal)]).transposed().to_4x4()
     centre = places.to_blender(numpy.array([opening["centre"]], float))[0] / unit
     thing.matrix_world = Matrix.Translation(Vector(centre)) @ turn

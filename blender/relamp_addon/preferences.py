@@ -1,7 +1,5 @@
 """What is set once for all files: where relamp is."""
 
-from __future__ import annotations
-
 import bpy
 
 from . import program

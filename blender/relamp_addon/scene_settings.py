@@ -1,7 +1,5 @@
 """What is said before a run, kept with the scene."""
 
-from __future__ import annotations
-
 import bpy
 
 from . import hints

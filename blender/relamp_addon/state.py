@@ -1,7 +1,5 @@
 """What the add-on keeps in Blender's file: which scans were delit, and how they are shown."""
 
-from __future__ import annotations
-
 import bpy
 
 # How the objects of a room are shown: identifier, name, what that is.

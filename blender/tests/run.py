@@ -7,7 +7,7 @@ import unittest
 import numpy
 
 if "bool" not in vars(numpy):
-    numpy.bool = bool  # Blender 3.4's importer of glTF asks for it, and Debian's numpy has it no more
+    numpy.bool = bool  # which Blender's importer asks for, and Debian's numpy has no more
 import bpy  # noqa: E402
 
 archive, module = sys.argv[sys.argv.index("--") + 1:]

@@ -1,11 +1,13 @@
-"""The proof of units and colours to the end: the sample, delit and lit by Cycles with what was found, looks as it was scanned."""
+"""The proof of units and colours to the end.
+
+The sample, delit and lit by Cycles with the lamps that were found, looks as it was scanned.
+"""
 
 import math
 import os
 import tempfile
 import unittest
 
-import bpy
 import numpy
 import scenes
 

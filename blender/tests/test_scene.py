@@ -1,7 +1,8 @@
-"""What comes back into Blender: the same room however the scan stands there, and the scan as it was when it is given back."""
+"""What comes back into Blender.
 
-import math
-import os
+The same room however the scan stands there, and the scan as it was when it is given back.
+"""
+
 import tempfile
 import unittest
 
@@ -93,11 +94,12 @@ class AsImported(unittest.TestCase):
         self.assertLess((count == 1).mean(), 0.2)
 
     def test_all_pictures_are_in_the_file(self):
-        """The folder that they came from is gone, and they are there when the file is opened again."""
+        """The folder that they came from is gone; the file has them."""
         with tempfile.TemporaryDirectory() as folder:
             bpy.ops.wm.save_as_mainfile(filepath=f"{folder}/room.blend", copy=True)
             with bpy.data.libraries.load(f"{folder}/room.blend") as (there, here):
-                here.images = [name for name in there.images if name.endswith((" albedo", " lamps"))]
+                here.images = [name for name in there.images
+                               if name.endswith((" albedo", " lamps"))]
             self.assertGreaterEqual(len(here.images), 3)
             for image in here.images:
                 self.assertGreater(scenes.pixels(image).max(), 0, image.name)
@@ -124,7 +126,8 @@ class HoweverItStands(unittest.TestCase):
 
     def test_turned_and_in_centimetres_and_in_two_pieces_of_two_textures(self):
         scan = self.scan
-        by = Matrix.Translation((300, -50, 20)) @ Matrix.Rotation(0.7, 4, "Z") @ Matrix.Scale(100, 4)
+        by = (Matrix.Translation((300, -50, 20)) @ Matrix.Rotation(0.7, 4, "Z")
+              @ Matrix.Scale(100, 4))
         scan.matrix_world = by @ scan.matrix_world
         bpy.context.scene.unit_settings.scale_length = 0.01
         middle = numpy.empty(3 * len(scan.data.polygons), numpy.float32)

@@ -1,4 +1,4 @@
-"""What the add-on's watts are to Cycles: a light has the radiance, size and direction that it was given."""
+"""What the add-on's watts are to Cycles: a light has the radiance and size that it was given."""
 
 import math
 import tempfile
@@ -48,7 +48,7 @@ class Units(unittest.TestCase):
     def test_flat_lamp_has_its_radiance_whatever_its_shape(self):
         """Irradiance / pi of a small lamp straight above is L A / d^2 / pi."""
         lamp = Lamp(0, "lamp", numpy.array([0.0, 2, 0]), numpy.array([0.0, -1, 0]), 0.01, RADIANCE)
-        by_disc = self.shown(*lamps._lights_of(lamp, NOTHING, 1.0))
+        by_disc = self.shown(*lamps.lights_of(lamp, NOTHING, 1.0))
         numpy.testing.assert_allclose(by_disc, RADIANCE * 0.01 / 4 / math.pi, rtol=0.01)
 
     def test_rectangle_of_a_surface_sends_what_the_surface_does(self):
@@ -57,7 +57,7 @@ class Units(unittest.TestCase):
         samples = Samples(place, numpy.tile([0.0, 0, -1], (400, 1)), numpy.full(400, 0.01 / 400),
                           numpy.ones(400))
         lamp = Lamp(0, "lamp", numpy.zeros(3), numpy.array([0.0, -1, 0]), 0.01, RADIANCE)
-        light, = lamps._lights_of(lamp, samples, 1.0)
+        light, = lamps.lights_of(lamp, samples, 1.0)
         self.assertEqual(light.data.shape, "RECTANGLE")
         self.assertAlmostEqual(light.data.size * light.data.size_y, 0.01, places=5)
         self.assertAlmostEqual(max(light.data.size, light.data.size_y), 0.2, delta=0.01)
@@ -65,7 +65,7 @@ class Units(unittest.TestCase):
 
     def test_lamp_that_shines_all_around_sends_pi_l_a(self):
         lamp = Lamp(0, "lamp", numpy.array([0.0, 2, 0]), None, 0.01, RADIANCE)
-        light, = lamps._lights_of(lamp, NOTHING, 1.0)
+        light, = lamps.lights_of(lamp, NOTHING, 1.0)
         self.assertEqual(light.data.type, "POINT")
         self.assertAlmostEqual(4 * math.pi * light.data.shadow_soft_size**2, 0.01, places=6)
         # A ball of radius r has the radiant intensity L pi r^2 = L A / 4.
@@ -80,14 +80,14 @@ class Units(unittest.TestCase):
         normals = numpy.array([[0, 0, -1], [1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]], float)
         place, normal = [], []
         for one in normals:
-            across = numpy.array(lamps._across(one))
+            across = numpy.array(lamps.across_of(one))
             grid = (numpy.indices((10, 10)).reshape(2, -1).T + 0.5) / 50 - 0.1
             place.append(grid @ across + one * 0.1 + [0, 0, 2])
             normal.append(numpy.tile(one, (100, 1)))
         samples = Samples(numpy.concatenate(place), numpy.concatenate(normal),
                           numpy.full(500, 0.04 / 100), numpy.ones(500))
         lamp = Lamp(7, "box", numpy.zeros(3), numpy.array([0.0, -1, 0]), 0.2, RADIANCE)
-        made = lamps._lights_of(lamp, samples, 1.0)
+        made = lamps.lights_of(lamp, samples, 1.0)
         self.assertEqual([one.name for one in made],
                          ["box", "box side 1", "box side 2", "box side 3", "box side 4"])
         for one in made:
@@ -102,10 +102,11 @@ class Units(unittest.TestCase):
         self.assertGreater(before.to_2d().length, 0.1)  # outside of the box
 
     def test_globe_lights_as_much_by_its_surface_as_by_the_light_in_it(self):
-        """The globe must not stand in the light's way, and no light must be missing where a ray meets it.
-        A ball of radius r shows L r^2 / d^2.
+        """The globe must not stand in the light's way, and no light must be missing where a ray
+        meets it. A ball of radius r shows L r^2 / d^2.
         """
-        bpy.ops.mesh.primitive_uv_sphere_add(segments=96, ring_count=48, radius=0.2, location=(0, 0, 0.3))
+        bpy.ops.mesh.primitive_uv_sphere_add(segments=96, ring_count=48, radius=0.2,
+                                             location=(0, 0, 0.3))
         globe = bpy.context.object
         white = images.from_array("white", numpy.ones((4, 4, 3)), is_float=False)
         palette = images.from_array("palette", numpy.array([[[0, 0, 0], RADIANCE]]), is_float=True)
@@ -121,14 +122,14 @@ class Units(unittest.TestCase):
         area = 4 * math.pi * 0.2**2
         self.assertAlmostEqual(samples.area.sum(), area, delta=0.005 * area)
         lamp = Lamp(0, "globe", numpy.zeros(3), None, area, RADIANCE)
-        light, = lamps._lights_of(lamp, samples, 1.0)
+        light, = lamps.lights_of(lamp, samples, 1.0)
         numpy.testing.assert_allclose(light.location, (0, 0, 0.3), atol=1e-3)
         bpy.context.scene.collection.objects.link(light)
 
         value = {name: switch.nodes[name].outputs[0] for name in ("Flat", "Shine", "Surfaces")}
         value["Flat"].default_value, value["Shine"].default_value = 0, 1
         ball = RADIANCE * 0.2**2 / 0.3**2
-        disc = RADIANCE * 0.2**2 / (0.3**2 + 0.2**2)  # what Cycles before 4 makes of a point light so near
+        disc = RADIANCE * 0.2**2 / (0.3**2 + 0.2**2)  # as Blender 3.4 has a point light so near
         value["Surfaces"].default_value = 1
         light.hide_render = True
         materials.lights_by_surface(globe.material_slots[0].material, True)

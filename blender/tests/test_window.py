@@ -1,6 +1,6 @@
-"""What goes on in Blender's window while relamp works: progress, Esc, Cancel, a click on the scan, undo.
+"""What goes on in Blender's window while relamp works: Esc, Cancel, clicks on the scan, undo.
 
-A window draws between the steps of a script, so the steps are those of a generator that a timer calls.
+A window draws between the steps of a script, so these are those of a generator that a timer calls.
 """
 
 from __future__ import annotations
@@ -99,7 +99,8 @@ def _is_done_and_undone() -> Iterator[float]:
     bpy.ops.ed.undo()
     yield 0.2
     assert not state.rooms()
-    assert [slot.material.name for slot in bpy.data.objects["scan"].material_slots] == ["Material_0"]
+    slot, = bpy.data.objects["scan"].material_slots
+    assert slot.material.name == "Material_0"
 
 
 def _until(is_so, what: str) -> Iterator[float]:
