@@ -6,6 +6,7 @@ import os
 from dataclasses import dataclass
 
 import bpy
+import numpy
 
 from .errors import Refusal
 
@@ -40,15 +41,29 @@ def texture_of(material: bpy.types.Material) -> Texture:
 
 def write_picture(image: bpy.types.Image, stem: str) -> str:
     """Writes the picture of an image, as it was read wherever that is possible; the file's name."""
-    ending = ENDINGS.get(image.file_format, ".png")
+    content = None
     if not image.is_dirty:
         content = image.packed_file.data if image.packed_file else _content_of_file(image)
-        if content:
-            with open(stem + ending, "wb") as file:
-                file.write(content)
-            return stem + ending
-    copy = image.copy()  # a painted or generated one
+    if content is None:
+        return _write_pixels(image, stem)
+    name = stem + ENDINGS.get(image.file_format, ".png")
+    with open(name, "wb") as file:
+        file.write(content)
+    return name
+
+
+def _write_pixels(image: bpy.types.Image, stem: str) -> str:
+    """Of one that was painted or generated: what Blender holds, which no file has."""
+    values = numpy.empty(len(image.pixels), numpy.float32)
+    image.pixels.foreach_get(values)
+    rgba = numpy.ones((image.size[0] * image.size[1], 4), numpy.float32)
+    rgba[:, :image.channels] = values.reshape(-1, image.channels)
+    if image.channels < 3:
+        rgba[:, 1:3] = rgba[:, :1]
+    copy = bpy.data.images.new(image.name, *image.size, alpha=True, float_buffer=image.is_float)
     try:
+        copy.colorspace_settings.name = "Non-Color"  # numbers stay as they are
+        copy.pixels.foreach_set(rgba.ravel())
         copy.file_format = "OPEN_EXR" if image.is_float else "PNG"
         copy.filepath_raw = stem + ENDINGS[copy.file_format]
         copy.save()
@@ -89,9 +104,11 @@ def _climb(socket: bpy.types.NodeSocket, found: list, seen: set) -> None:
             _climb(above, found, seen)
 
 
-def _uv_layer(node: bpy.types.ShaderNodeTexImage, material: bpy.types.Material) -> str:
+def _uv_layer(node: bpy.types.ShaderNode, material: bpy.types.Material) -> str:
     for link in node.inputs["Vector"].links:
         source = link.from_node
+        if source.type == "MAPPING" and _changes_nothing(source):
+            return _uv_layer(source, material)
         if source.type == "MAPPING":
             raise Refusal(f'material "{material.name}" moves or scales its texture by a Mapping '
                           "node; apply that to the UV map and remove the node")
@@ -101,6 +118,13 @@ def _uv_layer(node: bpy.types.ShaderNodeTexImage, material: bpy.types.Material) 
             raise Refusal(f'material "{material.name}" places its texture by the node '
                           f'"{source.name}"; relamp reads UV maps only')
     return ""
+
+
+def _changes_nothing(mapping: bpy.types.ShaderNodeMapping) -> bool:
+    expected = {"Location": (0, 0, 0), "Rotation": (0, 0, 0), "Scale": (1, 1, 1)}
+    return all(socket.name not in expected or
+               not socket.links and tuple(socket.default_value) == expected[socket.name]
+               for socket in mapping.inputs)
 
 
 def _checked(image: bpy.types.Image, material: bpy.types.Material) -> bpy.types.Image:
