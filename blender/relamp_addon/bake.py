@@ -39,6 +39,10 @@ CLASSES = (RELAMP_OT_bake,)
 def bake(context: bpy.types.Context, room: bpy.types.Collection, samples: int) -> None:
     """Light as `room` is shown, by its lamps or its surfaces; by lamps where it is shown flat."""
     own = room.relamp
+    things = [part.thing for part in own.parts if part.thing]
+    for thing in things:
+        if not thing.visible_get():
+            raise Refusal(f'"{thing.name}" is hidden, and Cycles bakes what is seen; show it')
     if own.mode not in switch.RELIT:
         own.mode = "LAMPS"
     made = state.materials_of(room)
@@ -50,7 +54,8 @@ def bake(context: bpy.types.Context, room: bpy.types.Collection, samples: int) -
         if albedo.name not in images:
             images[albedo.name] = _new_image(albedo)
         material.relamp.baked = images[albedo.name]
-    with _targets(made), _cycles(context.scene, samples), _selection(context, room):
+    with (_targets(made), _no_other_material(own, made[0]), _cycles(context.scene, samples),
+          _selection(context, things)):
         try:
             bpy.ops.object.bake(type="COMBINED", pass_filter={"DIRECT", "INDIRECT", "DIFFUSE",
                                                               "EMIT"},
@@ -89,6 +94,21 @@ def _targets(made: list[bpy.types.Material]) -> Iterator[None]:
 
 
 @contextlib.contextmanager
+def _no_other_material(own: state.Room, made: bpy.types.Material) -> Iterator[None]:
+    """In a slot that no face has, the scan's material stays; its texture would be baked over."""
+    slots = [slot for part in own.parts if part.thing
+             for slot, noted in zip(part.thing.material_slots, part.slots) if not noted.delit]
+    before = [slot.material for slot in slots]
+    for slot in slots:
+        slot.material = made
+    try:
+        yield
+    finally:
+        for slot, material in zip(slots, before):
+            slot.material = material
+
+
+@contextlib.contextmanager
 def _cycles(scene: bpy.types.Scene, samples: int) -> Iterator[None]:
     engine = scene.render.engine
     scene.render.engine = "CYCLES"
@@ -106,9 +126,8 @@ def _cycles(scene: bpy.types.Scene, samples: int) -> Iterator[None]:
 
 
 @contextlib.contextmanager
-def _selection(context: bpy.types.Context, room: bpy.types.Collection) -> Iterator[None]:
+def _selection(context: bpy.types.Context, things: list[bpy.types.Object]) -> Iterator[None]:
     active, selected = context.view_layer.objects.active, list(context.selected_objects)
-    things = [part.thing for part in room.relamp.parts if part.thing]
     for thing in selected:
         thing.select_set(False)
     for thing in things:

@@ -50,12 +50,13 @@ def lights_of(lamp: Lamp, samples: Samples, unit: float) -> list[bpy.types.Objec
     area = lamp.area / unit**2
     if not len(samples.area):
         if lamp.normal is None or area <= 0:
-            return [_ball(lamp, samples, area, unit)]
-        return [area_light(lamp.name, _disc(lamp, samples, area, unit), lamp.radiance)]
+            return [_ball(lamp, area, unit)]
+        return [area_light(lamp.name, _disc(lamp, area, unit), lamp.radiance)]
     mean = numpy.average(samples.normal, axis=0, weights=samples.area)
     length = numpy.linalg.norm(mean)
-    if length < ROUND:
-        return [_ball(lamp, samples, area, unit)]
+    # A far side faces the other way.
+    if length * (1 - 2 * lamp.unseen / max(lamp.area, 1e-9)) < ROUND:
+        return [_ball(lamp, area, unit)]
     pieces = [samples] if length > ONE_SIDED else _sides(samples, mean / length)
     lights = []
     for piece in pieces:
@@ -70,7 +71,7 @@ def lights_of(lamp: Lamp, samples: Samples, unit: float) -> list[bpy.types.Objec
     return lights
 
 
-def _ball(lamp: Lamp, samples: Samples, area: float, unit: float) -> bpy.types.Object:
+def _ball(lamp: Lamp, area: float, unit: float) -> bpy.types.Object:
     light = bpy.data.lights.new(lamp.name, "POINT")
     light.shadow_soft_size = math.sqrt(max(area, 0) / (4 * math.pi))
     # Shadow rays pass the lamp's surface, which the light stands in; rays that come upon it do
@@ -78,7 +79,7 @@ def _ball(lamp: Lamp, samples: Samples, area: float, unit: float) -> bpy.types.O
     light.cycles.use_multiple_importance_sampling = False
     set_power(light, math.pi * area * lamp.radiance)
     thing = bpy.data.objects.new(lamp.name, light)
-    thing.location = _middle(lamp, samples, unit)
+    thing.location = places.to_blender(lamp.centre[None])[0] / unit
     return thing
 
 
@@ -138,17 +139,11 @@ def lamp_samples(all_samples: list[Samples], number: int) -> Samples:
                      for name in ("place", "normal", "area", "lamp")))
 
 
-def _middle(lamp: Lamp, samples: Samples, unit: float) -> Vector:
-    if len(samples.area):
-        return Vector(numpy.average(samples.place, axis=0, weights=samples.area))
-    return Vector(places.to_blender(lamp.centre[None])[0] / unit)
-
-
-def _disc(lamp: Lamp, samples: Samples, area: float, unit: float) -> Shape:
+def _disc(lamp: Lamp, area: float, unit: float) -> Shape:
     normal = places.to_blender(lamp.normal[None])[0]
     side = 2 * math.sqrt(area / math.pi)
     axes = numpy.array([*across_of(normal), normal])
-    return Shape(numpy.array(_middle(lamp, samples, unit)), axes, (side, side), True)
+    return Shape(places.to_blender(lamp.centre[None])[0] / unit, axes, (side, side), True)
 
 
 def _flat(samples: Samples, area: float, unit: float) -> Shape:

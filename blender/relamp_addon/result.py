@@ -22,6 +22,7 @@ class Lamp:
     normal: numpy.ndarray | None  # None: shines all around
     area: float  # m^2
     radiance: numpy.ndarray
+    unseen: float = 0.0  # m^2 of the area: a far side that the scan does not show
 
 
 class Result:
@@ -74,4 +75,5 @@ def _lamp(entry: dict) -> Lamp:
     return Lamp(int(entry["id"]), entry.get("name") or f"lamp {entry['id']}",
                 numpy.array(entry["centre"], float),
                 None if isinstance(normal, str) else numpy.array(normal, float),
-                float(entry.get("area", 0)), on * numpy.array(entry["radiance"], float))
+                float(entry.get("area", 0)), on * numpy.array(entry["radiance"], float),
+                float(entry.get("unseen", 0)))

@@ -58,6 +58,7 @@ class _Pages:
             name = f"{scanned.name} {'lamps' if of_lamps else 'albedo'}"
             self.made[key] = materials.new_material(name, self.page(scanned), uv_layer, self.tree,
                                                     of_lamps)
+            self.made[key].relamp.scanned = scanned
         return self.made[key]
 
 

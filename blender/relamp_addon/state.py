@@ -56,6 +56,7 @@ class Page(bpy.types.PropertyGroup):
     confidence: bpy.props.PointerProperty(type=bpy.types.Image)
     baked: bpy.props.PointerProperty(type=bpy.types.Image)
     is_of_lamps: bpy.props.BoolProperty()
+    scanned: bpy.props.PointerProperty(type=bpy.types.Material)  # whose place it takes
 
 
 CLASSES = (Slot, Part, Room, Page)
@@ -80,7 +81,8 @@ def scanned_material(thing: bpy.types.Object, slot: int) -> bpy.types.Material |
         for part in room.relamp.parts:
             if part.thing == thing and slot < len(part.slots):
                 return part.slots[slot].scanned
-    return thing.material_slots[slot].material
+    material = thing.material_slots[slot].material
+    return material and (material.relamp.scanned or material)
 
 
 def materials_of(room: bpy.types.Collection) -> list[bpy.types.Material]:

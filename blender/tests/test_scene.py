@@ -192,8 +192,16 @@ class GivenBack(unittest.TestCase):
 
 class Baked(unittest.TestCase):
     def test_bakes_the_light_that_is_there_and_no_other(self):
-        """A room whose lamps are off and that has one lamp of the person's own."""
+        """A room whose lamps are off and that has one lamp of the person's own. The scan has a
+        second material that no face has, the texture of which must stay as it is.
+        """
         scan = scenes.import_sample()
+        spare = scan.material_slots[0].material.copy()
+        node = next(one for one in spare.node_tree.nodes if one.type == "TEX_IMAGE")
+        node.image = node.image.copy()
+        spare.node_tree.nodes.active = node
+        scan.data.materials.append(spare)
+        untouched = scenes.pixels(node.image)
         room = scenes.delight()
         room.relamp.mode = "LAMPS"
         for light in room.relamp.lamps.objects:
@@ -220,3 +228,7 @@ class Baked(unittest.TestCase):
         self.assertTrue(material.relamp.baked.packed_file)
         self.assertEqual(len([one for one in bpy.data.images if "baked" in one.name]), 1)
         self.assertTrue(scan.select_get())
+        numpy.testing.assert_array_equal(scenes.pixels(node.image), untouched)
+        self.assertEqual(scan.material_slots[1].material, spare)
+        scan.hide_set(True)
+        self.assertIn('"scan" is hidden', scenes.refusal_of(bpy.ops.relamp.bake))

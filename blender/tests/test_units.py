@@ -101,6 +101,17 @@ class Units(unittest.TestCase):
         self.assertAlmostEqual((before - side.matrix_world.translation).z, 1, places=5)
         self.assertGreater(before.to_2d().length, 0.1)  # outside of the box
 
+    def test_shade_of_which_half_was_scanned_sends_light_to_its_far_side_too(self):
+        normal = numpy.array([[0.6, 0.8, 0.0], [-0.6, 0.8, 0.0]]).repeat(50, axis=0)
+        samples = Samples(normal * 0.1, normal, numpy.full(100, 0.01 / 100), numpy.ones(100))
+        lamp = Lamp(0, "shade", numpy.array([0.0, 1, 0]), numpy.array([0.0, 0, -1]), 0.02, RADIANCE,
+                    unseen=0.01)
+        light, = lamps.lights_of(lamp, samples, 1.0)
+        self.assertEqual(light.data.type, "POINT")
+        self.assertEqual(tuple(light.location), (0, 0, 1))
+        numpy.testing.assert_allclose(numpy.array(light.data.color) * light.data.energy,
+                                      math.pi * 0.02 * RADIANCE, rtol=1e-5)
+
     def test_globe_lights_as_much_by_its_surface_as_by_the_light_in_it(self):
         """The globe must not stand in the light's way, and no light must be missing where a ray
         meets it. A ball of radius r shows L r^2 / d^2.
@@ -121,7 +132,7 @@ class Units(unittest.TestCase):
         samples = faces.samples_of_lamps(globe, layer, page.lamp_numbers, chosen)
         area = 4 * math.pi * 0.2**2
         self.assertAlmostEqual(samples.area.sum(), area, delta=0.005 * area)
-        lamp = Lamp(0, "globe", numpy.zeros(3), None, area, RADIANCE)
+        lamp = Lamp(0, "globe", numpy.array([0.0, 0.3, 0]), None, area, RADIANCE)
         light, = lamps.lights_of(lamp, samples, 1.0)
         numpy.testing.assert_allclose(light.location, (0, 0, 0.3), atol=1e-3)
         bpy.context.scene.collection.objects.link(light)
