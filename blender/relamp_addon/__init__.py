@@ -27,6 +27,7 @@ def register() -> None:
 
 
 def unregister() -> None:
+    delight.stop()
     del bpy.types.WindowManager.relamp_cancel
     del bpy.types.Scene.relamp
     for one in reversed(CLASSES):

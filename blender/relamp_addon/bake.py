@@ -38,6 +38,9 @@ CLASSES = (RELAMP_OT_bake,)
 
 def bake(context: bpy.types.Context, room: bpy.types.Collection, samples: int) -> None:
     """Light as `room` is shown, by its lamps or its surfaces; by lamps where it is shown flat."""
+    if not hasattr(context.scene, "cycles"):
+        raise Refusal("Cycles is switched off; tick Cycles Render Engine in Edit > Preferences > "
+                      "Add-ons")
     own = room.relamp
     things = [part.thing for part in own.parts if part.thing]
     for thing in things:

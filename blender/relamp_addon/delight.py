@@ -107,14 +107,11 @@ class RELAMP_OT_delight(bpy.types.Operator):
 
     def cancel(self, context: bpy.types.Context) -> None:
         """Blender calls this, too, when it quits or loads another file."""
-        job = RELAMP_OT_delight.job
-        RELAMP_OT_delight.job = None
+        stop()
         context.window_manager.event_timer_remove(self.timer)
-        context.workspace.status_text_set(None)
+        if context.workspace:
+            context.workspace.status_text_set(None)
         _redraw(context)
-        if job:
-            job.run.cancel()
-            job.close()
 
     def _done(self, context: bpy.types.Context, job: Job) -> set[str]:
         made = job.finish(context)
@@ -150,6 +147,15 @@ class RELAMP_OT_remove(bpy.types.Operator):
 
 
 CLASSES = (RELAMP_OT_delight, RELAMP_OT_cancel, RELAMP_OT_remove)
+
+
+def stop() -> None:
+    """Ends what runs, and leaves nothing of it."""
+    job = RELAMP_OT_delight.job
+    RELAMP_OT_delight.job = None
+    if job:
+        job.run.cancel()
+        job.close()
 
 
 def _settings(context: bpy.types.Context, objects: list[bpy.types.Object]) -> program.Settings:

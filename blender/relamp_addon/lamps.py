@@ -76,7 +76,8 @@ def _ball(lamp: Lamp, area: float, unit: float) -> bpy.types.Object:
     light.shadow_soft_size = math.sqrt(max(area, 0) / (4 * math.pi))
     # Shadow rays pass the lamp's surface, which the light stands in; rays that come upon it do
     # not, and Cycles must not count on them to find the light.
-    light.cycles.use_multiple_importance_sampling = False
+    if hasattr(light, "cycles"):
+        light.cycles.use_multiple_importance_sampling = False
     set_power(light, math.pi * area * lamp.radiance)
     thing = bpy.data.objects.new(lamp.name, light)
     thing.location = places.to_blender(lamp.centre[None])[0] / unit

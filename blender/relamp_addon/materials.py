@@ -95,6 +95,8 @@ def new_material(name: str, page: PageImages, uv_layer: str, switch: bpy.types.N
 
 def lights_by_surface(material: bpy.types.Material, does: bool) -> None:
     """Whether Cycles looks for light on the material's faces."""
+    if not hasattr(material, "cycles"):
+        return  # Cycles is switched off in the preferences
     if hasattr(material.cycles, "emission_sampling"):  # since 3.5
         material.cycles.emission_sampling = "AUTO" if does else "NONE"
     else:

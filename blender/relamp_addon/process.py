@@ -12,7 +12,7 @@ import time
 from .errors import Refusal
 
 STAGE = re.compile(r"^  (.+?) +(\d+) %$")
-PATIENCE = 5  # seconds that relamp has to end when it is asked to; it wants one
+PATIENCE = 10  # seconds that relamp has to end when it is asked to; it wants one
 # Shares of a run's time after which a stage usually begins; what takes long does so in every scan.
 BEGINS = {"read": 0.0, "bvh": 0.02, "texels": 0.03, "enclosed texels": 0.05, "lights": 0.08,
           "rays": 0.09, "openings": 0.31, "lamps": 0.35, "sun": 0.64, "shadows": 0.65,

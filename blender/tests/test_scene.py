@@ -18,6 +18,12 @@ def centres(room: bpy.types.Collection) -> dict[str, numpy.ndarray]:
             for name, light in scenes.lights(room).items()}
 
 
+def inventory() -> dict[str, list[str]]:
+    return {kind: sorted(one.name for one in getattr(bpy.data, kind)) for kind in
+            ("objects", "meshes", "materials", "images", "lights", "worlds", "collections",
+             "node_groups")}
+
+
 class AsImported(unittest.TestCase):
     """One result, looked at from all sides."""
 
@@ -106,25 +112,42 @@ class AsImported(unittest.TestCase):
                 bpy.data.images.remove(image)
 
 
-class HoweverItStands(unittest.TestCase):
-    """Lamps are where they were, in the scan's own frame, whatever Blender's file says about it."""
+class AgainAndAgain(unittest.TestCase):
+    """One scan, delit a few times; these tests follow each other."""
 
     @classmethod
     def setUpClass(cls):
-        scan = scenes.import_sample()
+        cls.scan = scenes.import_sample()
+        cls.world = bpy.data.worlds.new("mine")
+        bpy.context.scene.world = cls.world
+        cls.before = inventory()
         cls.expected = centres(scenes.delight())
+
+    def test_1_the_scan_is_as_it_was_and_nothing_stays(self):
+        self.assertNotEqual(inventory(), self.before)
+        state.rooms()[0].relamp.mode = "SURFACES"
+        self.assertNotEqual(bpy.context.scene.world, self.world)
+        again = centres(scenes.delight())  # takes the place of the first
+        self.assertEqual(len(state.rooms()), 1)
+        self.assertEqual(again.keys(), self.expected.keys())
         bpy.ops.relamp.remove()
-        cls.scan = scan
+        self.assertEqual(inventory(), self.before)
+        self.assertEqual(bpy.context.scene.world, self.world)
+        self.assertEqual([slot.material.name for slot in self.scan.material_slots], ["Material_0"])
+        self.assertEqual({one.material_index for one in self.scan.data.polygons}, {0})
+        self.assertNotIn(confidence.NAME, self.scan.data.color_attributes)
 
     def expect(self, room: bpy.types.Collection, by: Matrix, within: float) -> None:
-        """All lamps but for sides, the order of which follows the axes."""
+        """Lamps are where they were in the scan's own frame, whatever Blender's file says about
+        it; all but for sides, the order of which follows the axes.
+        """
         found = centres(room)
         for name, centre in self.expected.items():
             if "side" not in name:
                 there = numpy.array((by @ Matrix.Translation(centre)).translation)
                 self.assertLess(numpy.linalg.norm(found[name] - there), within, name)
 
-    def test_turned_and_in_centimetres_and_in_two_pieces_of_two_textures(self):
+    def test_2_turned_and_in_centimetres_and_in_two_pieces_of_two_textures(self):
         scan = self.scan
         by = (Matrix.Translation((300, -50, 20)) @ Matrix.Rotation(0.7, 4, "Z")
               @ Matrix.Scale(100, 4))
@@ -161,33 +184,6 @@ class HoweverItStands(unittest.TestCase):
         for part in room.relamp.parts:
             name = next(slot.delit for slot in part.slots if slot.delit).relamp.albedo.name
             self.assertEqual("001" in name, part.thing == half, name)
-
-
-class GivenBack(unittest.TestCase):
-    def test_the_scan_is_as_it_was_and_nothing_stays(self):
-        scan = scenes.import_sample()
-        world = bpy.data.worlds.new("mine")
-        bpy.context.scene.world = world
-
-        def inventory() -> dict[str, list[str]]:
-            return {kind: sorted(one.name for one in getattr(bpy.data, kind)) for kind in
-                    ("objects", "meshes", "materials", "images", "lights", "worlds", "collections",
-                     "node_groups")}
-
-        before = inventory()
-        first = centres(scenes.delight())
-        self.assertNotEqual(inventory(), before)
-        state.rooms()[0].relamp.mode = "SURFACES"
-        self.assertNotEqual(bpy.context.scene.world, world)
-        again = centres(scenes.delight())  # takes the place of the first
-        self.assertEqual(len(state.rooms()), 1)
-        self.assertEqual(again.keys(), first.keys())
-        bpy.ops.relamp.remove()
-        self.assertEqual(inventory(), before)
-        self.assertEqual(bpy.context.scene.world, world)
-        self.assertEqual([slot.material.name for slot in scan.material_slots], ["Material_0"])
-        self.assertEqual({one.material_index for one in scan.data.polygons}, {0})
-        self.assertNotIn(confidence.NAME, scan.data.color_attributes)
 
 
 class Baked(unittest.TestCase):

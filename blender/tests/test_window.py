@@ -16,7 +16,7 @@ import scenes
 from relamp_addon import state
 from relamp_addon.delight import RELAMP_OT_delight
 
-PATIENCE = 60  # s
+PATIENCE = 120  # s, where much else runs
 
 
 def begin() -> None:
@@ -34,7 +34,7 @@ def begin() -> None:
             os._exit(1)
 
     bpy.context.preferences.view.show_splash = False
-    bpy.app.timers.register(step, first_interval=0.5)
+    bpy.app.timers.register(step, first_interval=0.5, persistent=True)
 
 
 def _steps() -> Iterator[float]:
@@ -51,6 +51,7 @@ def _steps() -> Iterator[float]:
     yield from _ends_by("Cancel")
     yield from _a_click_is_a_hint()
     yield from _is_done_and_undone()
+    yield from _goes_with_its_file()
 
 
 def _ends_by(how: str) -> Iterator[float]:
@@ -101,6 +102,24 @@ def _is_done_and_undone() -> Iterator[float]:
     assert not state.rooms()
     slot, = bpy.data.objects["scan"].material_slots
     assert slot.material.name == "Material_0"
+
+
+def _goes_with_its_file() -> Iterator[float]:
+    """And does not come back into the next one."""
+    scan = bpy.data.objects["scan"]
+    bpy.context.view_layer.objects.active = scan
+    scan.select_set(True)
+    bpy.context.scene.relamp.quality = "high"
+    _call(bpy.ops.relamp.delight)
+    job = RELAMP_OT_delight.job
+    while job.run.fraction == 0:
+        yield 0.1
+    with bpy.context.temp_override(**_view()):
+        bpy.ops.wm.read_homefile(use_factory_startup=True, load_ui=True)
+    yield 0.5
+    assert job.run.child.returncode == 130, job.run.child.returncode
+    assert not os.path.exists(job.folder)
+    assert RELAMP_OT_delight.job is None
 
 
 def _until(is_so, what: str) -> Iterator[float]:
