@@ -153,8 +153,8 @@ def _flat(samples: Samples, area: float, unit: float) -> Shape:
     middle = numpy.average(samples.place, axis=0, weights=samples.area)
     away = samples.place - middle
     width, height, low, high = _narrowest(away, across_of(normal))
-    extent = high - low
-    fills = samples.area.sum() / max(float(extent.prod()), 1e-20)
+    extent = numpy.maximum(high - low, 0.01 * math.sqrt(area))  # of a few samples it may be 0
+    fills = samples.area.sum() / float(extent.prod())
     before = float((away @ normal).max()) + CLEARANCE / unit
     centre = middle + normal * before + numpy.array([width, height]).T @ ((low + high) / 2)
     is_ellipse = fills < FULL

@@ -63,6 +63,14 @@ class Units(unittest.TestCase):
         self.assertAlmostEqual(max(light.data.size, light.data.size_y), 0.2, delta=0.01)
         numpy.testing.assert_allclose(self.shown(light), RADIANCE * 0.01 / 4 / math.pi, rtol=0.015)
 
+    def test_lamp_of_a_single_sample_has_a_size(self):
+        samples = Samples(numpy.array([[0.0, 0, 2]]), numpy.array([[0.0, 0, -1]]),
+                          numpy.array([1e-4]), numpy.ones(1))
+        lamp = Lamp(0, "lamp", numpy.zeros(3), numpy.array([0.0, -1, 0]), 1e-4, RADIANCE)
+        light, = lamps.lights_of(lamp, samples, 1.0)
+        self.assertAlmostEqual(light.data.size, light.data.size_y)
+        self.assertAlmostEqual(light.data.energy, 4 * 1e-4 * 3, delta=1e-6)
+
     def test_lamp_that_shines_all_around_sends_pi_l_a(self):
         lamp = Lamp(0, "lamp", numpy.array([0.0, 2, 0]), None, 0.01, RADIANCE)
         light, = lamps.lights_of(lamp, NOTHING, 1.0)
