@@ -1,11 +1,16 @@
 """The archive is an add-on of Blender 3.4, and an extension of 4.2 by the rules of its manual."""
 
 import ast
+import importlib
 import os
 import re
+import shutil
+import sys
+import tempfile
 import tomllib
 import unittest
 
+import bpy
 import relamp_addon
 
 FOLDER = os.path.dirname(relamp_addon.__file__)
@@ -59,8 +64,26 @@ class Package(unittest.TestCase):
         self.assertEqual({name for name in os.listdir(FOLDER) if name != "__pycache__"},
                          {name for name in os.listdir(SOURCE) if name != "__pycache__"})
 
+    def test_it_registers_under_the_name_of_an_extension(self):
+        """Which is bl_ext.REPOSITORY.ID."""
+        bpy.ops.preferences.addon_disable(module="relamp_addon")
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(FOLDER, f"{folder}/bl_ext/user_default/relamp")
+            sys.path.insert(0, folder)
+            try:
+                extension = importlib.import_module("bl_ext.user_default.relamp")
+                extension.register()
+                self.assertEqual(extension.preferences.Preferences.bl_idname,
+                                 "bl_ext.user_default.relamp")
+                self.assertTrue(hasattr(bpy.types, "RELAMP_PT_delight"))
+                extension.unregister()
+                self.assertFalse(hasattr(bpy.types, "RELAMP_PT_delight"))
+                self.assertFalse(hasattr(bpy.types.Scene, "relamp"))
+            finally:
+                sys.path.remove(folder)
+                bpy.ops.preferences.addon_enable(module="relamp_addon")
+
     def test_it_imports_itself_by_relative_names_alone(self):
-        """As an extension it is called bl_ext.REPOSITORY.relamp."""
         for name in os.listdir(FOLDER):
             if name.endswith(".py"):
                 with open(f"{FOLDER}/{name}", encoding="utf-8") as file:

@@ -2,12 +2,13 @@
 
 import math
 import tempfile
+import types
 import unittest
 
 import bpy
 import numpy
 import scenes
-from relamp_addon import faces, images, lamps, materials, places
+from relamp_addon import faces, images, lamps, materials, outside, places
 from relamp_addon.faces import Samples
 from relamp_addon.result import Lamp
 
@@ -82,6 +83,19 @@ class Units(unittest.TestCase):
     def test_sun_has_its_irradiance(self):
         sun = lamps.new_sun({"direction": [0, 1, 0], "irradiance": list(RADIANCE)})
         numpy.testing.assert_allclose(self.shown(sun), RADIANCE / math.pi, rtol=0.01)
+
+    def test_opening_shows_its_radiance_in_place_of_the_ambient_light(self):
+        """Of all that paper sees, F = A / (pi d^2) is the opening; not both shine there."""
+        ambient = numpy.array([0.3, 0.2, 0.1])
+        opening = {"centre": [0, 2, 0], "normal": [0, -1, 0], "area": 0.36,
+                   "radiance": list(5 * RADIANCE)}
+        found = types.SimpleNamespace(lights={"ambient": list(ambient)},
+                                      report={"lights": {"openings": [opening]}})
+        bpy.context.scene.world = outside.new_world("outside", found)
+        pane, = outside.new_panes(found, 1.0)
+        share = 0.0278  # of a square of 0.6 m at 2 m: 0.36 / (4 pi), less as it is not far off
+        numpy.testing.assert_allclose(
+            self.shown(pane), share * 5 * RADIANCE + (1 - share) * ambient, rtol=0.02)
 
     def test_box_is_a_light_a_side_that_go_with_the_front(self):
         """Half a cube under the ceiling: its front and its four sides."""
