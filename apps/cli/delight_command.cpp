@@ -45,6 +45,7 @@ struct DelightArguments
     std::vector<float> attenuation;
     bool quiet = false;
     bool json = false;
+    bool progress = false;
     bool force = false;
 };
 
@@ -278,7 +279,8 @@ void printSummary(const DelightArguments& arguments, const relamp::Decomposition
 
 int runOne(DelightArguments& arguments)
 {
-    const Talk talk = arguments.quiet || arguments.json ? Talk::quiet : Talk::normal;
+    const bool isSilent = arguments.quiet || arguments.json;
+    const Talk talk = arguments.progress ? Talk::lines : isSilent ? Talk::quiet : Talk::normal;
     const auto start = std::chrono::steady_clock::now();
     relamp::Progress progress(progressDisplay(talk));
     const Interrupt interrupt(progress);
@@ -312,7 +314,7 @@ int runOne(DelightArguments& arguments)
     endProgressDisplay(talk);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (arguments.json) printExactly(report); // endOutput tells whether it came
-    if (talk == Talk::normal) printSummary(arguments, result, elapsed.count());
+    if (!isSilent) printSummary(arguments, result, elapsed.count());
     return 0;
 }
 
@@ -427,6 +429,8 @@ void addDelightCommand(CLI::App& app, Run& run)
     command.add_flag("--force", arguments->force,
                      "Replace files of DIR that relamp did not write, or that were changed since");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");
+    command.add_flag("--progress", arguments->progress,
+                     "Progress as lines on standard error, stage and per cent, for a program");
     command.add_flag("--json", arguments->json, "Print the report as JSON and nothing else");
     addGatherParameters(command, *arguments);
     addPathtraceParameters(command, arguments->options.pathtrace);

@@ -73,13 +73,23 @@ void tell(const relamp::Progress::Event& event, Shown& shown)
     say(fmt::format("  {}{}\n", name, event.part.empty() ? " ..." : ""));
 }
 
+/// A line for every stage and for every step of it, but no more than a bar is redrawn.
+void count(const relamp::Progress::Event& event, Shown& shown)
+{
+    const auto now = Clock::now();
+    const std::string name = nameOf(event);
+    if (name == shown.name && event.fraction < 1.0 && now - shown.when < kRedrawEvery) return;
+    shown = {name, now};
+    say(fmt::format("  {} {:.0f} %\n", name, 100.0 * event.fraction));
+}
+
 } // namespace
 
 relamp::Progress::Sink progressDisplay(Talk talk)
 {
     if (talk == Talk::quiet) return {};
     const auto shown = std::make_shared<Shown>();
-    const auto show = isTerminal() ? draw : tell;
+    const auto show = talk == Talk::lines ? count : isTerminal() ? draw : tell;
     return [shown, show](const relamp::Progress::Event& event) { show(event, *shown); };
 }
 

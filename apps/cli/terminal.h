@@ -11,9 +11,11 @@
 enum class Talk {
     normal,
     quiet, // errors only
+    lines, // progress as "  stage 45 %" wherever it goes, for a program to read
 };
 
-/// Draws progress on standard error: a bar where a person looks, plain lines elsewhere.
+/// Draws progress on standard error: a bar where a person looks, plain lines elsewhere, and where
+/// they are asked for lines that say how far the stage is.
 relamp::Progress::Sink progressDisplay(Talk talk);
 
 /// Ends the bar's line, if there is one.

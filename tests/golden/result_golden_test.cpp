@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -320,6 +321,20 @@ TEST_F(ResultProgram, CtrlCEndsAllScansThatAreToCome)
 
     EXPECT_EQ(runRelamp(arguments, 1.5).exitCode, 130);
     EXPECT_FALSE(fs::exists(folder / "all" / "8"));
+}
+
+// What a program that shows progress of its own reads, whatever else is said.
+TEST_F(ResultProgram, ProgressIsToldByLinesOfStageAndPerCent)
+{
+    const Outcome run = delight({"--progress"}); // and -q
+    ASSERT_EQ(run.exitCode, 0);
+    EXPECT_EQ(run.out, "");
+    EXPECT_THAT(run.err, testing::StartsWith("  read 0 %\n"));
+    EXPECT_THAT(run.err, HasSubstr("\n  rays 0 %\n"));
+    EXPECT_THAT(run.err, testing::EndsWith("  write 100 %\n"));
+    std::istringstream lines(run.err);
+    for (std::string line; std::getline(lines, line);)
+        EXPECT_THAT(line, testing::ContainsRegex("^  [a-z ]+ [0-9]+ %$"));
 }
 
 TEST_F(ResultProgram, WhatIsAboutOneScanIsRefusedOfSeveral)
