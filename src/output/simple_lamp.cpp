@@ -1,0 +1,182 @@
+#include "output/simple_lamp.h"
+
+#include "base/radiometry.shared.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr size_t kMostPoints = 2000;   // that an outline is told from
+constexpr float kStray = 0.01f;        // share of the points beyond either end that counts for none
+constexpr float kBefore = 0.01f;       // m; of a light before the surface that it stands for
+constexpr float kSmallestSide = 2e-3f; // m
+constexpr float kBulb = 0.02f;         // m; smallest radius of a light that has none, as to gather
+constexpr float kRound = 1.25f;        // longer over shorter side of what may be a disc
+// Mean square distance from the middle over that of a corner of the box around: 1/4 of a disc, 1/3
+// of a rectangle.
+constexpr float kSpreadOfDisc = 0.29f;
+
+/// The axes of a light that shines along `direction`; its height goes up as far as it can.
+glm::mat3 facing(glm::vec3 direction)
+{
+    const glm::vec3 back = -glm::normalize(direction);
+    const glm::vec3 up = std::abs(back.y) < 0.999f ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, -1);
+    const glm::vec3 right = glm::normalize(glm::cross(up, back));
+    return {right, glm::cross(back, right), back};
+}
+
+/// The axes turned around the third.
+glm::mat3 turned(const glm::mat3& axes, float angle)
+{
+    const glm::vec3 right = std::cos(angle) * axes[0] + std::sin(angle) * axes[1];
+    return {right, glm::cross(axes[2], right), axes[2]};
+}
+
+/// Points of one area each, of all of them.
+std::vector<glm::vec3> evenPoints(const std::vector<LampPoint>& points)
+{
+    float all = 0.0f;
+    for (const LampPoint& point : points) all += point.area;
+    const size_t count = std::min(points.size(), kMostPoints);
+    std::vector<glm::vec3> even;
+    float upTo = 0.0f;
+    for (const LampPoint& point : points) {
+        upTo += point.area;
+        const float share = upTo / all * static_cast<float>(count);
+        while (even.size() < count && static_cast<float>(even.size()) + 0.5f < share)
+            even.push_back(point.position);
+    }
+    return even;
+}
+
+struct Range
+{
+    float low = 0.0f;
+    float high = 0.0f;
+
+    [[nodiscard]] float length() const { return (high - low) / (1.0f - 2.0f * kStray); }
+    [[nodiscard]] float middle() const { return 0.5f * (low + high); }
+};
+
+/// Where points lie by a measure, but for strays.
+Range rangeOf(const std::vector<glm::vec3>& points, const std::function<float(glm::vec3)>& measure)
+{
+    std::vector<float> values;
+    for (const glm::vec3& point : points) values.push_back(measure(point));
+    const auto stray = static_cast<size_t>(kStray * static_cast<float>(values.size()));
+    const auto low = values.begin() + static_cast<std::ptrdiff_t>(stray);
+    const auto high = values.end() - 1 - static_cast<std::ptrdiff_t>(stray);
+    std::nth_element(values.begin(), low, values.end());
+    const float least = *low;
+    std::nth_element(values.begin(), high, values.end());
+    return {least, *high};
+}
+
+Range along(const std::vector<glm::vec3>& points, glm::vec3 axis)
+{
+    return rangeOf(points, [axis](glm::vec3 point) { return glm::dot(point, axis); });
+}
+
+/// The axes, turned so that the box around the points is smallest.
+glm::mat3 alongOutline(const std::vector<glm::vec3>& points, const glm::mat3& axes)
+{
+    constexpr int kSteps = 45; // degrees to either side
+    glm::mat3 best = axes;
+    float least = along(points, axes[0]).length() * along(points, axes[1]).length();
+    for (int step = -kSteps; step < kSteps; ++step) {
+        const glm::mat3 other = turned(axes, glm::radians(static_cast<float>(step)));
+        const float area = along(points, other[0]).length() * along(points, other[1]).length();
+        if (area < 0.999f * least) {
+            best = other;
+            least = area;
+        }
+    }
+    return best;
+}
+
+bool isDisc(const std::vector<glm::vec3>& points, const SimpleLamp& box)
+{
+    const float longer = std::max(box.width, box.height);
+    if (longer > kRound * std::min(box.width, box.height)) return false;
+    float squares = 0.0f;
+    for (const glm::vec3& point : points) {
+        const glm::vec3 from = point - box.position;
+        squares += std::pow(glm::dot(from, box.axes[0]), 2.0f) +
+                   std::pow(glm::dot(from, box.axes[1]), 2.0f);
+    }
+    const float corner = 0.25f * (box.width * box.width + box.height * box.height);
+    return squares / static_cast<float>(points.size()) < kSpreadOfDisc * corner;
+}
+
+void standBefore(const std::vector<glm::vec3>& points, SimpleLamp& lamp)
+{
+    lamp.axes = alongOutline(points, lamp.axes);
+    const Range x = along(points, lamp.axes[0]);
+    const Range y = along(points, lamp.axes[1]);
+    const float front = along(points, -lamp.axes[2]).high + kBefore;
+    lamp.width = std::max(x.length(), kSmallestSide);
+    lamp.height = std::max(y.length(), kSmallestSide);
+    lamp.position = lamp.axes * glm::vec3(x.middle(), y.middle(), -front);
+    lamp.shape = LampShape::rectangle;
+    if (!isDisc(points, lamp)) return;
+    lamp.shape = LampShape::disc;
+    lamp.radius = 0.25f * (lamp.width + lamp.height);
+}
+
+} // namespace
+
+float SimpleLamp::area() const
+{
+    if (shape == LampShape::rectangle) return width * height;
+    return (shape == LampShape::disc ? 1.0f : 4.0f) * kPi * radius * radius;
+}
+
+SimpleLamp simpleLamp(const Fixture& fixture, std::vector<LampPoint> points)
+{
+    SimpleLamp lamp{
+        .id = fixture.id, .position = fixture.centre, .emission = fixture.area * fixture.radiance};
+    const bool isFlat = fixture.normal != glm::vec3(0.0f);
+    if (isFlat) lamp.axes = facing(fixture.normal);
+    lamp.shape = isFlat ? LampShape::disc : LampShape::sphere;
+    lamp.radius = std::sqrt(fixture.area / ((isFlat ? 1.0f : 4.0f) * kPi));
+    lamp.radius = std::max(lamp.radius, kSmallestSide);
+    if (points.empty()) return lamp;
+    const std::vector<glm::vec3> even = evenPoints(points);
+    if (isFlat)
+        standBefore(even, lamp);
+    else
+        lamp.radius = kBefore + rangeOf(even, [&](glm::vec3 point) {
+                                    return glm::distance(point, fixture.centre);
+                                }).high;
+    return lamp;
+}
+
+SimpleLamp simpleLamp(const PointLight& point)
+{
+    return {.name = "light",
+            .position = point.position,
+            .radius = std::max(point.radius, kBulb),
+            .emission = 4.0f * point.intensity}; // flux 4 pi I
+}
+
+SimpleLamp squareLamp(glm::vec3 centre, glm::vec3 normal, float area, glm::vec3 radiance)
+{
+    const float side = std::sqrt(area);
+    return {.shape = LampShape::rectangle,
+            .position = centre,
+            .axes = facing(normal),
+            .width = side,
+            .height = side,
+            .emission = area * radiance};
+}
+
+} // namespace relamp
