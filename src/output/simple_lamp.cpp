@@ -41,16 +41,19 @@ glm::mat3 turned(const glm::mat3& axes, float angle)
     return {right, glm::cross(axes[2], right), axes[2]};
 }
 
-/// Points of one area each, of all of them.
-std::vector<glm::vec3> evenPoints(const std::vector<LampPoint>& points)
+using Weight = std::function<float(const LampPoint&)>;
+
+/// Points of one weight each; none where nothing weighs anything.
+std::vector<glm::vec3> evenPoints(const std::vector<LampPoint>& points, const Weight& weight)
 {
     float all = 0.0f;
-    for (const LampPoint& point : points) all += point.area;
-    const size_t count = std::min(points.size(), kMostPoints);
+    for (const LampPoint& point : points) all += weight(point);
     std::vector<glm::vec3> even;
+    if (all <= 0.0f) return even;
+    const size_t count = std::min(points.size(), kMostPoints);
     float upTo = 0.0f;
     for (const LampPoint& point : points) {
-        upTo += point.area;
+        upTo += weight(point);
         const float share = upTo / all * static_cast<float>(count);
         while (even.size() < count && static_cast<float>(even.size()) + 0.5f < share)
             even.push_back(point.position);
@@ -117,19 +120,38 @@ bool isDisc(const std::vector<glm::vec3>& points, const SimpleLamp& box)
     return squares / static_cast<float>(points.size()) < kSpreadOfDisc * corner;
 }
 
-void standBefore(const std::vector<glm::vec3>& points, SimpleLamp& lamp)
+/// A flat light in the outline of what faces the room, before all of it.
+void standBefore(const std::vector<LampPoint>& points, SimpleLamp& lamp)
 {
-    lamp.axes = alongOutline(points, lamp.axes);
-    const Range x = along(points, lamp.axes[0]);
-    const Range y = along(points, lamp.axes[1]);
-    const float front = along(points, -lamp.axes[2]).high + kBefore;
+    const glm::vec3 normal = -lamp.axes[2];
+    const std::vector<glm::vec3> all =
+        evenPoints(points, [](const LampPoint& point) { return point.area; });
+    std::vector<glm::vec3> face = evenPoints(points, [normal](const LampPoint& point) {
+        return point.area * std::max(glm::dot(point.normal, normal), 0.0f);
+    });
+    if (face.empty()) face = all;
+    lamp.axes = alongOutline(face, lamp.axes);
+    const Range x = along(face, lamp.axes[0]);
+    const Range y = along(face, lamp.axes[1]);
+    const float front = along(all, normal).high + kBefore;
     lamp.width = std::max(x.length(), kSmallestSide);
     lamp.height = std::max(y.length(), kSmallestSide);
     lamp.position = lamp.axes * glm::vec3(x.middle(), y.middle(), -front);
     lamp.shape = LampShape::rectangle;
-    if (!isDisc(points, lamp)) return;
+    if (!isDisc(face, lamp)) return;
     lamp.shape = LampShape::disc;
     lamp.radius = 0.25f * (lamp.width + lamp.height);
+}
+
+/// A sphere around all of it.
+void standAround(const std::vector<LampPoint>& points, SimpleLamp& lamp)
+{
+    const std::vector<glm::vec3> all =
+        evenPoints(points, [](const LampPoint& point) { return point.area; });
+    const glm::vec3 middle = lamp.position;
+    const Range reach =
+        rangeOf(all, [middle](glm::vec3 point) { return glm::distance(point, middle); });
+    lamp.radius = reach.high + kBefore;
 }
 
 } // namespace
@@ -140,7 +162,7 @@ float SimpleLamp::area() const
     return (shape == LampShape::disc ? 1.0f : 4.0f) * kPi * radius * radius;
 }
 
-SimpleLamp simpleLamp(const Fixture& fixture, std::vector<LampPoint> points)
+SimpleLamp simpleLamp(const Fixture& fixture, const std::vector<LampPoint>& points)
 {
     SimpleLamp lamp{
         .id = fixture.id, .position = fixture.centre, .emission = fixture.area * fixture.radiance};
@@ -150,13 +172,10 @@ SimpleLamp simpleLamp(const Fixture& fixture, std::vector<LampPoint> points)
     lamp.radius = std::sqrt(fixture.area / ((isFlat ? 1.0f : 4.0f) * kPi));
     lamp.radius = std::max(lamp.radius, kSmallestSide);
     if (points.empty()) return lamp;
-    const std::vector<glm::vec3> even = evenPoints(points);
     if (isFlat)
-        standBefore(even, lamp);
+        standBefore(points, lamp);
     else
-        lamp.radius = kBefore + rangeOf(even, [&](glm::vec3 point) {
-                                    return glm::distance(point, fixture.centre);
-                                }).high;
+        standAround(points, lamp);
     return lamp;
 }
 

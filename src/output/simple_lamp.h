@@ -16,6 +16,7 @@ namespace relamp
 struct LampPoint
 {
     glm::vec3 position{0.0f}; // world, m
+    glm::vec3 normal{0.0f};   // unit
     float area = 0.0f;        // m^2, > 0
 };
 
@@ -41,7 +42,7 @@ struct SimpleLamp
 /// it faces one way, else a sphere. `points` are of its surface in the scan, which it stands close
 /// before or around, so that the surface hides nothing of it; where there are none, it is a disc or
 /// sphere of the fixture's area.
-SimpleLamp simpleLamp(const Fixture& fixture, std::vector<LampPoint> points);
+SimpleLamp simpleLamp(const Fixture& fixture, const std::vector<LampPoint>& points);
 
 /// A sphere in the place of a light without extent.
 SimpleLamp simpleLamp(const PointLight& point);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <map>
-#include <utility>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -34,8 +33,9 @@ void addPoints(const Texels& texels, size_t page, const FixtureMap& map, PointsO
         loader.loadArea(begin, count, block);
         for (size_t i = 0; i < count; ++i)
             if (idOf(begin + i) >= 0 && block.area[i] > 0.0f)
-                points[idOf(begin + i)].push_back(
-                    {{block.x[i], block.y[i], block.z[i]}, block.area[i]});
+                points[idOf(begin + i)].push_back({{block.x[i], block.y[i], block.z[i]},
+                                                   {block.nx[i], block.ny[i], block.nz[i]},
+                                                   block.area[i]});
     }
 }
 
@@ -65,7 +65,7 @@ UsdLights usdLightsOf(const Decomposition& room)
         addPoints(*room.state().texels, page, room.fixtures(page), points);
     UsdLights lights;
     for (size_t i = 0; i < found.fixtures.size(); ++i) {
-        lights.lamps.push_back(simpleLamp(found.fixtures[i], std::move(points[found.idOf(i)])));
+        lights.lamps.push_back(simpleLamp(found.fixtures[i], points[found.idOf(i)]));
         lights.lamps.back().id = found.idOf(i);
         lights.lamps.back().name = found.nameOf(i);
     }
