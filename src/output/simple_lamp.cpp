@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -106,18 +107,21 @@ glm::mat3 alongOutline(const std::vector<glm::vec3>& points, const glm::mat3& ax
     return best;
 }
 
-bool isDisc(const std::vector<glm::vec3>& points, const SimpleLamp& box)
+/// The radius of the disc that points fill; none where they fill their box.
+std::optional<float> radiusOfDisc(const std::vector<glm::vec3>& points, const SimpleLamp& box)
 {
     const float longer = std::max(box.width, box.height);
-    if (longer > kRound * std::min(box.width, box.height)) return false;
+    if (longer > kRound * std::min(box.width, box.height)) return std::nullopt;
     float squares = 0.0f;
     for (const glm::vec3& point : points) {
         const glm::vec3 from = point - box.position;
         squares += std::pow(glm::dot(from, box.axes[0]), 2.0f) +
                    std::pow(glm::dot(from, box.axes[1]), 2.0f);
     }
+    const float mean = squares / static_cast<float>(points.size());
     const float corner = 0.25f * (box.width * box.width + box.height * box.height);
-    return squares / static_cast<float>(points.size()) < kSpreadOfDisc * corner;
+    if (mean > kSpreadOfDisc * corner) return std::nullopt;
+    return std::sqrt(2.0f * mean);
 }
 
 /// A flat light in the outline of what faces the room, before all of it.
@@ -138,9 +142,10 @@ void standBefore(const std::vector<LampPoint>& points, SimpleLamp& lamp)
     lamp.height = std::max(y.length(), kSmallestSide);
     lamp.position = lamp.axes * glm::vec3(x.middle(), y.middle(), -front);
     lamp.shape = LampShape::rectangle;
-    if (!isDisc(face, lamp)) return;
-    lamp.shape = LampShape::disc;
-    lamp.radius = 0.25f * (lamp.width + lamp.height);
+    if (const auto radius = radiusOfDisc(face, lamp)) {
+        lamp.shape = LampShape::disc;
+        lamp.radius = *radius;
+    }
 }
 
 /// A sphere around all of it.
