@@ -54,7 +54,7 @@ private:
     void writeReader(const char* name, const char* type, const char* primvar);
     void writeVariants();
     void writeGlow();
-    void writeSurroundings();
+    void writeLights();
     void writeLamp(const SimpleLamp& lamp);
     void writeSun(const Sun& sun);
     void writeBrightness(glm::vec3 light);
@@ -261,7 +261,8 @@ void SceneWriter::writePlace(const glm::mat3& axes, glm::vec3 position)
     text_.line("uniform token[] xformOpOrder = [\"xformOp:transform\"]");
 }
 
-/// With `normalize`, intensity is radiance times the area of the light, whatever its shape.
+/// An intensity is radiance where nothing else is said, and what knows no more of the schema takes
+/// it for that.
 void SceneWriter::writeLamp(const SimpleLamp& lamp)
 {
     constexpr std::array kTypes{"RectLight", "DiskLight", "SphereLight"};
@@ -272,8 +273,7 @@ void SceneWriter::writeLamp(const SimpleLamp& lamp)
     text_.line(fmt::format("        string name = {}", usdString(lamp.name)));
     text_.line("    }");
     text_.open(")");
-    writeBrightness(lamp.emission);
-    text_.line("bool inputs:normalize = 1");
+    writeBrightness(lamp.emission / lamp.area());
     if (lamp.shape == LampShape::rectangle) {
         text_.line("float inputs:height = " + usd(lamp.height));
         text_.line("float inputs:width = " + usd(lamp.width));
@@ -298,8 +298,7 @@ void SceneWriter::writeSun(const Sun& sun)
     text_.close();
 }
 
-/// What shines whichever way lamps do.
-void SceneWriter::writeSurroundings()
+void SceneWriter::writeLights()
 {
     text_.open("def Scope \"Lights\"");
     if (lights_.outside != glm::vec3(0.0f)) {
@@ -309,6 +308,9 @@ void SceneWriter::writeSurroundings()
     }
     if (lights_.sun) writeSun(*lights_.sun);
     for (const SimpleLamp& opening : lights_.openings) writeLamp(opening);
+    text_.close();
+    text_.open("def Scope \"Lamps\"");
+    for (const SimpleLamp& lamp : lights_.lamps) writeLamp(lamp);
     text_.close();
 }
 
@@ -328,16 +330,18 @@ void SceneWriter::writeGlow()
     text_.close();
 }
 
+/// The lamps stand outside of the variants, so that programs that know none have them.
 void SceneWriter::writeVariants()
 {
-    text_.open("variantSet \"light\" =");
-    text_.open("\"emissive\"");
+    text_.openHere("variantSet \"light\" =");
+    text_.openHere("\"emissive\"");
+    text_.line("over \"Lamps\" (");
+    text_.line("    active = false");
+    text_.open(")");
+    text_.close();
     writeGlow();
     text_.close();
-    text_.open("\"lamps\"");
-    text_.open("over \"Lights\"");
-    for (const SimpleLamp& lamp : lights_.lamps) writeLamp(lamp);
-    text_.close();
+    text_.openHere("\"lamps\"");
     text_.close();
     text_.close();
 }
@@ -355,7 +359,7 @@ void SceneWriter::write()
     nameMaterials();
     writeMeshes();
     writeMaterials();
-    writeSurroundings();
+    writeLights();
     writeVariants();
     text_.close();
     text_.finish();

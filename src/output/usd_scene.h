@@ -21,9 +21,9 @@ struct UsdPage
 };
 
 /// Writes the scan as a USD scene, as text: meshes in metres, Y up, with UsdPreviewSurface
-/// materials, and `lights` by UsdLux, whose intensities are radiance. The variant set "light" of
-/// the root has either lamps as lights or, as "emissive", surfaces that shine, so that nothing
-/// lights twice. docs/guide/engines.md describes it.
+/// materials, and `lights` by UsdLux, whose intensities are radiance, of the sun irradiance. The
+/// variant set "light" of the root has either lamps as lights or, as "emissive", surfaces that
+/// shine, so that nothing lights twice. docs/guide/engines.md describes it.
 ///
 /// `pages` belong to scan.pages. Throws Error(cannotWrite).
 void writeUsdScene(const std::filesystem::path& file, const Scan& scan,

@@ -46,9 +46,9 @@ TEST(UsdScene, LightsOfEveryKindHaveTheirSizesAndBrightness)
                      .id = 0,
                      .shape = LampShape::rectangle,
                      .position = {1, 2, 3},
-                     .width = 1.5f,
+                     .width = 2.0f,
                      .height = 1.25f,
-                     .emission = {2, 4, 1}},
+                     .emission = {5, 10, 2.5f}},
                     {.name = "ceiling lamp 2",
                      .shape = LampShape::disc,
                      .radius = 0.25f,
@@ -65,9 +65,8 @@ TEST(UsdScene, LightsOfEveryKindHaveTheirSizesAndBrightness)
     EXPECT_THAT(window, HasSubstr("string name = \"window 0\"\n"));
     EXPECT_THAT(window, HasSubstr("color3f inputs:color = (0.5, 1, 0.25)\n"));
     EXPECT_THAT(window, HasSubstr("float inputs:intensity = 4\n"));
-    EXPECT_THAT(window, HasSubstr("bool inputs:normalize = 1\n"));
     EXPECT_THAT(window, HasSubstr("float inputs:height = 1.25\n"));
-    EXPECT_THAT(window, HasSubstr("float inputs:width = 1.5\n"));
+    EXPECT_THAT(window, HasSubstr("float inputs:width = 2\n"));
     EXPECT_THAT(window, HasSubstr("((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (1, 2, 3, 1))\n"));
     EXPECT_THAT(scene, HasSubstr("def DiskLight \"ceiling_lamp_2\""));
     EXPECT_THAT(scene, HasSubstr("float inputs:radius = 0.25\n"));
@@ -88,13 +87,17 @@ TEST(UsdScene, NothingLightsTwice)
     UsdLights lights;
     lights.lamps = {{.name = "lamp", .radius = 0.1f, .emission = {1, 1, 1}}};
     const std::string scene = sceneOf(lights, {.albedo = "albedo.png", .emission = "emission.exr"});
-    const size_t emissive = scene.find("\"emissive\"\n");
-    const size_t lamps = scene.find("\"lamps\"\n", emissive);
+    const size_t emissive = scene.find("\"emissive\" {\n");
+    const size_t lamps = scene.find("\"lamps\" {\n", emissive);
     ASSERT_NE(emissive, std::string::npos);
     ASSERT_NE(lamps, std::string::npos);
-    EXPECT_GT(scene.find("def SphereLight"), lamps);
-    EXPECT_GT(scene.find("inputs:emissiveColor"), emissive);
-    EXPECT_LT(scene.find("inputs:emissiveColor"), lamps);
+    EXPECT_LT(scene.find("def SphereLight"), emissive); // for programs that know no variants
+    const std::string shining = scene.substr(emissive, lamps - emissive);
+    EXPECT_THAT(shining, HasSubstr("over \"Lamps\" ("));
+    EXPECT_THAT(shining, HasSubstr("active = false"));
+    EXPECT_EQ(scene.find("inputs:emissiveColor"),
+              emissive + shining.find("inputs:emissiveColor")); // here alone
+    EXPECT_EQ(scene.find("inputs:emissiveColor", lamps), std::string::npos);
     EXPECT_THAT(scene, HasSubstr("string light = \"lamps\"\n"));
     EXPECT_THAT(scene, HasSubstr("asset inputs:file = @./emission.exr@\n"));
 }

@@ -160,6 +160,13 @@ void UsdText::open(std::string_view text)
     ++depth_;
 }
 
+void UsdText::openHere(std::string_view text)
+{
+    begin(text);
+    put(" {\n");
+    ++depth_;
+}
+
 void UsdText::close()
 {
     --depth_;

@@ -45,6 +45,8 @@ public:
     void line(std::string_view text);
     /// A line, and an opening brace in the next one.
     void open(std::string_view text);
+    /// Likewise, with the brace in its line, as variants have it.
+    void openHere(std::string_view text);
     void close();
     /// `head` = [...], of the numbers of every element.
     void array(std::string_view head, std::span<const glm::vec3> values);

@@ -48,6 +48,11 @@ class Checker:
 
     def complaints(self) -> Iterator[str]:
         yield from self.of_layer()
+        for path, prim in [("layer", self.layer), *prims_below(self.layer)]:
+            known = schema.METADATA if prim.specifier != "layer" else schema.LAYER_METADATA
+            for name, value in prim.metadata.items():
+                if type(value) is not known.get(name):
+                    yield f"{path}: metadata {name} is not known, or of another type"
         yield from self.of_names(self.layer, "")
         for path, prim in prims_below(self.layer):
             defined = self.prims.get(path)
@@ -170,10 +175,10 @@ class Checker:
         for name in ("inputs:width", "inputs:height", "inputs:radius"):
             if not value.get(name, 1) > 0:
                 yield f"{path}.{name}: is not above 0"
+        if value.get("inputs:normalize", 0) != (light.type == "DistantLight"):
+            yield f"{path}: is normalized, or is a sun and not: programs that know no more take these for radiance and lux"
         if light.type == "DomeLight":
             return
-        if value.get("inputs:normalize") != 1:
-            yield f"{path}: is not normalized, as Blender's importer has to have it"
         place = np.array(value.get("xformOp:transform", np.zeros((4, 4))))
         turn = place[:3, :3]
         if np.abs(turn @ turn.T - np.eye(3)).max() > 1e-5 or np.linalg.det(turn) < 0 or (place[:, 3] != (0, 0, 0, 1)).any():

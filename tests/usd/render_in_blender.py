@@ -1,9 +1,9 @@
 """What a USD scene of relamp's says, rendered by another program and held against the scan: runs inside Blender 3.4, with
 arguments SCENE.usda CAMERA.json SCAN.exr SAMPLES. SCAN is what the camera sees of the scan as it came, as radiance.
 
-Debian's Blender is built without USD, so the scene is read by usda.py and set up as the schemas say: with normalize, an
-intensity is radiance times area; of the sun, irradiance. A sphere of such radiance has pi times that in watts, Blender's
-area light four times: its radiance is a quarter of its watts over its area, not the share of pi that a matte surface has.
+Debian's Blender is built without USD, so the scene is read by usda.py and set up as the schemas say: an intensity is radiance,
+of the normalized sun irradiance. A sphere's watts are pi times its radiance times its area; those of Blender's area lights have
+to be four times that product instead, for it makes a quarter of watts over area of them, not the share of pi of a matte surface.
 """
 
 from __future__ import annotations
@@ -78,32 +78,42 @@ def add_light(prim: Prim) -> None:
     kind = {"DistantLight": "SUN", "SphereLight": "POINT"}.get(prim.type, "AREA")
     light = bpy.data.lights.new(prim.name, kind)
     light.color = color
-    light.energy = intensity * {"SUN": 1, "POINT": math.pi, "AREA": 4}[kind]
     if kind == "SUN":
+        light.energy = intensity
         light.angle = math.radians(value["inputs:angle"])
-    elif kind == "POINT":
-        light.shadow_soft_size = value["inputs:radius"]
-    elif prim.type == "DiskLight":
-        light.shape, light.size = "DISK", 2 * value["inputs:radius"]
+        return light_at(prim, light)
+    radius, width, height = (value.get("inputs:" + name) for name in ("radius", "width", "height"))
+    if kind == "POINT":
+        light.shadow_soft_size = radius
+        light.energy = math.pi * 4 * math.pi * radius**2 * intensity
+    elif radius:
+        light.shape, light.size = "DISK", 2 * radius
+        light.energy = 4 * math.pi * radius**2 * intensity
     else:
-        light.shape, light.size, light.size_y = "RECTANGLE", value["inputs:width"], value["inputs:height"]
+        light.shape, light.size, light.size_y = "RECTANGLE", width, height
+        light.energy = 4 * width * height * intensity
+    light_at(prim, light)
+
+
+def light_at(prim: Prim, light) -> None:
     thing = bpy.data.objects.new(prim.name, light)
-    thing.matrix_world = Z_UP @ Matrix(value["xformOp:transform"]).transposed()
+    thing.matrix_world = Z_UP @ Matrix(prim.attributes["xformOp:transform"].value).transposed()
     bpy.context.collection.objects.link(thing)
 
 
 def add_scene(file: Path, light: str) -> None:
     room = read(file).children[0]
     chosen = room.variant_sets["light"][light]
+    shines = any(prim.attributes for _, prim in prims_below(chosen))
     materials = {}
     for path, prim in prims_below(Prim("layer", "", "", children=[room])):
         if prim.type == "Material":
-            materials[path] = material_of(prim, file.parent, light == "emissive")
+            materials[path] = material_of(prim, file.parent, shines)
     for prim in room.child("Geometry").children:
         add_mesh(prim, materials)
     lights = list(room.child("Lights").children)
-    if chosen.child("Lights"):
-        lights += chosen.child("Lights").children
+    if not chosen.child("Lamps"):  # else it switches them off
+        lights += room.child("Lamps").children
     for prim in lights:
         add_light(prim)
 
@@ -141,7 +151,7 @@ def render(picture: str, width: int, height: int, samples: int):
     return pixels_of(picture)
 
 
-def blocks_of(pixels, side: int = 4):
+def blocks_of(pixels, side: int = 5):
     """Means of blocks, in which the noise of few samples goes."""
     height, width = (size // side for size in pixels.shape[:2])
     cut = pixels[: height * side, : width * side]
@@ -170,13 +180,13 @@ def empty_scene() -> None:
 
 def main() -> None:
     scene, camera, scan_file, samples = sys.argv[sys.argv.index("--") + 1:]
-    for light, share, least in (("lamps", 1, 25), ("emissive", 2, 22)):
+    for light, least in (("lamps", 25), ("emissive", 22)):
         empty_scene()
         scan = pixels_of(scan_file)
         add_scene(Path(scene), light)
         add_camera(Path(camera))
         picture = str(Path(scan_file).with_name(light + ".exr"))
-        decibels, ratio = compare(render(picture, scan.shape[1], scan.shape[0], share * int(samples)), scan)
+        decibels, ratio = compare(render(picture, scan.shape[1], scan.shape[0], int(samples)), scan)
         print(f"RESULT {light}: {decibels:.2f} dB, {ratio:.3f} of the scan's light")
         assert decibels > least and 0.9 < ratio < 1.1, "the scene does not send the light of the scan"
 

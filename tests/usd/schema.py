@@ -86,6 +86,10 @@ TOKENS = {
 }
 INTERPOLATIONS = {"constant", "uniform", "varying", "vertex", "faceVarying"}
 
+# Metadata of prims and of the layer, as usda.py reads their values.
+METADATA = {"active": bool, "apiSchemas": list, "customData": dict, "kind": str, "variantSets": str, "variants": dict}
+LAYER_METADATA = {"customLayerData": dict, "defaultPrim": str, "doc": str, "metersPerUnit": float, "upAxis": str}
+
 # Types that a connection may lead from, beside its own.
 CONNECTABLE = {"color3f": {"float3"}, "float2": {"texCoord2f"}}
 

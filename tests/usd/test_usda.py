@@ -24,6 +24,12 @@ def value_of(prim, name):
     return prim.attributes[name].value
 
 
+def area_of(lamp):
+    if lamp.type == "RectLight":
+        return value_of(lamp, "inputs:width") * value_of(lamp, "inputs:height")
+    return {"DiskLight": 1, "SphereLight": 4}[lamp.type] * np.pi * value_of(lamp, "inputs:radius") ** 2
+
+
 @pytest.mark.parametrize("room", ["sample", "vertices"])
 def test_a_scene_is_as_the_schemas_have_it(room, request):
     scene, = request.getfixturevalue(room).glob("*.usda")
@@ -50,7 +56,7 @@ def test_lamps_stand_where_they_are_and_send_what_they_send(sample):
         assert lamp.metadata["customData"]["name"] == fixture["name"]
         assert np.linalg.norm(place[3, :3] - fixture["centre"]) < 0.15
         assert -place[2, :3] == pytest.approx(fixture["normal"], abs=1e-3)  # it shines along its -z
-        sent = value_of(lamp, "inputs:intensity") * np.array(value_of(lamp, "inputs:color"))
+        sent = area_of(lamp) * value_of(lamp, "inputs:intensity") * np.array(value_of(lamp, "inputs:color"))
         assert sent == pytest.approx(fixture["area"] * np.array(fixture["radiance"]), rel=1e-4)
 
 
@@ -114,8 +120,10 @@ BROKEN = [
     ("/albedo.outputs:rgb>", "/albedo.outputs:color>", "not there"),
     ("/albedo.outputs:rgb>", "/albedo.outputs:a>", "leads to a float"),
     ('["MaterialBindingAPI"]', '["OtherAPI"]', "MaterialBindingAPI"),
-    ("bool inputs:normalize = 1", "bool inputs:normalize = 2", "no bool"),
-    ("bool inputs:normalize = 1", "bool inputs:normalize = 0", "not normalized"),
+    ("float inputs:width", "bool inputs:normalize = 2\n            float inputs:width", "no bool"),
+    ("float inputs:width", "bool inputs:normalize = 1\n            float inputs:width", "normalized"),
+    ("active = false", "active = 7", "active"),
+    ("active = false", "inactive = true", "inactive"),
     ("float inputs:intensity = ", "float inputs:intensity = -", "no brightness"),
     ("float inputs:width = ", "float inputs:width = -", "not above 0"),
     ("xformOp:transform = ((", "xformOp:transform = ((2", "more than a turn"),

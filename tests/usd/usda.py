@@ -106,6 +106,8 @@ class Reader:
         kind, token = self.peek()
         if kind == "number":
             return float(self.take())
+        if token in ("true", "false"):
+            return self.take() == "true"
         if kind == "string":
             return text_of(self.take())
         if kind in ("asset", "path"):
