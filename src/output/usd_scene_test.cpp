@@ -109,7 +109,8 @@ TEST(UsdScene, AMeshHasItsPlacesAndTextureCoordinatesUpwards)
     EXPECT_THAT(scene, HasSubstr("string name = \"floor \\\"1\\\"\"\n"));
     EXPECT_THAT(scene, HasSubstr("float3[] extent = [(0, 0, 0), (1, 0, 1)]\n"));
     EXPECT_THAT(scene, HasSubstr("rel material:binding = </Room/Materials/page_0>\n"));
-    EXPECT_THAT(scene, HasSubstr("(0, 1, 0)] (interpolation = \"vertex\")\n")); // normals
+    EXPECT_THAT(scene,
+                HasSubstr("(0, 1, 0)] (\n                interpolation = \"vertex\"\n")); // normals
     EXPECT_THAT(scene, HasSubstr("asset inputs:file = @./albedo.png@\n"));
     EXPECT_THAT(scene, Not(HasSubstr("inputs:opacity")));
     EXPECT_THAT(scene, Not(HasSubstr("Light \"")));

@@ -231,9 +231,11 @@ void UsdText::interpolation(std::string_view how)
 {
     assert(!buffer_.empty() && buffer_.back() == '\n');
     buffer_.pop_back();
-    put(" (interpolation = \"");
-    put(how);
-    put("\")\n");
+    put(" (\n");
+    ++depth_;
+    line(fmt::format("interpolation = \"{}\"", how));
+    --depth_;
+    line(")");
 }
 
 void UsdText::finish()

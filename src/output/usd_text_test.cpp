@@ -98,13 +98,14 @@ TEST(UsdText, ArraysAndBracesAreWrittenWhole)
     text.array("point3f[] none", std::span<const glm::vec3>());
     text.close();
     text.finish();
-    EXPECT_EQ(textIn(folder / "a.usda"),
-              "def Mesh \"a\"\n{\n"
-              "    point3f[] points = [(0, 1, 2), (3, 4, 5.5)]\n"
-              "    texCoord2f[] primvars:st = [(0, 1)] (interpolation = \"vertex\")\n"
-              "    int[] faceVertexIndices = [0, 1, 2, 2, 1, 3]\n"
-              "    int[] faceVertexCounts = [3, 3]\n"
-              "    point3f[] none = []\n}\n");
+    EXPECT_EQ(textIn(folder / "a.usda"), "def Mesh \"a\"\n{\n"
+                                         "    point3f[] points = [(0, 1, 2), (3, 4, 5.5)]\n"
+                                         "    texCoord2f[] primvars:st = [(0, 1)] (\n"
+                                         "        interpolation = \"vertex\"\n"
+                                         "    )\n"
+                                         "    int[] faceVertexIndices = [0, 1, 2, 2, 1, 3]\n"
+                                         "    int[] faceVertexCounts = [3, 3]\n"
+                                         "    point3f[] none = []\n}\n");
 }
 
 // More than the buffer holds.

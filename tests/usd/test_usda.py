@@ -113,7 +113,7 @@ BROKEN = [
     ("points = [(", "points = [(1e999, 0, 0), (", "no point3f"),
     ("points = [(", "points = [(-99, 0, 0), (", "extent"),
     ("primvars:st = [(", "primvars:st = [(0, 0), (", "values of"),
-    ('(interpolation = "vertex")', '(interpolation = "corner")', "interpolation"),
+    ('interpolation = "vertex"', 'interpolation = "corner"', "interpolation"),
     ("normals = [(", "normals = [(1, 1, 1), (", "unit length|values of"),
     ("@./albedo.png@", "@./albedo.jpg@", "not there"),
     ("binding = </Room/Materials/page_0>", "binding = </Room/Materials/page_1>", "no material"),
