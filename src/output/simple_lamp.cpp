@@ -44,20 +44,31 @@ glm::mat3 turned(const glm::mat3& axes, float angle)
 
 using Weight = std::function<float(const LampPoint&)>;
 
-/// Points of one weight each; none where nothing weighs anything.
-std::vector<glm::vec3> evenPoints(const std::vector<LampPoint>& points, const Weight& weight)
+/// A surface as points of one area each.
+struct EvenSurface
 {
-    float all = 0.0f;
-    for (const LampPoint& point : points) all += weight(point);
-    std::vector<glm::vec3> even;
-    if (all <= 0.0f) return even;
+    std::vector<glm::vec3> points; // none where nothing weighs anything
+    float area = 0.0f;             // m^2, of all of them
+    float side = 0.0f;             // m, of the piece that a point of the scan stands for
+};
+
+EvenSurface evenSurface(const std::vector<LampPoint>& points, const Weight& weight)
+{
+    EvenSurface even;
+    float pieces = 0.0f;
+    for (const LampPoint& point : points) {
+        even.area += weight(point);
+        if (weight(point) > 0.0f) pieces += 1.0f;
+    }
+    if (even.area <= 0.0f) return even;
+    even.side = std::sqrt(even.area / pieces);
     const size_t count = std::min(points.size(), kMostPoints);
     float upTo = 0.0f;
     for (const LampPoint& point : points) {
         upTo += weight(point);
-        const float share = upTo / all * static_cast<float>(count);
-        while (even.size() < count && static_cast<float>(even.size()) + 0.5f < share)
-            even.push_back(point.position);
+        const float share = upTo / even.area * static_cast<float>(count);
+        while (even.points.size() < count && static_cast<float>(even.points.size()) + 0.5f < share)
+            even.points.push_back(point.position);
     }
     return even;
 }
@@ -121,41 +132,49 @@ std::optional<float> radiusOfDisc(const std::vector<glm::vec3>& points, const Si
     const float mean = squares / static_cast<float>(points.size());
     const float corner = 0.25f * (box.width * box.width + box.height * box.height);
     if (mean > kSpreadOfDisc * corner) return std::nullopt;
-    return std::sqrt(2.0f * mean);
+    return std::max(std::sqrt(2.0f * mean), 0.5f * kSmallestSide);
 }
 
-/// A flat light in the outline of what faces the room, before all of it.
+float areaOf(const LampPoint& point)
+{
+    return point.area;
+}
+
+/// A flat light in the outline of what faces the room, before all of it. It is no smaller than
+/// that: a few texels in a row have no width but their own.
 void standBefore(const std::vector<LampPoint>& points, SimpleLamp& lamp)
 {
     const glm::vec3 normal = -lamp.axes[2];
-    const std::vector<glm::vec3> all =
-        evenPoints(points, [](const LampPoint& point) { return point.area; });
-    std::vector<glm::vec3> face = evenPoints(points, [normal](const LampPoint& point) {
+    const EvenSurface all = evenSurface(points, areaOf);
+    EvenSurface face = evenSurface(points, [normal](const LampPoint& point) {
         return point.area * std::max(glm::dot(point.normal, normal), 0.0f);
     });
-    if (face.empty()) face = all;
-    lamp.axes = alongOutline(face, lamp.axes);
-    const Range x = along(face, lamp.axes[0]);
-    const Range y = along(face, lamp.axes[1]);
-    const float front = along(all, normal).high + kBefore;
-    lamp.width = std::max(x.length(), kSmallestSide);
-    lamp.height = std::max(y.length(), kSmallestSide);
+    if (face.points.empty()) face = all;
+    lamp.axes = alongOutline(face.points, lamp.axes);
+    const Range x = along(face.points, lamp.axes[0]);
+    const Range y = along(face.points, lamp.axes[1]);
+    const float front = along(all.points, normal).high + kBefore;
+    lamp.width = x.length() + face.side;
+    lamp.height = y.length() + face.side;
     lamp.position = lamp.axes * glm::vec3(x.middle(), y.middle(), -front);
     lamp.shape = LampShape::rectangle;
-    if (const auto radius = radiusOfDisc(face, lamp)) {
+    if (const auto radius = radiusOfDisc(face.points, lamp)) {
         lamp.shape = LampShape::disc;
         lamp.radius = *radius;
     }
+    const float larger = std::sqrt(std::max(1.0f, face.area / lamp.area()));
+    lamp.width *= larger;
+    lamp.height *= larger;
+    lamp.radius *= larger;
 }
 
 /// A sphere around all of it.
 void standAround(const std::vector<LampPoint>& points, SimpleLamp& lamp)
 {
-    const std::vector<glm::vec3> all =
-        evenPoints(points, [](const LampPoint& point) { return point.area; });
+    const EvenSurface all = evenSurface(points, areaOf);
     const glm::vec3 middle = lamp.position;
     const Range reach =
-        rangeOf(all, [middle](glm::vec3 point) { return glm::distance(point, middle); });
+        rangeOf(all.points, [middle](glm::vec3 point) { return glm::distance(point, middle); });
     lamp.radius = reach.high + kBefore;
 }
 

@@ -90,6 +90,21 @@ TEST(SimpleLamp, AShadeIsTheOutlineOfItsFaceAndStandsBeforeItsDeepestPoint)
     EXPECT_LT(lamp.position.y, kLampCentre.y);
 }
 
+// A tube that a coarse scan shows as one row of texels of 3 cm: as a line it would be endlessly
+// bright.
+TEST(SimpleLamp, ARowOfTexelsIsAsWideAsOne)
+{
+    std::vector<LampPoint> points;
+    for (int i = 0; i < 8; ++i)
+        points.push_back(
+            {kLampCentre + glm::vec3(0.03f * static_cast<float>(i), 0, 0), kDownwards, 9e-4f});
+    const SimpleLamp row = simpleLamp(ceilingLamp(0.01f), points);
+    EXPECT_NEAR(row.width, 0.24f, 0.01f);
+    EXPECT_NEAR(row.height, 0.03f, 0.005f);
+    points.resize(1);
+    EXPECT_GE(simpleLamp(ceilingLamp(0.001f), points).area(), 9e-4f);
+}
+
 TEST(SimpleLamp, AGlobeIsASphereAroundIt)
 {
     std::vector<LampPoint> points;
