@@ -3,6 +3,7 @@
 #include "base/radiometry.shared.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -21,6 +22,7 @@ constexpr float kStray = 0.01f;        // share of the points beyond either end 
 constexpr float kBefore = 0.01f;       // m; of a light before the surface that it stands for
 constexpr float kSmallestSide = 2e-3f; // m
 constexpr float kBulb = 0.02f;         // m; smallest radius of a light that has none, as to gather
+constexpr float kSmallFace = 0.1f;     // share of a lamp that has no light of its own
 constexpr float kRound = 1.25f;        // longer over shorter side of what may be a disc
 // Mean square distance from the middle over that of a corner of the box around: 1/4 of a disc, 1/3
 // of a rectangle.
@@ -140,8 +142,8 @@ float areaOf(const LampPoint& point)
     return point.area;
 }
 
-/// A flat light in the outline of what faces the room, before all of it. It is no smaller than
-/// that: a few texels in a row have no width but their own.
+/// Makes of `lamp`, which has axes, a flat light in the outline of what faces as it does, before
+/// all of it. It is no smaller than that: a few texels in a row have no width but their own.
 void standBefore(const std::vector<LampPoint>& points, SimpleLamp& lamp)
 {
     const glm::vec3 normal = -lamp.axes[2];
@@ -168,6 +170,59 @@ void standBefore(const std::vector<LampPoint>& points, SimpleLamp& lamp)
     lamp.radius *= larger;
 }
 
+/// What of a surface faces along one of five directions: forward, and to each side.
+using Faces = std::array<std::vector<LampPoint>, 5>;
+
+std::array<glm::vec3, 5> directionsOf(const glm::mat3& axes)
+{
+    return {-axes[2], axes[0], -axes[0], axes[1], -axes[1]};
+}
+
+/// What faces back counts for the side that it faces most.
+Faces facesOf(const std::vector<LampPoint>& points, const glm::mat3& axes)
+{
+    const std::array<glm::vec3, 5> directions = directionsOf(axes);
+    Faces faces;
+    for (const LampPoint& point : points) {
+        size_t most = 0;
+        for (size_t i = 1; i < faces.size(); ++i)
+            if (glm::dot(point.normal, directions[i]) > glm::dot(point.normal, directions[most]))
+                most = i;
+        faces[most].push_back(point);
+    }
+    return faces;
+}
+
+float wholeAreaOf(const std::vector<LampPoint>& points)
+{
+    float area = 0.0f;
+    for (const LampPoint& point : points) area += point.area;
+    return area;
+}
+
+/// Lights before what faces forward and before each side that is no small part of the lamp; the
+/// small ones' light is shared out among these. One light before all of a lamp that is about flat.
+std::vector<SimpleLamp> flatLamps(const std::vector<LampPoint>& points, const SimpleLamp& whole)
+{
+    const glm::mat3 axes = alongOutline(evenSurface(points, areaOf).points, whole.axes);
+    const Faces faces = facesOf(points, axes);
+    const float all = wholeAreaOf(points);
+    float split = 0.0f;
+    for (const auto& face : faces)
+        if (wholeAreaOf(face) >= kSmallFace * all) split += wholeAreaOf(face);
+    std::vector<SimpleLamp> lamps;
+    for (size_t i = 0; i < faces.size(); ++i) {
+        if (wholeAreaOf(faces[i]) < kSmallFace * all) continue;
+        SimpleLamp lamp = whole;
+        const bool isAll = wholeAreaOf(faces[i]) == split;
+        lamp.axes = i == 0 ? axes : facing(directionsOf(axes)[i]);
+        lamp.emission *= wholeAreaOf(faces[i]) / split;
+        standBefore(isAll ? points : faces[i], lamp);
+        lamps.push_back(lamp);
+    }
+    return lamps;
+}
+
 /// A sphere around all of it.
 void standAround(const std::vector<LampPoint>& points, SimpleLamp& lamp)
 {
@@ -186,7 +241,7 @@ float SimpleLamp::area() const
     return (shape == LampShape::disc ? 1.0f : 4.0f) * kPi * radius * radius;
 }
 
-SimpleLamp simpleLamp(const Fixture& fixture, const std::vector<LampPoint>& points)
+std::vector<SimpleLamp> simpleLamps(const Fixture& fixture, const std::vector<LampPoint>& points)
 {
     SimpleLamp lamp{
         .id = fixture.id, .position = fixture.centre, .emission = fixture.area * fixture.radiance};
@@ -195,12 +250,10 @@ SimpleLamp simpleLamp(const Fixture& fixture, const std::vector<LampPoint>& poin
     lamp.shape = isFlat ? LampShape::disc : LampShape::sphere;
     lamp.radius = std::sqrt(fixture.area / ((isFlat ? 1.0f : 4.0f) * kPi));
     lamp.radius = std::max(lamp.radius, kSmallestSide);
-    if (points.empty()) return lamp;
-    if (isFlat)
-        standBefore(points, lamp);
-    else
-        standAround(points, lamp);
-    return lamp;
+    if (points.empty()) return {lamp};
+    if (isFlat) return flatLamps(points, lamp);
+    standAround(points, lamp);
+    return {lamp};
 }
 
 SimpleLamp simpleLamp(const PointLight& point)

@@ -38,11 +38,11 @@ struct SimpleLamp
     [[nodiscard]] float area() const; // m^2, that shines
 };
 
-/// The light that takes the place of a fixture and sends what it sends: a rectangle or a disc where
-/// it faces one way, else a sphere. `points` are of its surface in the scan, which it stands close
-/// before or around, so that the surface hides nothing of it; where there are none, it is a disc or
-/// sphere of the fixture's area.
-SimpleLamp simpleLamp(const Fixture& fixture, const std::vector<LampPoint>& points);
+/// The lights that take the place of a fixture and send what it sends: a rectangle or a disc where
+/// it faces one way, with more at its sides if much of it faces there; else a sphere. `points` are
+/// of its surface in the scan, which they stand close before or around, so that the surface hides
+/// nothing of them; where there are none, it is a disc or sphere of the fixture's area.
+std::vector<SimpleLamp> simpleLamps(const Fixture& fixture, const std::vector<LampPoint>& points);
 
 /// A sphere in the place of a light without extent.
 SimpleLamp simpleLamp(const PointLight& point);

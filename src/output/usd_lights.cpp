@@ -65,9 +65,13 @@ UsdLights usdLightsOf(const Decomposition& room)
         addPoints(*room.state().texels, page, room.fixtures(page), points);
     UsdLights lights;
     for (size_t i = 0; i < found.fixtures.size(); ++i) {
-        lights.lamps.push_back(simpleLamp(found.fixtures[i], points[found.idOf(i)]));
-        lights.lamps.back().id = found.idOf(i);
-        lights.lamps.back().name = found.nameOf(i);
+        const auto lamps = simpleLamps(found.fixtures[i], points[found.idOf(i)]);
+        for (size_t part = 0; part < lamps.size(); ++part) {
+            SimpleLamp& lamp = lights.lamps.emplace_back(lamps[part]);
+            lamp.id = found.idOf(i);
+            lamp.name = found.nameOf(i);
+            if (lamps.size() > 1) lamp.name += fmt::format(", part {}", part + 1);
+        }
     }
     for (const PointLight& point : found.points)
         if (point.fixture < 0) lights.lamps.push_back(simpleLamp(point));

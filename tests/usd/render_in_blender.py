@@ -2,8 +2,8 @@
 arguments SCENE.usda CAMERA.json SCAN.exr SAMPLES. SCAN is what the camera sees of the scan as it came, as radiance.
 
 Debian's Blender is built without USD, so the scene is read by usda.py and set up as the schemas say: an intensity is radiance,
-of the normalized sun irradiance. A sphere's watts are pi times its radiance times its area; those of Blender's area lights have
-to be four times that product instead, for it makes a quarter of watts over area of them, not the share of pi of a matte surface.
+of the normalized sun irradiance. Blender's area lights have to have four times radiance times area in watts, for they make a
+quarter of watts over area of them, not the share of pi of a matte surface.
 """
 
 from __future__ import annotations
@@ -75,17 +75,14 @@ def add_light(prim: Prim) -> None:
         background["Color"].default_value = (*color, 1)
         background["Strength"].default_value = intensity
         return
-    kind = {"DistantLight": "SUN", "SphereLight": "POINT"}.get(prim.type, "AREA")
-    light = bpy.data.lights.new(prim.name, kind)
+    if prim.type == "SphereLight":
+        return add_sphere(prim, value["inputs:radius"], intensity, color)
+    light = bpy.data.lights.new(prim.name, "SUN" if prim.type == "DistantLight" else "AREA")
     light.color = color
-    if kind == "SUN":
+    radius, width, height = (value.get("inputs:" + name) for name in ("radius", "width", "height"))
+    if prim.type == "DistantLight":
         light.energy = intensity
         light.angle = math.radians(value["inputs:angle"])
-        return light_at(prim, light)
-    radius, width, height = (value.get("inputs:" + name) for name in ("radius", "width", "height"))
-    if kind == "POINT":
-        light.shadow_soft_size = radius
-        light.energy = math.pi * 4 * math.pi * radius**2 * intensity
     elif radius:
         light.shape, light.size = "DISK", 2 * radius
         light.energy = 4 * math.pi * radius**2 * intensity
@@ -93,6 +90,20 @@ def add_light(prim: Prim) -> None:
         light.shape, light.size, light.size_y = "RECTANGLE", width, height
         light.energy = 4 * width * height * intensity
     light_at(prim, light)
+
+
+def add_sphere(prim: Prim, radius: float, intensity: float, color) -> None:
+    """A surface that shines: a point light of Cycles 3.4 is a disc in its middle, which the lamp's own surface hides."""
+    material = bpy.data.materials.new(prim.name)
+    material.use_nodes = True
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    nodes.clear()
+    glow = nodes.new("ShaderNodeEmission")
+    glow.inputs["Color"].default_value = (*color, 1)
+    glow.inputs["Strength"].default_value = intensity
+    links.new(glow.outputs["Emission"], nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
+    bpy.ops.mesh.primitive_uv_sphere_add(radius=radius, location=Z_UP @ Vector(prim.attributes["xformOp:transform"].value[3][:3]))
+    bpy.context.object.data.materials.append(material)
 
 
 def light_at(prim: Prim, light) -> None:
