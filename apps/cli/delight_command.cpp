@@ -270,6 +270,9 @@ void printSummary(const DelightArguments& arguments, const relamp::Decomposition
     text += fmt::format("{}/{}.glb is the room without its light; preview.png shows it as scanned, "
                         "albedo, shading\n",
                         arguments.folder.string(), scan.name);
+    if (arguments.files.usd)
+        text += fmt::format("{}/{}.usda is the same for programs that read USD\n",
+                            arguments.folder.string(), scan.name);
     printAside(text);
     for (const std::string& warning : scan.warnings) printProblem("note: " + warning);
     for (const std::string& warning : result.warnings()) printProblem("note: " + warning);
