@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds a USD scene of relamp to the published schemas: `check_usda.py FILE...` says what is wrong in a line each."""
+"""Holds USD scenes of relamp to the published schemas: `check_usda.py FILE...`, a line a fault."""
 
 from __future__ import annotations
 
@@ -31,10 +31,13 @@ def is_of_type(value: Any, kind: str) -> bool:
     if kind == "matrix4d":
         return np.array(value).shape == (4, 4) and bool(np.isfinite(np.array(value)).all())
     if kind in schema.WIDTH:
-        return isinstance(value, tuple) and len(value) == schema.WIDTH[kind] and bool(np.isfinite(value).all())
+        is_wide = isinstance(value, tuple) and len(value) == schema.WIDTH[kind]
+        return is_wide and bool(np.isfinite(value).all())
     if not isinstance(value, float) or not np.isfinite(value):
         return False
-    return kind == "float" or (kind == "int" and value == round(value)) or (kind == "bool" and value in (0, 1))
+    if kind == "int":
+        return value == round(value)
+    return kind == "float" or (kind == "bool" and value in (0, 1))
 
 
 class Checker:
@@ -118,7 +121,8 @@ class Checker:
             where = f"{path}.{name}"
             kind = ("uniform " if attribute.uniform else "") + attribute.type
             if known.get(name) != kind:
-                yield f"{where}: of type {kind}, and the schema has {known.get(name, 'no such attribute')}"
+                wanted = known.get(name, "no such attribute")
+                yield f"{where}: of type {kind}, and the schema has {wanted}"
             elif attribute.connection is not None:
                 yield from self.of_connection(where, attribute)
             elif attribute.value is None:
@@ -136,16 +140,20 @@ class Checker:
         source = self.prims.get(path)
         if source is None or name not in source.attributes:
             yield f"{where}: leads to {attribute.connection}, which is not there"
-        elif source.attributes[name].type not in {attribute.type} | schema.CONNECTABLE.get(attribute.type, set()):
+            return
+        may = {attribute.type} | schema.CONNECTABLE.get(attribute.type, set())
+        if source.attributes[name].type not in may:
             yield f"{where}: leads to a {source.attributes[name].type}"
 
     def of_mesh(self, path: str, mesh: Prim) -> Iterator[str]:
-        missing = {"points", "faceVertexCounts", "faceVertexIndices", "extent"} - set(mesh.attributes)
+        needed = {"points", "faceVertexCounts", "faceVertexIndices", "extent"}
+        missing = needed - set(mesh.attributes)
         if missing:
             yield f"{path}: has no {', '.join(sorted(missing))}"
             return
         values = {name: np.atleast_1d(a.value) for name, a in mesh.attributes.items()}
-        points, indices, counts = values["points"], values["faceVertexIndices"], values["faceVertexCounts"]
+        points = values["points"]
+        indices, counts = values["faceVertexIndices"], values["faceVertexCounts"]
         if counts.sum() != len(indices):
             yield f"{path}: faces of {counts.sum():.0f} corners, but {len(indices)} indices"
         if len(indices) and (indices.min() < 0 or indices.max() >= len(points)):
@@ -153,14 +161,18 @@ class Checker:
         box = np.array([points.min(axis=0), points.max(axis=0)]) if len(points) else None
         if box is None or not np.array_equal(values["extent"], box):
             yield f"{path}: extent is not the box around its points"
-        wanted = {"vertex": len(points), "faceVarying": len(indices), "uniform": len(counts), "constant": 1}
-        for name in [n for n in mesh.attributes if n == "normals" or n.startswith("primvars:")]:
+        wanted = {"vertex": len(points), "faceVarying": len(indices)}
+        wanted |= {"uniform": len(counts), "constant": 1}
+        for name in mesh.attributes:
+            if name != "normals" and not name.startswith("primvars:"):
+                continue
             how = mesh.attributes[name].metadata.get("interpolation")
             if how not in schema.INTERPOLATIONS:
                 yield f"{path}.{name}: has no interpolation"
             elif len(values[name]) != wanted.get(how, len(points)):
                 yield f"{path}.{name}: {len(values[name])} values of {wanted.get(how)}"
-        if "normals" in values and np.abs(np.linalg.norm(values["normals"], axis=1) - 1).max() > 1e-4:
+        lengths = np.linalg.norm(values.get("normals", np.ones((1, 1))), axis=1)
+        if np.abs(lengths - 1).max() > 1e-4:
             yield f"{path}.normals: not all of unit length"
         if "material:binding" not in mesh.relationships:
             yield f"{path}: has no material"
@@ -176,12 +188,13 @@ class Checker:
             if not value.get(name, 1) > 0:
                 yield f"{path}.{name}: is not above 0"
         if value.get("inputs:normalize", 0) != (light.type == "DistantLight"):
-            yield f"{path}: is normalized, or is a sun and not: programs that know no more take these for radiance and lux"
+            yield f"{path}: is normalized, or a sun that is not, and taken for radiance or lux"
         if light.type == "DomeLight":
             return
         place = np.array(value.get("xformOp:transform", np.zeros((4, 4))))
         turn = place[:3, :3]
-        if np.abs(turn @ turn.T - np.eye(3)).max() > 1e-5 or np.linalg.det(turn) < 0 or (place[:, 3] != (0, 0, 0, 1)).any():
+        is_turn = np.abs(turn @ turn.T - np.eye(3)).max() < 1e-5 and np.linalg.det(turn) > 0
+        if not is_turn or (place[:, 3] != (0, 0, 0, 1)).any():
             yield f"{path}: its transform is more than a turn and a move"
         if value.get("xformOpOrder") != ["xformOp:transform"]:
             yield f"{path}: its transform is not in xformOpOrder"

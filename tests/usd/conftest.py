@@ -1,4 +1,7 @@
-"""Results with USD scenes, made once by the real program: of the sample, and of a room whose names are none of USD's."""
+"""Results with USD scenes, made once by the real program.
+
+Of the sample, and of a room of coloured vertices whose names are none of USD's.
+"""
 
 import base64
 import json
@@ -32,17 +35,19 @@ def wall(corner, along_u, along_v, is_lamp):
 
 
 def room_of_vertices(file):
-    """A box of 3 x 2.5 x 3 m, seen from inside, a mesh a wall, its light in the colours of vertices."""
+    """A box of 3 x 2.5 x 3 m, a mesh a wall, its light in the colours of vertices."""
     x, y, z = np.eye(3) * [3, 2.5, 3]
     o = np.zeros(3)
     walls = [wall(o, z, x, False), wall(y, x, z, True), wall(o, y, z, False), wall(x, z, y, False),
              wall(o, x, y, False), wall(z, y, x, False)]
-    document = {"asset": {"version": "2.0"}, "accessors": [], "bufferViews": [], "meshes": [], "nodes": []}
+    document = {"asset": {"version": "2.0"}, "accessors": [], "bufferViews": []}
+    document |= {"meshes": [], "nodes": []}
     binary = b""
 
     def accessor(array, kind, component):
         nonlocal binary
-        document["bufferViews"].append({"buffer": 0, "byteOffset": len(binary), "byteLength": array.nbytes})
+        view = {"buffer": 0, "byteOffset": len(binary), "byteLength": array.nbytes}
+        document["bufferViews"].append(view)
         binary += array.tobytes()
         document["accessors"].append({"bufferView": len(document["bufferViews"]) - 1, "type": kind,
                                       "componentType": component, "count": len(array)})
@@ -52,7 +57,8 @@ def room_of_vertices(file):
         primitive = {"indices": accessor(indices, "SCALAR", 5125),
                      "attributes": {"POSITION": accessor(points, "VEC3", 5126),
                                     "COLOR_0": accessor(colors, "VEC3", 5126)}}
-        document["accessors"][-2].update(min=points.min(axis=0).tolist(), max=points.max(axis=0).tolist())
+        ends = {"min": points.min(axis=0).tolist(), "max": points.max(axis=0).tolist()}
+        document["accessors"][-2].update(ends)
         document["meshes"].append({"name": name, "primitives": [primitive]})
         document["nodes"].append({"name": name, "mesh": len(document["meshes"]) - 1})
     uri = "data:application/octet-stream;base64," + base64.b64encode(binary).decode()

@@ -1,9 +1,12 @@
-"""What a USD scene of relamp's says, rendered by another program and held against the scan: runs inside Blender 3.4, with
-arguments SCENE.usda CAMERA.json SCAN.exr SAMPLES. SCAN is what the camera sees of the scan as it came, as radiance.
+"""What a USD scene of relamp's says, rendered by another program and held against the scan.
 
-Debian's Blender is built without USD, so the scene is read by usda.py and set up as the schemas say: an intensity is radiance,
-of the normalized sun irradiance. Blender's area lights have to have four times radiance times area in watts, for they make a
-quarter of watts over area of them, not the share of pi of a matte surface.
+Runs inside Blender 3.4, with arguments SCENE.usda CAMERA.json SCAN.exr SAMPLES. SCAN is what the
+camera sees of the scan as it came, as radiance.
+
+Debian's Blender is built without USD, so the scene is read by usda.py and set up as the schemas
+say: an intensity is radiance, of the normalized sun irradiance. Blender's area lights have to have
+four times radiance times area in watts, for they make a quarter of watts over area of them, not the
+share of pi of a matte surface.
 """
 
 from __future__ import annotations
@@ -54,11 +57,13 @@ def material_of(prim: Prim, folder: Path, shines: bool):
     nodes.clear()
     output = nodes.new("ShaderNodeOutputMaterial")
     matte = nodes.new("ShaderNodeBsdfDiffuse")
-    links.new(image_node(nodes, folder, prim.child("albedo")).outputs["Color"], matte.inputs["Color"])
+    albedo = image_node(nodes, folder, prim.child("albedo"))
+    links.new(albedo.outputs["Color"], matte.inputs["Color"])
     surface = matte.outputs["BSDF"]
     if shines and prim.child("emission"):
         glow = nodes.new("ShaderNodeEmission")
-        links.new(image_node(nodes, folder, prim.child("emission")).outputs["Color"], glow.inputs["Color"])
+        emission = image_node(nodes, folder, prim.child("emission"))
+        links.new(emission.outputs["Color"], glow.inputs["Color"])
         both = nodes.new("ShaderNodeAddShader")
         links.new(surface, both.inputs[0])
         links.new(glow.outputs["Emission"], both.inputs[1])
@@ -93,7 +98,7 @@ def add_light(prim: Prim) -> None:
 
 
 def add_sphere(prim: Prim, radius: float, intensity: float, color) -> None:
-    """A surface that shines: a point light of Cycles 3.4 is a disc in its middle, which the lamp's own surface hides."""
+    """A surface that shines: a point light of Cycles 3.4 is hidden in part by the lamp inside."""
     material = bpy.data.materials.new(prim.name)
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
@@ -102,7 +107,8 @@ def add_sphere(prim: Prim, radius: float, intensity: float, color) -> None:
     glow.inputs["Color"].default_value = (*color, 1)
     glow.inputs["Strength"].default_value = intensity
     links.new(glow.outputs["Emission"], nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
-    bpy.ops.mesh.primitive_uv_sphere_add(radius=radius, location=Z_UP @ Vector(prim.attributes["xformOp:transform"].value[3][:3]))
+    middle = Vector(prim.attributes["xformOp:transform"].value[3][:3])
+    bpy.ops.mesh.primitive_uv_sphere_add(radius=radius, location=Z_UP @ middle)
     bpy.context.object.data.materials.append(material)
 
 
@@ -134,7 +140,8 @@ def add_camera(file: Path) -> None:
     place = Z_UP @ Vector(view["position"])
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
     camera.location = place
-    camera.rotation_euler = (Z_UP @ Vector(view["target"]) - place).to_track_quat("-Z", "Y").to_euler()
+    towards = Z_UP @ Vector(view["target"]) - place
+    camera.rotation_euler = towards.to_track_quat("-Z", "Y").to_euler()
     camera.data.angle = math.radians(view["fieldOfView"])
     camera.data.clip_start = 0.01
     bpy.context.collection.objects.link(camera)
@@ -176,7 +183,8 @@ def srgb(light):
 
 def compare(rendered, scan) -> "tuple[float, float]":
     """PSNR in dB, and light over the scan's, where the scan is not burnt out."""
-    known = blocks_of((scan < 0.97).all(axis=2, keepdims=True).repeat(3, axis=2).astype(float)).min(axis=2) == 1
+    is_below = (scan < 0.97).all(axis=2, keepdims=True).repeat(3, axis=2)
+    known = blocks_of(is_below.astype(float)).min(axis=2) == 1
     seen, wanted = blocks_of(rendered)[known], blocks_of(scan)[known]
     error = ((srgb(seen) - srgb(wanted)) ** 2).mean()
     return -10 * math.log10(error), seen.mean() / wanted.mean()
@@ -197,9 +205,10 @@ def main() -> None:
         add_scene(Path(scene), light)
         add_camera(Path(camera))
         picture = str(Path(scan_file).with_name(light + ".exr"))
-        decibels, ratio = compare(render(picture, scan.shape[1], scan.shape[0], int(samples)), scan)
+        rendered = render(picture, scan.shape[1], scan.shape[0], int(samples))
+        decibels, ratio = compare(rendered, scan)
         print(f"RESULT {light}: {decibels:.2f} dB, {ratio:.3f} of the scan's light")
-        assert decibels > least and 0.9 < ratio < 1.1, "the scene does not send the light of the scan"
+        assert decibels > least and 0.9 < ratio < 1.1, "not the light of the scan"
 
 
 main()

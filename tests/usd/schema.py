@@ -1,5 +1,8 @@
-"""What UsdGeom, UsdShade, UsdLux and the UsdPreviewSurface specification 2.5 (OpenUSD 24.05) say of the prims that relamp
-writes: every attribute that they may have, by its type. A type that begins with "uniform " does not change in time."""
+"""What UsdGeom, UsdShade, UsdLux and the UsdPreviewSurface specification 2.5 (OpenUSD 24.05) say.
+
+Of the prims that relamp writes: every attribute that they may have, by its type. A type that begins
+with "uniform " does not change in time.
+"""
 
 XFORMABLE = {"xformOp:transform": "matrix4d", "xformOpOrder": "uniform token[]"}
 
@@ -87,10 +90,24 @@ TOKENS = {
 INTERPOLATIONS = {"constant", "uniform", "varying", "vertex", "faceVarying"}
 
 # Metadata of prims and of the layer, as usda.py reads their values.
-METADATA = {"active": bool, "apiSchemas": list, "customData": dict, "kind": str, "variantSets": str, "variants": dict}
-LAYER_METADATA = {"customLayerData": dict, "defaultPrim": str, "doc": str, "metersPerUnit": float, "upAxis": str}
+METADATA = {
+    "active": bool,
+    "apiSchemas": list,
+    "customData": dict,
+    "kind": str,
+    "variantSets": str,
+    "variants": dict,
+}
+LAYER_METADATA = {
+    "customLayerData": dict,
+    "defaultPrim": str,
+    "doc": str,
+    "metersPerUnit": float,
+    "upAxis": str,
+}
 
 # Types that a connection may lead from, beside its own.
 CONNECTABLE = {"color3f": {"float3"}, "float2": {"texCoord2f"}}
 
-WIDTH = {"float2": 2, "texCoord2f": 2, "float3": 3, "color3f": 3, "normal3f": 3, "point3f": 3, "float4": 4}
+WIDTH = {"float2": 2, "texCoord2f": 2, "float3": 3, "color3f": 3, "float4": 4}
+WIDTH |= {"normal3f": 3, "point3f": 3}

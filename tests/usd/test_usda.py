@@ -1,4 +1,7 @@
-"""A result's USD scene is what the schemas want, and says what the result says; a scene that is broken is told."""
+"""A result's USD scene is what the schemas want, and says what the result says.
+
+A scene that is broken is told.
+"""
 
 import json
 import re
@@ -27,7 +30,8 @@ def value_of(prim, name):
 def area_of(lamp):
     if lamp.type == "RectLight":
         return value_of(lamp, "inputs:width") * value_of(lamp, "inputs:height")
-    return {"DiskLight": 1, "SphereLight": 4}[lamp.type] * np.pi * value_of(lamp, "inputs:radius") ** 2
+    discs = {"DiskLight": 1, "SphereLight": 4}[lamp.type]
+    return discs * np.pi * value_of(lamp, "inputs:radius") ** 2
 
 
 @pytest.mark.parametrize("room", ["sample", "vertices"])
@@ -39,7 +43,8 @@ def test_a_scene_is_as_the_schemas_have_it(room, request):
 def test_all_triangles_are_there(sample):
     report = json.loads((sample / "report.json").read_text())
     meshes = [prim for prim in prims_of(sample).values() if prim.type == "Mesh"]
-    assert sum(len(value_of(mesh, "faceVertexCounts")) for mesh in meshes) == report["scan"]["triangles"]
+    faces = sum(len(value_of(mesh, "faceVertexCounts")) for mesh in meshes)
+    assert faces == report["scan"]["triangles"]
     assert {"scan.usda", "emission.exr"} <= {file["name"] for file in report["files"]}
 
 
@@ -56,8 +61,10 @@ def test_lamps_stand_where_they_are_and_send_what_they_send(sample):
             place = np.array(value_of(lamp, "xformOp:transform"))
             assert lamp.metadata["customData"]["name"].startswith(fixture["name"])
             assert np.linalg.norm(place[3, :3] - fixture["centre"]) < 0.25
-            sent = sent + area_of(lamp) * value_of(lamp, "inputs:intensity") * np.array(value_of(lamp, "inputs:color"))
-        forward = -np.array(value_of(lamps[fixture["id"]][0], "xformOp:transform"))[2, :3]  # it shines along its -z
+            radiance = value_of(lamp, "inputs:intensity") * np.array(value_of(lamp, "inputs:color"))
+            sent = sent + area_of(lamp) * radiance
+        place = np.array(value_of(lamps[fixture["id"]][0], "xformOp:transform"))
+        forward = -place[2, :3]  # it shines along its -z
         assert forward == pytest.approx(fixture["normal"], abs=1e-3)
         assert sent == pytest.approx(fixture["area"] * np.array(fixture["radiance"]), rel=1e-4)
 
@@ -65,7 +72,8 @@ def test_lamps_stand_where_they_are_and_send_what_they_send(sample):
 def test_names_are_kept_beside_what_usd_can_call_things(vertices):
     meshes = [prim for prim in prims_of(vertices).values() if prim.type == "Mesh"]
     assert [mesh.metadata["customData"]["name"] for mesh in meshes] == NAMES[:-1] + ["mesh 5"]
-    assert [mesh.name for mesh in meshes] == ["_2nd_wall", "wall__a____b", "K_che___", "wall", "wall_2", "mesh_5"]
+    names = [mesh.name for mesh in meshes]
+    assert names == ["_2nd_wall", "wall__a____b", "K_che___", "wall", "wall_2", "mesh_5"]
 
 
 def test_vertices_shine_where_they_are_a_lamp(vertices):
@@ -74,7 +82,8 @@ def test_vertices_shine_where_they_are_a_lamp(vertices):
     lamp, = json.loads((vertices / "lights.json").read_text())["fixtures"]
     shining = emission.any(axis=1)
     assert 0 < shining.sum() < 100
-    assert emission[shining] == pytest.approx(np.tile(lamp["radiance"], (shining.sum(), 1)), rel=1e-3)
+    wanted = np.tile(lamp["radiance"], (shining.sum(), 1))
+    assert emission[shining] == pytest.approx(wanted, rel=1e-3)
 
 
 def test_threads_change_no_byte(sample, tmp_path):
@@ -123,7 +132,7 @@ BROKEN = [
     ("/albedo.outputs:rgb>", "/albedo.outputs:a>", "leads to a float"),
     ('["MaterialBindingAPI"]', '["OtherAPI"]', "MaterialBindingAPI"),
     ("float inputs:width", "bool inputs:normalize = 2\n            float inputs:width", "no bool"),
-    ("float inputs:width", "bool inputs:normalize = 1\n            float inputs:width", "normalized"),
+    ("float inputs:width", "bool inputs:normalize = 1\n    float inputs:width", "normalized"),
     ("active = false", "active = 7", "active"),
     ("active = false", "inactive = true", "inactive"),
     ("float inputs:intensity = ", "float inputs:intensity = -", "no brightness"),

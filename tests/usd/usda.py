@@ -1,4 +1,7 @@
-"""Reads USD scenes as text, as far as relamp writes them: no sublayers, references, time samples or inherited opinions."""
+"""Reads USD scenes as text, as far as relamp writes them.
+
+No sublayers, references, time samples or inherited opinions.
+"""
 
 from __future__ import annotations
 
@@ -66,11 +69,11 @@ class Reader:
         return Malformed(f"line {line}: {what}")
 
     def peek(self) -> Tuple[str, str]:
-        if not self.text[self.at:].strip() if len(self.text) - self.at < 64 else False:
-            return "end", ""
         match = TOKENS.match(self.text, self.at)
+        if not match and not self.text[self.at :].strip():
+            return "end", ""
         if not match:
-            raise self.fail("no usda: " + repr(self.text[self.at:self.at + 30]))
+            raise self.fail("no usda: " + repr(self.text[self.at : self.at + 30]))
         kind = match.lastgroup or ""
         return kind, match.group(kind)
 
@@ -90,7 +93,7 @@ class Reader:
         end = self.text.find("]", self.at)
         if end < 0:
             raise self.fail("an array that does not end")
-        inside = self.text[self.at:end]
+        inside = self.text[self.at : end]
         values = re.findall(NUMBER, inside)
         shape = re.sub(NUMBER, "n", inside).replace(" ", "")
         width = shape.find(")") // 2 if shape.startswith("(") else 0
@@ -170,7 +173,7 @@ class Reader:
             prim.relationships[name] = self.take("path")[1:-1]
             return
         is_connection = name.endswith(".connect")
-        name = name[:-len(".connect")] if is_connection else name
+        name = name[: -len(".connect")] if is_connection else name
         if name in prim.attributes:
             raise self.fail(f"{name} twice")
         attribute = prim.attributes[name] = Attribute(kind, uniform)
