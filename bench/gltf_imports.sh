@@ -1,6 +1,7 @@
 #!/bin/bash
-# Shows what other programs make of relamp's GLB: imports it into Blender and three.js, as their users do and with
-# their defaults, and puts the pictures beside the scan's. Takes minutes: Cycles has no denoiser in Debian.
+# Shows what other programs make of relamp's GLB and USD: imports the GLB into Blender and three.js, and the USD into
+# three.js (Debian's Blender has no USD), as their users do and with their defaults, and puts the pictures beside the
+# scan's. Takes minutes: Cycles has no denoiser in Debian.
 #
 #   bench/gltf_imports.sh [SAMPLES [RELAMP]]
 #
@@ -28,16 +29,17 @@ done
 mkdir -p "$results"
 cd "$results"
 rm -f ./*.png
-"$relamp" delight "$room/scan.glb" -o room -q
+"$relamp" delight "$room/scan.glb" -o room --usd -q
 "$relamp" relight room --show scan --camera "$room/camera.json" --size 800x450 -o scan.png -q
 
 npm install --silent --no-audit --no-fund three@0.187.0
 cp "$repository/bench/import_in_three.html" "$room/camera.json" .
 cp room/scan.glb room.glb
-python3 "$repository/bench/import_in_three.py" chromium three.png || fail "three.js showed nothing"
+python3 "$repository/bench/import_in_three.py" chromium room.glb three.png || fail "three.js showed nothing"
+python3 "$repository/bench/import_in_three.py" chromium room/scan.usda usd.png || fail "three.js showed nothing of the USD"
 
 blender -b --factory-startup --python-exit-code 1 -P "$repository/bench/import_in_blender.py" -- \
     room.glb camera.json "$results/blender.png" "$samples" >blender.log || fail "Blender stopped; see $results/blender.log"
 
-montage scan.png three.png blender.png -tile 3x1 -geometry 480x270+2+2 imports.png
-echo "$results/imports.png: the scan; its GLB in three.js; in Blender"
+montage scan.png three.png usd.png blender.png -tile 2x2 -geometry 480x270+2+2 imports.png
+echo "$results/imports.png: the scan; its GLB in three.js; its USD in three.js; its GLB in Blender"

@@ -1,4 +1,4 @@
-"""import_in_three.py CHROMIUM PICTURE: what gltf_imports.sh runs, in a folder with room.glb, camera.json and three.js.
+"""import_in_three.py CHROMIUM ROOM PICTURE: what gltf_imports.sh runs, in a folder with ROOM, camera.json and three.js.
 
 Serves the folder to a browser without a screen, and keeps the picture that import_in_three.html sends back.
 """
@@ -11,7 +11,7 @@ import threading
 
 PATIENCE = 120  # seconds
 
-chromium, picture = sys.argv[1:]
+chromium, room, picture = sys.argv[1:]
 received = threading.Event()
 
 
@@ -34,7 +34,7 @@ with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
         [chromium, "--headless", "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
          "--disable-component-update", "--disable-sync", "--enable-unsafe-swiftshader", "--use-angle=swiftshader",
          f"--user-data-dir={profile}", "--remote-debugging-port=0",
-         f"http://127.0.0.1:{server.server_port}/import_in_three.html"],
+         f"http://127.0.0.1:{server.server_port}/import_in_three.html?{room}"],
         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     done = received.wait(PATIENCE)
     browser.terminate()

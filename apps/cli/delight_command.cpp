@@ -39,6 +39,7 @@ struct DelightArguments
     std::vector<std::filesystem::path> scans;
     ScanArguments scan; // the one that is worked on
     relamp::DelightOptions options;
+    relamp::ResultOptions files;
     std::filesystem::path folder;
     std::filesystem::path lights;
     std::string response;
@@ -270,6 +271,9 @@ void printSummary(const DelightArguments& arguments, const relamp::Decomposition
     text += fmt::format("{}/{}.glb is the room without its light; preview.png shows it as scanned, "
                         "albedo, shading\n",
                         arguments.folder.string(), scan.name);
+    if (arguments.files.usd)
+        text += fmt::format("{}/{}.usda is the same for programs that read USD\n",
+                            arguments.folder.string(), scan.name);
     printAside(text);
     for (const std::string& warning : scan.warnings) printProblem("note: " + warning);
     for (const std::string& warning : result.warnings()) printProblem("note: " + warning);
@@ -287,7 +291,7 @@ int runOne(DelightArguments& arguments)
     const relamp::ThreadLimit threads(arguments.scan.threads);
 
     const auto replacing = arguments.force ? relamp::Replacing::any : relamp::Replacing::unchanged;
-    relamp::checkOutput(arguments.scan.file, arguments.folder, replacing);
+    relamp::checkOutput(arguments.scan.file, arguments.folder, replacing, arguments.files);
     relamp::checkDevice(arguments.options.engine);
     std::vector<std::string> notes;
     if (!arguments.lights.empty())
@@ -309,8 +313,8 @@ int runOne(DelightArguments& arguments)
             relamp::readFixturesBeside(arguments.lights, arguments.scan.file, scan);
     const relamp::Decomposition result =
         relamp::delight(std::move(scan), arguments.options, progress);
-    const std::string report =
-        relamp::writeResult(result, arguments.scan.file, arguments.folder, progress, replacing);
+    const std::string report = relamp::writeResult(result, arguments.scan.file, arguments.folder,
+                                                   progress, replacing, arguments.files);
     endProgressDisplay(talk);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (arguments.json) printExactly(report); // endOutput tells whether it came
@@ -426,6 +430,9 @@ void addDelightCommand(CLI::App& app, Run& run)
                      "what is burnt out too)");
     addEngineArguments(command, arguments->options.engine,
                        "the light of lamps once they are found, and the thesis solver");
+    command.add_flag("--usd", arguments->files.usd,
+                     "Also write the room as <scan>.usda, with its lamps as lights, and what "
+                     "shines as emission.exr");
     command.add_flag("--force", arguments->force,
                      "Replace files of DIR that relamp did not write, or that were changed since");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");

@@ -211,14 +211,17 @@ class Room:
         folder: Path,
         *,
         force: bool = False,
+        usd: bool = False,
         progress: Progress = None,
     ) -> Dict[str, Any]:
         """Writes what `relamp delight -o folder` writes, whole or not at all; returns report.json.
 
-        force: also replace files that relamp did not write. Raises relamp.Error where the folder
-        cannot be written. Source: docs/guide/results.md.
+        force: also replace files that relamp did not write. usd: also write <scan>.usda, the room
+        for programs that read USD. Raises relamp.Error where the folder cannot be written.
+        Source: docs/guide/results.md.
         """
-        report = self._decomposition.save(os.fspath(folder), force, self._threads, watcher_of(progress))
+        watcher = watcher_of(progress)
+        report = self._decomposition.save(os.fspath(folder), force, usd, self._threads, watcher)
         parsed: Dict[str, Any] = json.loads(report)
         return parsed
 

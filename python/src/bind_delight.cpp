@@ -57,11 +57,12 @@ std::filesystem::path sourceOf(const relamp::Scan& scan)
 }
 
 std::string save(const Decomposition& room, const std::filesystem::path& folder, bool force,
-                 int threads, const py::object& progress)
+                 bool usd, int threads, const py::object& progress)
 {
     const auto replacing = force ? relamp::Replacing::any : relamp::Replacing::unchanged;
     return watched(progress, threads, [&](relamp::Progress& watch) {
-        return relamp::writeResult(room, sourceOf(*room.scan()), folder, watch, replacing);
+        return relamp::writeResult(room, sourceOf(*room.scan()), folder, watch, replacing,
+                                   {.usd = usd});
     });
 }
 
@@ -232,7 +233,7 @@ void bindDelight(py::module_& module)
         .def("layers", &layersOf, py::arg("page"), py::arg("threads"), py::arg("progress"))
         .def("fixtures", &fixtureMapOf, py::arg("page"), py::arg("threads"))
         .def("geometry", &geometryOf, py::arg("page"), py::arg("threads"))
-        .def("save", &save, py::arg("folder"), py::arg("force"), py::arg("threads"),
+        .def("save", &save, py::arg("folder"), py::arg("force"), py::arg("usd"), py::arg("threads"),
              py::arg("progress"));
     py::list doubts;
     for (const char* name : relamp::Names<relamp::Doubt>::all) doubts.append(name);

@@ -56,11 +56,12 @@ def test_cross_validation_says_that_albedo_is_more_even(room):
 
 
 def test_saves_what_the_program_writes(room, sample, tmp_path):
-    report = room.save(tmp_path / "python")
+    report = room.save(tmp_path / "python", usd=True)
     program = os.environ["RELAMP_PROGRAM"]
-    command = [program, "delight", sample, "--quality", "draft", "-q", "-o", tmp_path / "program"]
+    options = ["--quality", "draft", "--usd", "-q"]
+    command = [program, "delight", sample, *options, "-o", tmp_path / "program"]
     subprocess.run(command, check=True)
-    for name in ("albedo.exr", "shading.exr", "lights.json", "fixtures.png", "scan.glb"):
+    for name in ("albedo.exr", "shading.exr", "emission.exr", "lights.json", "fixtures.png", "scan.glb", "scan.usda"):
         ours, its = ((tmp_path / who / name).read_bytes() for who in ("python", "program"))
         assert ours == its, name
     assert report["crossValidation"]["pairs"] == room.cross_validation.pairs

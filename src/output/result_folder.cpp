@@ -82,8 +82,9 @@ bool isOfLayer(std::string_view name, std::string_view layer, std::string_view e
 
 } // namespace
 
-bool isOfResult(const std::string& name, const std::string& scan)
+bool isOfResult(const std::string& name, const std::string& scan, const ResultOptions& options)
 {
+    if (options.usd && (name == scan + ".usda" || isOfLayer(name, "emission", "exr"))) return true;
     if (name == kReport || name == "lights.json" || name == "preview.png" || name == scan + ".glb")
         return true;
     return std::ranges::any_of(

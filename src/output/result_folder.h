@@ -5,6 +5,7 @@
 #include "relamp/image.h"
 #include "relamp/lights.h"
 #include "relamp/progress.h"
+#include "relamp/result.h"
 #include "relamp/scan.h"
 
 #include <cstddef>
@@ -22,7 +23,8 @@ std::string nameOfLayer(const char* layer, size_t page, size_t pages, const char
 
 /// Whether writeResult may write a file of that name, of a scan called `scan` with any number of
 /// pages.
-bool isOfResult(const std::string& name, const std::string& scan);
+bool isOfResult(const std::string& name, const std::string& scan,
+                const ResultOptions& options = {});
 
 /// What report.json says of how a result was made.
 struct FormerRun

@@ -15,6 +15,8 @@
 #include "output/report.h"
 #include "output/result_folder.h"
 #include "output/staged_folder.h"
+#include "output/usd_lights.h"
+#include "output/usd_scene.h"
 #include "output/viewpoints.h"
 #include "relamp/version.h"
 #include "scan/gltf_write.h"
@@ -72,9 +74,10 @@ std::vector<uint8_t> pictureOf(const std::vector<Doubt>& doubt)
 class ResultWriter
 {
 public:
-    ResultWriter(const Decomposition& result, StagedFolder& folder, Progress& progress)
-        : scan_(*result.scan()), result_(result), folder_(folder), progress_(progress),
-          relit_(scan_.pages.size())
+    ResultWriter(const Decomposition& result, StagedFolder& folder, const ResultOptions& options,
+                 Progress& progress)
+        : scan_(*result.scan()), result_(result), folder_(folder), options_(options),
+          progress_(progress), relit_(scan_.pages.size()), usd_(scan_.pages.size())
     {}
 
     void run();
@@ -85,9 +88,10 @@ private:
     void writePage(size_t page, const PageLayers& layers, Progress::Stage& stage);
     void writeAlbedo(size_t page, const PageLayers& layers);
     void writeDoubts(size_t page, const PageLayers& layers);
-    void writeFixtures(size_t page);
+    void writeFixtures(size_t page, const PageLayers& layers);
     [[nodiscard]] PreviewPicture drawPreview() const;
     void writePreview(const PreviewPicture& picture);
+    void writeUsdPage(size_t page, const PageLayers& layers, const FixtureMap& map);
     void writeScan();
     [[nodiscard]] std::filesystem::path file(const char* layer, size_t page,
                                              const char* ending) const
@@ -98,8 +102,10 @@ private:
     const Scan& scan_;
     const Decomposition& result_;
     StagedFolder& folder_;
+    const ResultOptions& options_;
     Progress& progress_;
     std::vector<RelitPage> relit_;
+    std::vector<UsdPage> usd_; // filled where it is asked for
     std::vector<PreviewPage> previews_;
     std::array<double, kDoubts> area_{};
 };
@@ -135,7 +141,7 @@ void ResultWriter::writePage(size_t page, const PageLayers& layers, Progress::St
         stage.advance();
     };
     callAll([&] { writeAlbedo(page, layers); }, [&] { writeDoubts(page, layers); },
-            [&] { writeFixtures(page); }, [&] { write("albedo", layers.albedo); },
+            [&] { writeFixtures(page, layers); }, [&] { write("albedo", layers.albedo); },
             [&] { write("shading", shading); }, [&] { write("direct", layers.direct); },
             [&] { write("indirect", layers.indirect); });
     stage.advance();
@@ -150,11 +156,29 @@ void ResultWriter::writeDoubts(size_t page, const PageLayers& layers)
     writeFile(file("reasons", page, "png"), std::as_bytes(std::span(why)));
 }
 
-void ResultWriter::writeFixtures(size_t page)
+void ResultWriter::writeFixtures(size_t page, const PageLayers& layers)
 {
     const FixtureMap map = result_.fixtures(page);
     const auto png = encodePng(rgbOf(map), {map.width, map.height}, 3);
     writeFile(file("fixtures", page, "png"), std::as_bytes(std::span(png)));
+    if (options_.usd) writeUsdPage(page, layers, map);
+}
+
+void ResultWriter::writeUsdPage(size_t page, const PageLayers& layers, const FixtureMap& map)
+{
+    const size_t pages = scan_.pages.size();
+    const std::vector<uint16_t> emission = emissionBy(map, result_.lights());
+    UsdPage& usd = usd_[page];
+    if (scan_.pages[page].ofVertices) {
+        usd.vertexAlbedo = floatsFrom(layers.albedo);
+        for (const uint16_t half : emission) usd.vertexEmission.push_back(floatFromHalf(half));
+        return;
+    }
+    usd.albedo = nameOfLayer("albedo", page, pages, "png");
+    usd.hasOpacity = !scan_.pages[page].image.alpha.empty();
+    if (emission.empty()) return;
+    usd.emission = nameOfLayer("emission", page, pages, "exr");
+    writeExr(folder_ / usd.emission, emission, {layers.width, layers.height});
 }
 
 PreviewPicture ResultWriter::drawPreview() const
@@ -184,6 +208,8 @@ void ResultWriter::writeScan()
     lights.sun = result_.lights().sun;
     writeFile(folder_ / (scan_.name + ".glb"), writeGlb(scan_, relit_, lights));
     writeFile(folder_ / "lights.json", lightsAsJson(result_.lights()));
+    if (options_.usd)
+        writeUsdScene(folder_ / (scan_.name + ".usda"), scan_, usd_, usdLightsOf(result_));
 }
 
 /// The preview is drawn before the last page is written: to compress it keeps one core busy for as
@@ -212,24 +238,24 @@ void ResultWriter::run()
 
 std::string writeResult(const Decomposition& decomposition, const std::filesystem::path& scanFile,
                         const std::filesystem::path& folder, Progress& progress,
-                        Replacing replacing)
+                        Replacing replacing, const ResultOptions& options)
 {
-    checkOutput(scanFile, folder, replacing);
+    checkOutput(scanFile, folder, replacing, options);
     StagedFolder staged(folder, progress);
-    ResultWriter writer(decomposition, staged, progress);
+    ResultWriter writer(decomposition, staged, options, progress);
     writer.run();
     std::string report = reportAsJson(
         decomposition, {scanFile, folder, FolderRecord(staged.path(), kReport), writer.area()},
         progress);
     writeFile(staged / kReport, report);
     progress.check();
-    checkOutput(scanFile, folder, replacing); // somebody may have edited it meanwhile
+    checkOutput(scanFile, folder, replacing, options); // somebody may have edited it meanwhile
     staged.commit(kReport, FolderRecord::read(folder, kReport).names());
     return report;
 }
 
 void checkOutput(const std::filesystem::path& scanFile, const std::filesystem::path& folder,
-                 Replacing replacing)
+                 Replacing replacing, const ResultOptions& options)
 {
     const std::filesystem::path glb = folder / (scanFile.stem().string() + ".glb");
     std::error_code ignored;
@@ -241,7 +267,7 @@ void checkOutput(const std::filesystem::path& scanFile, const std::filesystem::p
     if (replacing == Replacing::any) return;
     const std::string scan = scanFile.stem();
     checkReplaceable(folder, FolderRecord::read(folder, kReport),
-                     [&](const std::string& name) { return isOfResult(name, scan); });
+                     [&](const std::string& name) { return isOfResult(name, scan, options); });
 }
 
 const char* version()
