@@ -1,7 +1,6 @@
 # `cmake --install` gives bin/relamp, the library with its headers, what find_package(relamp) reads, and the Python
 # module; `cpack` puts the module into the Debian package python3-relamp, and all else into relamp.
 include(CMakePackageConfigHelpers)
-set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME relamp)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/relamp)
 install(TARGETS relamp EXPORT relamp_targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
