@@ -7,9 +7,11 @@
 
 #include "relamp/delight.h"
 #include "relamp/error.h"
+#include "relamp/estimate.h"
 #include "relamp/inspect.h"
 #include "relamp/threads.h"
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -30,6 +32,7 @@ struct FirstLook
 {
     relamp::CameraModel camera;
     std::vector<relamp::Opening> openings;
+    size_t fixtures = 0;
 };
 
 /// None of a scan that delight refuses; inspect() has said why.
@@ -37,7 +40,7 @@ std::optional<FirstLook> firstLookAt(const relamp::Scan& scan, relamp::Progress&
 {
     try {
         const relamp::Decomposition draft = draftOf(scan, progress);
-        return FirstLook{draft.lights().camera, draft.openings()};
+        return FirstLook{draft.lights().camera, draft.openings(), draft.lights().fixtures.size()};
     } catch (const relamp::Error& error) {
         if (error.code() != relamp::ErrorCode::unsupported) throw;
         return std::nullopt;
@@ -87,6 +90,22 @@ nlohmann::ordered_json openingsAsJson(const std::vector<relamp::Opening>& openin
     return list;
 }
 
+relamp::Estimate estimateOf(const relamp::Inspection& found, const std::optional<FirstLook>& look)
+{
+    return relamp::estimate(found, look ? look->fixtures : 0);
+}
+
+nlohmann::ordered_json estimateAsJson(const relamp::Estimate& estimate)
+{
+    const auto costAsJson = [](const relamp::Cost& cost) {
+        return nlohmann::ordered_json{{"bytes", std::llround(cost.bytes)},
+                                      {"coreSeconds", cost.coreSeconds}};
+    };
+    return {{"delight", costAsJson(estimate.delight)},
+            {"verify", costAsJson(estimate.verify)},
+            {"relight", costAsJson(estimate.relight)}};
+}
+
 nlohmann::ordered_json asJson(const relamp::Inspection& found, const std::optional<FirstLook>& look)
 {
     using nlohmann::ordered_json;
@@ -106,6 +125,7 @@ nlohmann::ordered_json asJson(const relamp::Inspection& found, const std::option
             {"squareMetres", found.squareMetres},
             {"millimetresPerTexel", found.millimetresPerTexel},
             {"extent", {extent.x, extent.y, extent.z}},
+            {"centre", vectorAsJson(found.bounds.centre())},
             {"overlapShare", found.overlap.share()},
             {"overlap",
              {{"tiled", found.overlap.tiled},
@@ -118,6 +138,7 @@ nlohmann::ordered_json asJson(const relamp::Inspection& found, const std::option
             {"burntOut", burntOut(found)},
             {"camera", look ? cameraAsJson(look->camera) : ordered_json()},
             {"openings", look ? openingsAsJson(look->openings) : ordered_json()},
+            {"estimate", estimateAsJson(estimateOf(found, look))},
             {"problems", found.problems}};
 }
 
@@ -162,6 +183,9 @@ void print(const std::string& file, const relamp::Inspection& found,
     if (found.pages.size() > 1)
         printOut("  burnt out {:.1f} % of all texels\n", 100.0 * burntOut(found));
     if (look) print(*look);
+    const relamp::Cost cost = estimateOf(found, look).delight;
+    printOut("  delight   takes about {:.1f} GB of memory and {:.0f} s of a core\n",
+             cost.bytes / 1e9, cost.coreSeconds);
     for (const std::string& problem : found.problems) printOut("  note      {}\n", problem);
     if (found.problems.empty()) printOut("  fine      nothing stands in the way of delight\n");
 }

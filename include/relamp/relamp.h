@@ -9,6 +9,7 @@
 #include "relamp/delighter.h"
 #include "relamp/devices.h"
 #include "relamp/error.h"
+#include "relamp/estimate.h"
 #include "relamp/film.h"
 #include "relamp/gather.h"
 #include "relamp/image.h"

@@ -13,7 +13,7 @@ text names the file, the thing in it and the way out; a wrong argument is a Valu
 
 from ._relamp import Error, Scan, __version__, read_scan
 from .delight import delight
-from .inspection import Inspection, PageInspection, inspect
+from .inspection import Cost, Inspection, PageInspection, inspect
 from .lights import Fixture, Lights, Sun
 from .page import DOUBTS, Page
 from .relit import Camera, Relit
@@ -24,6 +24,7 @@ __all__ = [
     "DOUBTS",
     "Camera",
     "CameraModel",
+    "Cost",
     "CrossValidation",
     "Error",
     "Fixture",

@@ -25,6 +25,14 @@ class PageInspection:
 
 
 @dataclass(frozen=True)
+class Cost:
+    """What relamp.delight will take of a scan, on the CPU, at least: lamps are not counted yet."""
+
+    bytes: float  #: of memory, at the peak
+    core_seconds: float  #: summed over all threads
+
+
+@dataclass(frozen=True)
 class Inspection:
     """What a scan is, and what will be a problem in it."""
 
@@ -36,6 +44,7 @@ class Inspection:
     extent: Triple  #: m
     overlap: float  #: share of texels that stand for more than one place, 0..1
     pages: Tuple[PageInspection, ...]
+    cost: Cost
     problems: Tuple[str, ...]  #: a sentence each, with what to do about it
 
 
@@ -63,4 +72,5 @@ def inspect(
         raise ValueError(f"{next(iter(reading))}: the scan is read already; it goes to read_scan")
     found = _relamp.inspect(scan, threads, watcher)
     pages = tuple(PageInspection(**page) for page in found.pop("pages"))
-    return Inspection(pages=pages, problems=tuple(found.pop("problems")), **found)
+    cost = Cost(**found.pop("cost"))
+    return Inspection(pages=pages, cost=cost, problems=tuple(found.pop("problems")), **found)

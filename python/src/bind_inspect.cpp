@@ -1,6 +1,7 @@
 #include "bind.h"
 #include "watched.h"
 
+#include "relamp/estimate.h"
 #include "relamp/inspect.h"
 
 #include <memory>
@@ -22,6 +23,13 @@ py::list pagesOf(const relamp::Inspection& found)
     return pages;
 }
 
+/// Of delight, as far as it can be told before lamps are looked for.
+py::dict costOf(const relamp::Inspection& found)
+{
+    const relamp::Cost cost = relamp::estimate(found, 0).delight;
+    return py::dict("bytes"_a = cost.bytes, "core_seconds"_a = cost.coreSeconds);
+}
+
 /// What relamp/inspection.py makes an Inspection of: its arguments by name.
 py::dict inspect(const std::shared_ptr<const relamp::Scan>& scan, int threads,
                  const py::object& progress)
@@ -33,7 +41,7 @@ py::dict inspect(const std::shared_ptr<const relamp::Scan>& scan, int threads,
                     "millimetres_per_texel"_a = found.millimetresPerTexel,
                     "extent"_a = tupleOf(found.bounds.extent()),
                     "overlap"_a = found.overlap.share(), "pages"_a = pagesOf(found),
-                    "problems"_a = found.problems);
+                    "cost"_a = costOf(found), "problems"_a = found.problems);
 }
 
 } // namespace

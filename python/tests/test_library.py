@@ -43,6 +43,7 @@ def test_inspection_is_that_of_the_program(sample):
     found = relamp.inspect(sample)
     assert found.triangles == 39855
     assert [(page.width, page.height) for page in found.pages] == [(1024, 1024)]
+    assert 1e8 < found.cost.bytes < 1e9 and 1 < found.cost.core_seconds < 60
     assert found == relamp.inspect(relamp.read_scan(sample))
     with pytest.raises(ValueError, match="scale: the scan is read already"):
         relamp.inspect(relamp.read_scan(sample), scale=2.0)

@@ -1,0 +1,77 @@
+#include "relamp/estimate.h"
+
+#include <algorithm>
+
+namespace relamp
+{
+namespace
+{
+
+/// What a command's cost is made of; the rates are those of bench/costs.py (docs/dev/notebook.md,
+/// 2026-11-27).
+struct Rates
+{
+    double fixed;              // the program, its libraries, the rays of a room
+    double perPixel;           // of all pages: the texture
+    double perPixelOfPage;     // of the largest page: layers are made and written page by page
+    double perTexel;           // where each lies, and its shading
+    double perTriangle;        // the ray tree
+    double perSquareMetre;     // surfels
+    double perLampSquareMetre; // what each lamp brings to each surfel
+    double perChart;           // pieces of surface: how cluttered a room is
+};
+
+struct Sizes
+{
+    double pixels = 0.0;
+    double largestPage = 0.0; // pixels
+    double texels = 0.0;
+    double triangles = 0.0;
+    double squareMetres = 0.0;
+    double lamps = 0.0;
+    double charts = 0.0;
+};
+
+Sizes sizesOf(const Inspection& found, size_t fixtures)
+{
+    Sizes sizes{.texels = static_cast<double>(found.texels),
+                .triangles = static_cast<double>(found.triangles),
+                .squareMetres = found.squareMetres,
+                .lamps = static_cast<double>(fixtures)};
+    for (const PageInspection& page : found.pages) {
+        const double pixels = static_cast<double>(page.width) * page.height;
+        sizes.pixels += pixels;
+        sizes.charts += static_cast<double>(page.charts);
+        sizes.largestPage = std::max(sizes.largestPage, pixels);
+    }
+    return sizes;
+}
+
+double sum(const Rates& rates, const Sizes& of)
+{
+    return rates.fixed + rates.perPixel * of.pixels + rates.perPixelOfPage * of.largestPage +
+           rates.perTexel * of.texels + rates.perTriangle * of.triangles +
+           rates.perSquareMetre * of.squareMetres +
+           rates.perLampSquareMetre * of.lamps * of.squareMetres + rates.perChart * of.charts;
+}
+
+// Bytes.
+constexpr Rates kDelightMemory{9.2e7, 35, 12, 0.0, 4.6e2, 0.0, 5.1e4, 2.4e4};
+constexpr Rates kVerifyMemory{2e8, 15, 0.0, 22, 2.8e2, 7.6e4, 1.2e4, 1.8e4};
+constexpr Rates kRelightMemory{1.9e8, 16, 7.8, 24, 2.9e2, 8.2e4, 4.2e4, 2.3e4};
+// Seconds of a core.
+constexpr Rates kDelightSeconds{0.98, 0.0, 1.6e-07, 8.3e-07, 2.1e-05, 0.0, 0.001, 0.002};
+constexpr Rates kVerifySeconds{1.9, 0.0, 2.5e-07, 2.9e-07, 3.2e-05, 0.0, 0.0005, 0.0012};
+constexpr Rates kRelightSeconds{0.83, 0.0, 9e-07, 7.5e-07, 1.8e-05, 0.0, 0.00071, 0.0012};
+
+} // namespace
+
+Estimate estimate(const Inspection& found, size_t fixtures)
+{
+    const Sizes sizes = sizesOf(found, fixtures);
+    return {.delight = {sum(kDelightMemory, sizes), sum(kDelightSeconds, sizes)},
+            .verify = {sum(kVerifyMemory, sizes), sum(kVerifySeconds, sizes)},
+            .relight = {sum(kRelightMemory, sizes), sum(kRelightSeconds, sizes)}};
+}
+
+} // namespace relamp
