@@ -1,0 +1,79 @@
+# The list of scans, and what the rules have in common.
+import shutil
+import sys
+from pathlib import Path
+
+from snakemake.common import Mode
+from snakemake.exceptions import WorkflowError
+
+WORKFLOW = Path(workflow.basedir)
+SCRIPTS = WORKFLOW / "scripts"
+LIGHTS = WORKFLOW.parent / "config" / "lights"
+sys.path.insert(0, str(SCRIPTS))
+
+from outcomes import forget  # noqa: E402
+from resources import Estimate  # noqa: E402
+from scan_list import ListError, read_scans  # noqa: E402
+
+RESULTS = config["results"].rstrip("/")
+STEPS = ["info", "delight", "verify", "relight"]
+PYTHON = sys.executable
+
+
+def program() -> str:
+    """relamp as configured, or that of this checkout's build where PATH has none."""
+    built = WORKFLOW.parent / "build" / "release" / "apps" / "cli" / "relamp"
+    found = shutil.which(config["relamp"]) or (config["relamp"] == "relamp" and shutil.which(built))
+    if not found:
+        raise WorkflowError(
+            f"{config['relamp']}: no such program. Install relamp, or say where it is: --config relamp=PATH"
+        )
+    return str(found)
+
+
+try:
+    SCANS = {scan.name: scan for scan in read_scans(Path(config["scans"]))}
+except ListError as error:
+    raise WorkflowError(str(error))
+RELAMP = program()
+
+# A job parses this file, too; only the process that people start looks at what is there.
+if workflow.mode == Mode.default:
+    forget(Path(RESULTS), SCANS, STEPS, refused=bool(config["again"]))
+
+
+wildcard_constraints:
+    name="[^/]+",
+
+
+def record(step: str) -> str:
+    """What a step writes in the end: its outcome. What it made stands beside, in the scan's folder."""
+    return f"{RESULTS}/{{name}}/steps/{step}.json"
+
+
+def options(*keys):
+    """Options of the configuration and of the table's row, as one string of the command line."""
+
+    def of_scan(wildcards):
+        scan = SCANS[wildcards.name]
+        return " ".join(f"{config[key]} {scan.options.get(key, '')}".strip() for key in keys).strip()
+
+    return of_scan
+
+
+def megabytes(step):
+    def of_job(wildcards, input, attempt):
+        return attempt * Estimate(config["resources"], input.info).megabytes(step)
+
+    return of_job
+
+
+def minutes(step):
+    def of_job(wildcards, input, attempt, threads):
+        return attempt * Estimate(config["resources"], input.info).minutes(step, threads)
+
+    return of_job
+
+
+# Runs relamp and writes the outcome; what relamp refuses is an outcome, what was killed is a failure of the job.
+RUN = f"{PYTHON} {SCRIPTS}/run_relamp.py {{output:q}} --log {{log:q}}"

@@ -1,0 +1,19 @@
+# One page about all scans.
+import shlex
+
+
+def report_command() -> str:
+    words = [PYTHON, SCRIPTS / "report.py", config["scans"], RESULTS, "-o", f"{RESULTS}/report.html"]
+    words += ["--thumbnails", config["thumbnails"]]
+    return " ".join(shlex.quote(str(word)) for word in words)
+
+
+rule report:
+    input:
+        expand(f"{RESULTS}/{{name}}/steps/{{step}}.json", name=SCANS, step=STEPS),
+    output:
+        f"{RESULTS}/report.html",
+    params:
+        command=report_command(),
+    shell:
+        "{params.command}"

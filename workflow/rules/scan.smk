@@ -1,0 +1,86 @@
+# What is done with one scan. Each step has its outcome for output; a step after one that was refused is passed over.
+
+
+rule info:
+    input:
+        scan=lambda wildcards: SCANS[wildcards.name].path,
+    output:
+        record("info"),
+    log:
+        f"{RESULTS}/{{name}}/logs/info.log",
+    params:
+        options=options("reading"),
+    threads: 1
+    retries: config["retries"]
+    resources:
+        mem_mb=lambda wildcards, input, attempt: attempt * (500 + 60 * int(input.size_mb)),
+        runtime=lambda wildcards, attempt: 10 * attempt,
+    shell:
+        RUN + " --json -- {RELAMP:q} info {input.scan:q} --threads {threads} --json {params.options}"
+
+
+rule delight:
+    input:
+        scan=lambda wildcards: SCANS[wildcards.name].path,
+        info=record("info"),
+    output:
+        record("delight"),
+    log:
+        f"{RESULTS}/{{name}}/logs/delight.log",
+    params:
+        room=lambda wildcards: f"{RESULTS}/{wildcards.name}/room",
+        options=options("reading", "delight"),
+    threads: config["threads"]
+    retries: config["retries"]
+    resources:
+        mem_mb=megabytes("delight"),
+        runtime=minutes("delight"),
+    shell:
+        RUN + " --after {input.info:q} --makes {params.room:q}/report.json"
+        " -- {RELAMP:q} delight {input.scan:q} -o {params.room:q} --threads {threads} --quiet {params.options}"
+
+
+rule verify:
+    input:
+        info=record("info"),
+        delight=record("delight"),
+    output:
+        record("verify"),
+    log:
+        f"{RESULTS}/{{name}}/logs/verify.log",
+    params:
+        room=lambda wildcards: f"{RESULTS}/{wildcards.name}/room",
+        scan=lambda wildcards: SCANS[wildcards.name].path,
+        options=options("verify"),
+    threads: config["threads"]
+    retries: config["retries"]
+    resources:
+        mem_mb=megabytes("verify"),
+        runtime=minutes("verify"),
+    shell:
+        RUN + " --after {input.delight:q} --json"
+        " -- {RELAMP:q} verify {params.room:q} --scan {params.scan:q} --threads {threads} --json {params.options}"
+
+
+rule relight:
+    input:
+        info=record("info"),
+        delight=record("delight"),
+    output:
+        record("relight"),
+    log:
+        f"{RESULTS}/{{name}}/logs/relight.log",
+    params:
+        folder=lambda wildcards: f"{RESULTS}/{wildcards.name}",
+        options=options("relight"),
+        lights=[f"{name}={what.format(lights=LIGHTS)}" for name, what in config["lights"].items() if what],
+        windows=config["through_windows"],
+    threads: config["threads"]
+    retries: config["retries"]
+    resources:
+        mem_mb=megabytes("relight"),
+        runtime=minutes("relight"),
+    shell:
+        RUN + " --after {input.delight:q} --room {params.folder:q}/room --pictures {params.folder:q}/relit"
+        " --lights {params.lights:q} --through-windows {params.windows:q}"
+        " -- {RELAMP:q} relight {params.folder:q}/room --quiet {params.options}"

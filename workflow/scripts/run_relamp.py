@@ -1,0 +1,141 @@
+"""Runs one step of a scan and writes its outcome.
+
+What relamp refuses (exit codes 1 and 2) is an outcome with its sentence, and the job is done. Anything else,
+a signal above all, leaves no outcome and fails the job, so that it is tried again.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import resource
+import shlex
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from outcomes import DONE, PASSED_OVER, REFUSED, Outcome, read_outcome, write_outcome
+
+REFUSALS = {1, 2}  # the world is wrong; the command line is
+
+
+class Refused(Exception):
+    """relamp's own sentence."""
+
+
+class Relamp:
+    """Runs relamp; what it says goes to the log."""
+
+    def __init__(self, log: Path) -> None:
+        self._log = log
+        log.parent.mkdir(parents=True, exist_ok=True)
+        log.write_text("", encoding="utf-8")
+
+    def run(self, command: list[str]) -> str:
+        """Returns what it printed. Throws Refused; ends this process where relamp was killed."""
+        ended = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, check=False)
+        problems = ended.stderr.decode(errors="replace").strip()
+        with open(self._log, "a", encoding="utf-8") as log:
+            print(shlex.join(command), problems, sep="\n", file=log)
+            if ended.returncode in REFUSALS:
+                raise Refused(sentence_of(problems))
+            if ended.returncode:
+                print(said := f"relamp was {how_it_ended(ended.returncode)}", file=log)
+                sys.exit(said)
+        return ended.stdout.decode()
+
+
+def how_it_ended(code: int) -> str:
+    """In words."""
+    if code in {-9, 137}:
+        return "killed by signal 9; where nobody did, it needed more memory than it may have"
+    return f"killed by signal {-code}" if code < 0 else f"ended with exit code {code}"
+
+
+def sentence_of(problems: str) -> str:
+    """What relamp said last, without its name; progress and notes stand before it."""
+    last = ("\n" + problems).rpartition("\nrelamp: ")[2]
+    return " ".join(last.split()) or "it says nothing"
+
+
+def sweep(folder: Path) -> None:
+    """Removes what a run that was killed left hidden, on whatever machine: Snakemake runs no step of a scan twice
+    at a time, so nobody is at work on it."""
+    for left in folder.glob(".*.relamp-*"):
+        shutil.rmtree(left) if left.is_dir() else left.unlink()
+
+
+def has_window(room: Path) -> bool:
+    """Whether delight found one."""
+    report = json.loads((room / "report.json").read_text(encoding="utf-8"))
+    return any(fixture["name"].startswith("window") for fixture in report["lights"]["fixtures"])
+
+
+def take_pictures(relamp: Relamp, asked: argparse.Namespace) -> list[str]:
+    """One picture under each of the lights that make sense in this room."""
+    asked.pictures.mkdir(parents=True, exist_ok=True)
+    sweep(asked.pictures)
+    windowless = not has_window(asked.room)
+    made = []
+    for light in asked.lights:
+        name, _, options = light.partition("=")
+        picture = asked.pictures / f"{name}.png"
+        if windowless and name in asked.through_windows:
+            picture.unlink(missing_ok=True)  # of a former run that took something for a window
+            continue
+        relamp.run([*asked.command, *shlex.split(options), "-o", str(picture)])
+        made.append(str(picture))
+    return made
+
+
+def run(asked: argparse.Namespace) -> Outcome:
+    """The step itself."""
+    before = read_outcome(asked.after) if asked.after else None
+    if before and before.outcome != DONE:
+        return Outcome(PASSED_OVER)
+    relamp = Relamp(asked.log)
+    try:
+        if asked.pictures:
+            return Outcome(DONE, makes=take_pictures(relamp, asked))
+        for file in asked.makes:
+            sweep(file.parent.parent)
+        printed = relamp.run(asked.command)
+    except Refused as refused:
+        return Outcome(REFUSED, sentence=str(refused))
+    return Outcome(DONE, printed=json.loads(printed) if asked.json else None, makes=[str(f) for f in asked.makes])
+
+
+def arguments() -> argparse.Namespace:
+    """Of the command line; what stands behind -- is relamp's."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("outcome", type=Path, help="where to write what came of it")
+    parser.add_argument("--log", type=Path, required=True)
+    parser.add_argument("--after", type=Path, help="outcome of the step before; nothing is run unless it was done")
+    parser.add_argument("--json", action="store_true", help="keep the JSON that relamp prints")
+    parser.add_argument("--makes", type=Path, nargs="+", default=[], help="files by which to see that it is there")
+    parser.add_argument("--pictures", type=Path, help="folder for pictures under --lights")
+    parser.add_argument("--room", type=Path, help="what --pictures are of")
+    parser.add_argument("--lights", nargs="+", default=[], metavar="NAME=OPTIONS")
+    parser.add_argument("--through-windows", nargs="*", default=[], metavar="NAME")
+    split = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)
+    asked = parser.parse_args(sys.argv[1:split])
+    asked.command = sys.argv[split + 1 :]
+    return asked
+
+
+def main() -> None:
+    """Runs, measures, writes."""
+    asked = arguments()
+    began = time.monotonic()
+    outcome = run(asked)
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    outcome.seconds = round(time.monotonic() - began, 3)
+    outcome.coreSeconds = round(used.ru_utime + used.ru_stime, 3)
+    outcome.megabytes = round(used.ru_maxrss * 1024 / 1e6, 1)
+    write_outcome(asked.outcome, outcome)
+
+
+if __name__ == "__main__":
+    main()

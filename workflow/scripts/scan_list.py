@@ -1,0 +1,88 @@
+"""The scans of a folder or of a table."""
+
+from __future__ import annotations
+
+import csv
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+KINDS = {".glb", ".gltf", ".obj", ".ply"}
+COLUMNS = {"scan", "name", "reading", "delight"}
+
+
+class ListError(Exception):
+    """A sentence: what is wrong with the list, and the way out."""
+
+
+@dataclass
+class ListedScan:
+    """One scan: the name of its results' folder, its file, and options of its own by their kind."""
+
+    name: str
+    path: str
+    options: dict[str, str] = field(default_factory=dict)
+
+
+def folder_name(text: str) -> str:
+    """A name that is one folder, is not hidden and needs no quotes."""
+    return re.sub(r"[^\w.+-]+", "-", text).strip("-.") or "scan"
+
+
+def read_scans(source: Path) -> list[ListedScan]:
+    """Reads the list, in the order of the table or of the names; throws ListError."""
+    if source.is_dir():
+        scans = _of_folder(source)
+    elif source.suffix in {".tsv", ".csv"}:
+        scans = _of_table(source)
+    elif source.exists():
+        raise ListError(f"{source}: neither a folder nor a table. A table's name ends in .tsv or .csv")
+    else:
+        raise ListError(f"{source}: not there. Say where the scans are: --config scans=FOLDER_OR_TABLE")
+    if not scans:
+        raise ListError(f"{source}: no scan in it, nothing of {', '.join(sorted(KINDS))}")
+    _refuse_same_names(source, scans)
+    return scans
+
+
+def _of_folder(folder: Path) -> list[ListedScan]:
+    """kitchen.glb is kitchen, house/attic.glb is house-attic."""
+    files = [file for file in folder.rglob("*") if file.suffix.lower() in KINDS and file.is_file()]
+    shown = [file for file in files if not any(part.startswith(".") for part in file.relative_to(folder).parts)]
+    return [
+        ListedScan(folder_name(str(file.relative_to(folder).with_suffix(""))), str(file))
+        for file in sorted(shown)
+    ]
+
+
+def _of_table(table: Path) -> list[ListedScan]:
+    """Paths are relative to the table. What is not there is a scan, too: relamp says so in the report."""
+    with open(table, newline="", encoding="utf-8-sig") as lines:
+        rows = csv.DictReader(lines, dialect="excel-tab" if table.suffix == ".tsv" else "excel")
+        columns = set(rows.fieldnames or [])
+        if "scan" not in columns or columns - COLUMNS:
+            raise ListError(
+                f"{table}: its columns are {', '.join(map(str, rows.fieldnames or []))}. There must be scan; "
+                "there may be name, reading and delight"
+            )
+        return [_of_row(table, number, row) for number, row in enumerate(rows, 2) if any(row.values())]
+
+
+def _of_row(table: Path, number: int, row: dict[str, str]) -> ListedScan:
+    if not row["scan"] or None in row:
+        wrong = "has more cells than the first" if None in row else "names no scan"
+        raise ListError(f"{table}, row {number}: {wrong}")
+    name = row.get("name") or str(Path(row["scan"]).with_suffix(""))
+    options = {key: row.get(key) or "" for key in ("reading", "delight")}
+    return ListedScan(folder_name(name), str(table.parent / row["scan"]), options)
+
+
+def _refuse_same_names(source: Path, scans: list[ListedScan]) -> None:
+    first: dict[str, ListedScan] = {}
+    for scan in scans:
+        other = first.setdefault(scan.name.casefold(), scan)  # some disks take Attic and attic for one
+        if other is not scan:
+            raise ListError(
+                f"{source}: {other.path} and {scan.path} would both be {scan.name}. "
+                "Rename one, or give them names in a table"
+            )
