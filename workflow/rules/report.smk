@@ -8,9 +8,12 @@ def report_command() -> str:
     return " ".join(shlex.quote(str(word)) for word in words)
 
 
+RECORDS = [record(step).format(name=name) for name in SCANS for step in STEPS]
+
+
 rule report:
     input:
-        expand(f"{RESULTS}/{{name}}/steps/{{step}}.json", name=SCANS, step=STEPS),
+        RECORDS,
     output:
         f"{RESULTS}/report.html",
     params:
