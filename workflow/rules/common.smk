@@ -48,7 +48,17 @@ wildcard_constraints:
 
 def record(step: str) -> str:
     """What a step writes in the end: its outcome. What it made stands beside, in the scan's folder."""
-    return f"{RESULTS}/{{name}}/steps/{step}.json"
+    return f"{RESULTS}/{{name}}/{step}.json"
+
+
+def scan_path(wildcards):
+    return SCANS[wildcards.name].path
+
+
+def scan_file(wildcards):
+    """Nothing where a table names a file that is not there: relamp says so, and Snakemake would stop all."""
+    path = scan_path(wildcards)
+    return [path] if Path(path).exists() else []
 
 
 def options(*keys):

@@ -3,33 +3,35 @@
 
 rule info:
     input:
-        scan=lambda wildcards: SCANS[wildcards.name].path,
+        scan=scan_file,
     output:
         record("info"),
     log:
         f"{RESULTS}/{{name}}/logs/info.log",
     params:
-        options=options("reading"),
+        scan=scan_path,
+        options=options("read_options"),
     threads: 1
     retries: config["retries"]
     resources:
         mem_mb=lambda wildcards, input, attempt: attempt * (500 + 60 * int(input.size_mb)),
         runtime=lambda wildcards, attempt: 10 * attempt,
     shell:
-        RUN + " --json -- {RELAMP:q} info {input.scan:q} --threads {threads} --json {params.options}"
+        RUN + " --json -- {RELAMP:q} info {params.scan:q} --threads {threads} --json {params.options}"
 
 
 rule delight:
     input:
-        scan=lambda wildcards: SCANS[wildcards.name].path,
+        scan=scan_file,
         info=record("info"),
     output:
         record("delight"),
     log:
         f"{RESULTS}/{{name}}/logs/delight.log",
     params:
+        scan=scan_path,
         room=lambda wildcards: f"{RESULTS}/{wildcards.name}/room",
-        options=options("reading", "delight"),
+        options=options("read_options", "delight_options"),
     threads: config["threads"]
     retries: config["retries"]
     resources:
@@ -37,7 +39,7 @@ rule delight:
         runtime=minutes("delight"),
     shell:
         RUN + " --after {input.info:q} --makes {params.room:q}/report.json"
-        " -- {RELAMP:q} delight {input.scan:q} -o {params.room:q} --threads {threads} --quiet {params.options}"
+        " -- {RELAMP:q} delight {params.scan:q} -o {params.room:q} --threads {threads} --quiet {params.options}"
 
 
 rule verify:
@@ -50,8 +52,8 @@ rule verify:
         f"{RESULTS}/{{name}}/logs/verify.log",
     params:
         room=lambda wildcards: f"{RESULTS}/{wildcards.name}/room",
-        scan=lambda wildcards: SCANS[wildcards.name].path,
-        options=options("verify"),
+        scan=scan_path,
+        options=options("verify_options"),
     threads: config["threads"]
     retries: config["retries"]
     resources:
@@ -72,7 +74,7 @@ rule relight:
         f"{RESULTS}/{{name}}/logs/relight.log",
     params:
         folder=lambda wildcards: f"{RESULTS}/{wildcards.name}",
-        options=options("relight"),
+        options=options("relight_options"),
         lights=[f"{name}={what.format(lights=LIGHTS)}" for name, what in config["lights"].items() if what],
         windows=config["through_windows"],
     threads: config["threads"]
@@ -83,4 +85,4 @@ rule relight:
     shell:
         RUN + " --after {input.delight:q} --room {params.folder:q}/room --pictures {params.folder:q}/relit"
         " --lights {params.lights:q} --through-windows {params.windows:q}"
-        " -- {RELAMP:q} relight {params.folder:q}/room --quiet {params.options}"
+        " -- {RELAMP:q} relight {params.folder:q}/room --threads {threads} --quiet {params.options}"

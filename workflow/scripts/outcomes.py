@@ -55,7 +55,7 @@ def forget(results: Path, names: Iterable[str], steps: list[str], refused: bool)
     gone, and, if asked, of what was refused and of the steps that it kept from being done."""
     for name in names:
         for step in steps:
-            file = results / name / "steps" / f"{step}.json"
+            file = results / name / f"{step}.json"
             outcome = read_outcome(file)
             if outcome is None:
                 continue

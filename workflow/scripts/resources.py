@@ -36,7 +36,8 @@ class Estimate:
         return 1 + math.ceil(core_seconds / threads / 60)
 
     def _estimated(self, step: str) -> dict[str, float]:
-        return self._info.get("estimate", {}).get(step, {})
+        of_step: dict[str, float] = self._info.get("estimate", {}).get(step, {})
+        return of_step
 
     def _texels(self) -> int:
-        return self._info.get("texels", 0)
+        return int(self._info.get("texels", 0))

@@ -1,7 +1,7 @@
 """Runs one step of a scan and writes its outcome.
 
 What relamp refuses (exit codes 1 and 2) is an outcome with its sentence, and the job is done. Anything else,
-a signal above all, leaves no outcome and fails the job, so that it is tried again.
+a signal above all, and what the machine lacks, leaves no outcome and fails the job, so that it is tried again.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from pathlib import Path
 from outcomes import DONE, PASSED_OVER, REFUSED, Outcome, read_outcome, write_outcome
 
 REFUSALS = {1, 2}  # the world is wrong; the command line is
+OF_THE_MACHINE = ("not enough memory", "the system refuses", "cannot be written")  # said of it, with exit code 1
 
 
 class Refused(Exception):
@@ -39,19 +40,21 @@ class Relamp:
         problems = ended.stderr.decode(errors="replace").strip()
         with open(self._log, "a", encoding="utf-8") as log:
             print(shlex.join(command), problems, sep="\n", file=log)
-            if ended.returncode in REFUSALS:
-                raise Refused(sentence_of(problems))
-            if ended.returncode:
-                print(said := f"relamp was {how_it_ended(ended.returncode)}", file=log)
-                sys.exit(said)
-        return ended.stdout.decode()
+            if not ended.returncode:
+                return ended.stdout.decode()
+            sentence = sentence_of(problems)
+            if ended.returncode in REFUSALS and not any(words in sentence for words in OF_THE_MACHINE):
+                raise Refused(sentence)
+            said = sentence if ended.returncode in REFUSALS else f"relamp {how_it_ended(ended.returncode)}"
+            print(said, file=log)
+            sys.exit(said)
 
 
 def how_it_ended(code: int) -> str:
     """In words."""
     if code in {-9, 137}:
-        return "killed by signal 9; where nobody did, it needed more memory than it may have"
-    return f"killed by signal {-code}" if code < 0 else f"ended with exit code {code}"
+        return "was killed by signal 9; where nobody did, it needed more memory than it may have"
+    return f"was killed by signal {-code}" if code < 0 else f"ended with exit code {code}"
 
 
 def sentence_of(problems: str) -> str:
@@ -78,15 +81,16 @@ def take_pictures(relamp: Relamp, asked: argparse.Namespace) -> list[str]:
     asked.pictures.mkdir(parents=True, exist_ok=True)
     sweep(asked.pictures)
     windowless = not has_window(asked.room)
-    made = []
+    made: list[str] = []
     for light in asked.lights:
         name, _, options = light.partition("=")
         picture = asked.pictures / f"{name}.png"
-        if windowless and name in asked.through_windows:
-            picture.unlink(missing_ok=True)  # of a former run that took something for a window
-            continue
-        relamp.run([*asked.command, *shlex.split(options), "-o", str(picture)])
-        made.append(str(picture))
+        if not (windowless and name in asked.through_windows):
+            relamp.run([*asked.command, *shlex.split(options), "-o", str(picture)])
+            made.append(str(picture))
+    for picture in asked.pictures.glob("*.png"):  # of lights that a former run had
+        if str(picture) not in made:
+            picture.unlink()
     return made
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 KINDS = {".glb", ".gltf", ".obj", ".ply"}
-COLUMNS = {"scan", "name", "reading", "delight"}
+COLUMNS = {"path", "name", "read_options", "delight_options"}
 
 
 class ListError(Exception):
@@ -60,21 +60,21 @@ def _of_table(table: Path) -> list[ListedScan]:
     with open(table, newline="", encoding="utf-8-sig") as lines:
         rows = csv.DictReader(lines, dialect="excel-tab" if table.suffix == ".tsv" else "excel")
         columns = set(rows.fieldnames or [])
-        if "scan" not in columns or columns - COLUMNS:
+        if "path" not in columns or columns - COLUMNS:
             raise ListError(
-                f"{table}: its columns are {', '.join(map(str, rows.fieldnames or []))}. There must be scan; "
-                "there may be name, reading and delight"
+                f"{table}: its columns are {', '.join(map(str, rows.fieldnames or []))}. There must be path; "
+                "there may be name, read_options and delight_options"
             )
         return [_of_row(table, number, row) for number, row in enumerate(rows, 2) if any(row.values())]
 
 
 def _of_row(table: Path, number: int, row: dict[str, str]) -> ListedScan:
-    if not row["scan"] or None in row:
-        wrong = "has more cells than the first" if None in row else "names no scan"
+    if not row["path"] or None in row:
+        wrong = "has more cells than the first" if None in row else "has no path"
         raise ListError(f"{table}, row {number}: {wrong}")
-    name = row.get("name") or str(Path(row["scan"]).with_suffix(""))
-    options = {key: row.get(key) or "" for key in ("reading", "delight")}
-    return ListedScan(folder_name(name), str(table.parent / row["scan"]), options)
+    name = row.get("name") or str(Path(row["path"]).with_suffix(""))
+    options = {key: row.get(key) or "" for key in ("read_options", "delight_options")}
+    return ListedScan(folder_name(name), str(table.parent / row["path"]), options)
 
 
 def _refuse_same_names(source: Path, scans: list[ListedScan]) -> None:

@@ -47,7 +47,7 @@ class ScanResults:
 def read_results(results: Path, scan: ListedScan) -> ScanResults:
     """Reads what is there; what is not there is a problem with a sentence, never an error."""
     folder = results / scan.name
-    found = {step: read_outcome(folder / "steps" / f"{step}.json") for step in STEPS}
+    found = {step: read_outcome(folder / f"{step}.json") for step in STEPS}
     outcomes = {step: outcome for step, outcome in found.items() if outcome}
     delit = "delight" in outcomes and outcomes["delight"].outcome == DONE
     problems = [f"{step}: {outcome.sentence}" for step, outcome in outcomes.items() if outcome.outcome == REFUSED]
@@ -69,9 +69,10 @@ def _why(log: Path) -> str:
 
 def _read_json(file: Path) -> dict[str, Any]:
     try:
-        return json.loads(file.read_text(encoding="utf-8"))
+        report: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return {}
+    return report
 
 
 def in_order(scans: list[ScanResults]) -> list[ScanResults]:
