@@ -42,6 +42,10 @@ if workflow.mode == Mode.default:
     forget(Path(RESULTS), SCANS, STEPS, refused=bool(config["again"]))
 
 
+# In a job of a cluster, which is a Snakemake of its own, a second attempt would have the memory of the first.
+RETRIES = config["retries"] if workflow.mode == Mode.default else 0
+
+
 wildcard_constraints:
     name="[^/]+",
 

@@ -12,7 +12,7 @@ rule info:
         scan=scan_path,
         options=options("read_options"),
     threads: 1
-    retries: config["retries"]
+    retries: RETRIES
     resources:
         mem_mb=lambda wildcards, input, attempt: attempt * (500 + 60 * int(input.size_mb)),
         runtime=lambda wildcards, attempt: 10 * attempt,
@@ -33,7 +33,7 @@ rule delight:
         room=lambda wildcards: f"{RESULTS}/{wildcards.name}/room",
         options=options("read_options", "delight_options"),
     threads: config["threads"]
-    retries: config["retries"]
+    retries: RETRIES
     resources:
         mem_mb=megabytes("delight"),
         runtime=minutes("delight"),
@@ -55,7 +55,7 @@ rule verify:
         scan=scan_path,
         options=options("verify_options"),
     threads: config["threads"]
-    retries: config["retries"]
+    retries: RETRIES
     resources:
         mem_mb=megabytes("verify"),
         runtime=minutes("verify"),
@@ -78,7 +78,7 @@ rule relight:
         lights=[f"{name}={what.format(lights=LIGHTS)}" for name, what in config["lights"].items() if what],
         windows=config["through_windows"],
     threads: config["threads"]
-    retries: config["retries"]
+    retries: RETRIES
     resources:
         mem_mb=megabytes("relight"),
         runtime=minutes("relight"),
