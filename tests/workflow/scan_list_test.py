@@ -34,10 +34,12 @@ class ScanList(unittest.TestCase):
     def test_folder_is_searched_at_any_depth(self) -> None:
         for name in ("kitchen.glb", "house 1/attic.PLY", "house 1/notes.txt", ".hidden/x.glb"):
             self.put(name)
-        self.assertEqual([scan.name for scan in read_scans(self.folder)], ["house-1-attic", "kitchen"])
+        names = [scan.name for scan in read_scans(self.folder)]
+        self.assertEqual(names, ["house-1-attic", "kitchen"])
 
     def test_table_names_scans_from_its_own_folder_and_gives_them_options(self) -> None:
-        table = self.put("scans.tsv", "path\tname\tread_options\nrooms/a.glb\t\t--up z\n\nb.glb\tIt's b\t\n")
+        rows = ["path\tname\tread_options", "rooms/a.glb\t\t--up z", "", "b.glb\tIt's b\t"]
+        table = self.put("scans.tsv", "\n".join(rows))
         first, second = read_scans(table)
         self.assertEqual((first.name, first.path), ("rooms-a", str(self.folder / "rooms/a.glb")))
         self.assertEqual(first.options["read_options"], "--up z")
@@ -47,14 +49,23 @@ class ScanList(unittest.TestCase):
         self.assertIn("--config scans=", self.refusal(self.folder / "nowhere"))
         self.assertIn("no scan in it", self.refusal(self.folder))
         self.assertIn("There must be path", self.refusal(self.put("a.csv", "file\nx.glb\n")))
-        self.assertIn("row 3: has no path", self.refusal(self.put("b.csv", "path,name\nx.glb,x\n,y\n")))
+        rows = self.put("b.csv", "path,name\nx.glb,x\n,y\n")
+        self.assertIn("row 3: has no path", self.refusal(rows))
         self.assertIn("row 2: has more cells", self.refusal(self.put("c.csv", "path\nx.glb,y\n")))
-        self.assertIn("would both be Attic", self.refusal(self.put("d.csv", "path\nattic.glb\nAttic.ply\n")))
+        rows = self.put("d.csv", "path\nattic.glb\nAttic.ply\n")
+        self.assertIn("would both be Attic", self.refusal(rows))
         self.assertIn("neither a folder nor a table", self.refusal(self.put("e.txt")))
 
 
 class Resources(unittest.TestCase):
-    settings = {"margin": 1.5, "megabytes": 300, "bytesPerTexel": 120, "coreSeconds": 60, "microsecondsPerTexel": 2}
+    settings = {
+        "margin": 1.5,
+        "megabytes": 300,
+        "bytesPerTexel": 120,
+        "coreSeconds": 60,
+        "microsecondsPerTexel": 2,
+        "mostMegabytes": 4000,
+    }
 
     def estimate(self, printed: str) -> Estimate:
         with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
@@ -63,17 +74,24 @@ class Resources(unittest.TestCase):
             return Estimate(self.settings, file.name)
 
     def test_estimate_of_the_program_counts_with_the_margin(self) -> None:
-        estimate = self.estimate('{"texels": 9, "estimate": {"delight": {"megabytes": 1000, "coreSeconds": 400}}}')
-        self.assertEqual(estimate.megabytes("delight"), 1500)
-        self.assertEqual(estimate.minutes("delight", 2), 6)  # 1.5 * 400 / 2 s are 5, and one to begin and end
+        of_delight = '{"delight": {"megabytes": 1000, "coreSeconds": 400}}'
+        estimate = self.estimate(f'{{"texels": 9, "estimate": {of_delight}}}')
+        self.assertEqual(estimate.megabytes("delight", 1), 1500)
+        # 1.5 * 400 / 2 s are 5 minutes, and one to begin and end.
+        self.assertEqual(estimate.minutes("delight", 1, 2), 6)
 
     def test_without_it_texels_count(self) -> None:
         estimate = self.estimate('{"texels": 10000000}')
-        self.assertEqual(estimate.megabytes("verify"), 1500)
-        self.assertEqual(estimate.minutes("verify", 1), 3)
+        self.assertEqual(estimate.megabytes("verify", 1), 1500)
+        self.assertEqual(estimate.minutes("verify", 1, 1), 3)
+
+    def test_another_attempt_asks_for_more_up_to_what_any_machine_has(self) -> None:
+        estimate = self.estimate('{"texels": 10000000}')
+        self.assertEqual([estimate.megabytes("verify", n) for n in (1, 2, 3)], [1500, 3000, 4000])
+        self.assertEqual(estimate.minutes("verify", 2, 1), 6)
 
     def test_scan_not_yet_looked_at_takes_the_least(self) -> None:
-        self.assertEqual(Estimate(self.settings, "/nowhere.json").megabytes("relight"), 300)
+        self.assertEqual(Estimate(self.settings, "/nowhere.json").megabytes("relight", 1), 300)
 
 
 if __name__ == "__main__":

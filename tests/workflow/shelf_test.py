@@ -1,4 +1,4 @@
-"""Snakemake takes a folder of scans to one page, and makes again what is missing, and that alone."""
+"""Snakemake takes scans to one page, and makes again what is missing, and that alone."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ from pathlib import Path
 SOURCE = Path(os.environ["RELAMP_SOURCE"])
 SAMPLE = SOURCE / "samples" / "bedroom" / "scan.glb"
 
-# Killed at its first attempt to take the light out, as by a machine without memory; what it had begun stays there.
+# Killed at its first attempt to take the light out of the kitchen, as by a machine without memory;
+# what it had begun stays there.
 KILLED_ONCE = """#!/bin/bash
 if [[ $1 == delight && $2 == *kitchen* && ! -e killed ]]; then
     touch killed
@@ -52,18 +53,18 @@ class Shelf(unittest.TestCase):
 
     @classmethod
     def snakemake(cls, *more: str) -> subprocess.CompletedProcess[str]:
-        command = [os.environ["RELAMP_SNAKEMAKE"], "-s", str(SOURCE / "workflow" / "Snakefile"), "--cores", "2"]
-        settings = ["scans=list.tsv", "relamp=./killed_once", "delight_options=--quality draft", "threads=2"]
+        settings = ["relamp=./killed_once", "threads=2", "delight_options=--quality draft"]
         settings += ["verify_options=--samples 4 --places 1000", "relight_options=--size 160x100"]
-        command += ["--nocolor", *more, "--config", *settings]
-        return subprocess.run(command, cwd=cls.folder, capture_output=True, text=True, check=False, timeout=250)
+        command = [os.environ["RELAMP_SNAKEMAKE"], "-s", str(SOURCE / "workflow" / "Snakefile")]
+        command += ["--cores", "2", "--nocolor", *more, "--config", "scans=list.tsv", *settings]
+        return subprocess.run(command, cwd=cls.folder, capture_output=True, text=True, timeout=250)
 
     def outcome(self, scan: str, step: str) -> dict:
         return json.loads((self.folder / "results" / scan / f"{step}.json").read_text())
 
     def ran(self, log: str) -> list[str]:
         """The rules that ran, with their scans."""
-        return re.findall(r"^rule (\w+):(?:\n    .*)*?\n    wildcards: name=(\S+)", log, re.MULTILINE)
+        return re.findall(r"^rule (\w+):(?:\n    .*)*?\n    wildcards: name=(\S+)", log, re.M)
 
     def test_1_good_scans_are_done_and_bad_ones_tell_why(self) -> None:
         self.assertEqual(self.first.returncode, 0, self.first.stderr)
@@ -77,7 +78,8 @@ class Shelf(unittest.TestCase):
         self.assertFalse((self.folder / "results" / "broken" / "room").exists())
 
     def test_2_what_was_killed_is_tried_again_with_more_memory_and_leaves_nothing(self) -> None:
-        asked = re.findall(r"^rule delight:(?:\n    .*)*?name=kitchen(?:\n    .*)*?mem_mb=(\d+)", self.first.stderr, re.M)
+        job = r"^rule delight:(?:\n    .*)*?name=kitchen(?:\n    .*)*?mem_mb=(\d+)"
+        asked = re.findall(job, self.first.stderr, re.M)
         self.assertEqual(len(asked), 2, self.first.stderr)
         self.assertEqual(int(asked[1]), 2 * int(asked[0]))
         self.assertEqual(list((self.folder / "results").rglob(".*")), [])
@@ -87,11 +89,12 @@ class Shelf(unittest.TestCase):
         # Without a result first; then by the gain, of which the thesis's room has none.
         names = re.findall(r"<h3>(?:<a [^>]*>)?([^<]+)", page)
         self.assertEqual(names, ["broken", "gone", "kitchen", "bedroom"])
-        gain = json.loads((self.folder / "results/bedroom/room/report.json").read_text())["crossValidation"]["gainDb"]
-        self.assertIn(f"gain {gain:.1f} dB", page)
+        report = json.loads((self.folder / "results/bedroom/room/report.json").read_text())
+        self.assertIn(f"gain {report['crossValidation']['gainDb']:.1f} dB", page)
         self.assertIn("broken &lt;b&gt;.glb: is cut off", page)
         self.assertIn("gone.glb", page)
-        self.assertEqual(page.count('src="data:image/jpeg;base64,/9j/'), 12)  # two rooms, three views, three lights
+        # Two rooms, three views and three lights of each.
+        self.assertEqual(page.count('src="data:image/jpeg;base64,/9j/'), 12)
         self.assertEqual(page.count("<img"), page.count('alt="'))
         self.assertNotRegex(page, r'(src|href)="(http|/|file)|<script|<link')
 
@@ -101,25 +104,26 @@ class Shelf(unittest.TestCase):
         self.assertIn("Nothing to be done", again.stderr)
 
     def test_5_room_that_was_removed_is_made_again_alone(self) -> None:
-        other = (self.folder / "results/kitchen/room/report.json").stat().st_mtime_ns
+        other = self.folder / "results/kitchen/room/report.json"
+        before = other.stat().st_mtime_ns
         shutil.rmtree(self.folder / "results/bedroom/room")
         again = self.snakemake()
         self.assertEqual(again.returncode, 0, again.stderr)
         steps = [("delight", "bedroom"), ("relight", "bedroom"), ("verify", "bedroom")]
         self.assertEqual(sorted(self.ran(again.stderr)), steps)
         self.assertTrue((self.folder / "results/bedroom/room/report.json").exists())
-        self.assertEqual((self.folder / "results/kitchen/room/report.json").stat().st_mtime_ns, other)
+        self.assertEqual(other.stat().st_mtime_ns, before)
 
     def test_6_scan_that_was_mended_is_done(self) -> None:
         shutil.copy(SAMPLE, self.folder / "my scans" / "broken <b>.glb")
         planned = self.snakemake("--dry-run")
-        self.assertEqual({scan for _, scan in self.ran(planned.stdout + planned.stderr)}, {"broken"})
+        will_run = self.ran(planned.stdout + planned.stderr)
+        self.assertEqual({scan for _, scan in will_run}, {"broken"})
 
     def test_7_list_that_is_wrong_is_one_sentence(self) -> None:
-        command = [os.environ["RELAMP_SNAKEMAKE"], "-s", str(SOURCE / "workflow" / "Snakefile"), "--cores", "1"]
-        wrong = subprocess.run(
-            [*command, "--config", "scans=nowhere"], cwd=self.folder, capture_output=True, text=True, check=False
-        )
+        command = [os.environ["RELAMP_SNAKEMAKE"], "-s", str(SOURCE / "workflow" / "Snakefile")]
+        command += ["--cores", "1", "--config", "scans=nowhere"]
+        wrong = subprocess.run(command, cwd=self.folder, capture_output=True, text=True)
         self.assertNotEqual(wrong.returncode, 0)
         self.assertIn("nowhere: not there. Say where the scans are", wrong.stderr)
         self.assertNotIn("Traceback", wrong.stderr)

@@ -77,14 +77,14 @@ def options(*keys):
 
 def megabytes(step):
     def of_job(wildcards, input, attempt):
-        return attempt * Estimate(config["resources"], input.info).megabytes(step)
+        return Estimate(config["resources"], input.info).megabytes(step, attempt)
 
     return of_job
 
 
 def minutes(step):
     def of_job(wildcards, input, attempt, threads):
-        return attempt * Estimate(config["resources"], input.info).minutes(step, threads)
+        return Estimate(config["resources"], input.info).minutes(step, attempt, threads)
 
     return of_job
 

@@ -20,7 +20,7 @@ class Outcome:
     outcome: str
     sentence: str = ""  # why it was refused, as relamp says it
     printed: Any = None  # the JSON that relamp printed
-    makes: list[str] = field(default_factory=list)  # files; where one is gone, the step is done again
+    makes: list[str] = field(default_factory=list)  # files; one gone: it is done again
     seconds: float = 0.0  # from start to end
     coreSeconds: float = 0.0  # of all cores together
     megabytes: float = 0.0  # at the peak
@@ -51,8 +51,8 @@ def write_whole(file: Path, text: str) -> None:
 
 
 def forget(results: Path, names: Iterable[str], steps: list[str], refused: bool) -> None:
-    """Removes outcomes that are true no more, so that the steps are done again: of what was made and is
-    gone, and, if asked, of what was refused and of the steps that it kept from being done."""
+    """Removes outcomes that are true no more, so that the steps are done again: of what was made
+    and is gone, and, if asked, of what was refused and of the steps behind it."""
     for name in names:
         for step in steps:
             file = results / name / f"{step}.json"

@@ -3,38 +3,18 @@
 from __future__ import annotations
 
 from html import escape
+from pathlib import Path
 from urllib.parse import quote
 
 from outcomes import DONE
 from scan_results import ScanResults
 from thumbnails import Thumbnail
 
-STYLE = """
-:root { color-scheme: light dark; --ground: #fbfbf9; --card: #fff; --text: #1c1c1a; --soft: #5c5c56; --line: #d9d9d2;
-  --bad: #a3210f; --doubt: #7a5200; --link: #0b57a4; }
-@media (prefers-color-scheme: dark) { :root { --ground: #161614; --card: #20201d; --text: #ecece6; --soft: #a9a9a0;
-  --line: #3a3a35; --bad: #ff9b8a; --doubt: #f0c060; --link: #8fc3ff; } }
-body { margin: 0 auto; max-width: 76rem; padding: 1.5rem; background: var(--ground); color: var(--text);
-  font: 1rem/1.5 system-ui, sans-serif; }
-h1 { font-size: 1.6rem; margin: 0; } h2 { font-size: 1.25rem; margin: 2.5rem 0 .5rem; } h3 { font-size: 1.1rem; margin: 0; }
-p { margin: .4rem 0; } a { color: var(--link); } .soft { color: var(--soft); }
-article { background: var(--card); border: 1px solid var(--line); border-radius: .5rem; padding: 1rem; margin: 1rem 0;
-  content-visibility: auto; contain-intrinsic-size: auto 26rem; }
-.head { display: flex; flex-wrap: wrap; gap: .3rem 1rem; align-items: baseline; justify-content: space-between; }
-.gain { font-weight: 600; font-variant-numeric: tabular-nums; }
-.bad { color: var(--bad); } .doubt { color: var(--doubt); }
-.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(11rem, 1fr)); gap: .5rem; margin: .7rem 0; }
-figure { margin: 0; } figcaption { font-size: .85rem; color: var(--soft); }
-img { width: 100%; height: auto; display: block; border-radius: .25rem; }
-dl { display: grid; grid-template-columns: repeat(auto-fill, minmax(11rem, 1fr)); gap: .4rem .5rem; margin: .5rem 0; }
-dt { font-size: .85rem; color: var(--soft); } dd { margin: 0; font-variant-numeric: tabular-nums; }
-ul { margin: .4rem 0; padding-left: 1.2rem; } code { overflow-wrap: anywhere; }
-@media print { article { break-inside: avoid; } }
-"""
+STYLE = Path(__file__).with_name("report.css")
 
 
 def page(scans: list[ScanResults], pictures: dict[str, list[Thumbnail]]) -> str:
-    """All of it; `scans` in the order in which they shall stand, `pictures` by the names of scans."""
+    """All of it; `scans` as they shall stand, `pictures` by the names of scans."""
     without = [scan for scan in scans if not scan.room]
     rooms = [scan for scan in scans if scan.room]
     body = [_summary(scans, rooms)]
@@ -44,16 +24,17 @@ def page(scans: list[ScanResults], pictures: dict[str, list[Thumbnail]]) -> str:
         body.append("</section>")
     if rooms:
         body.append(
-            '<section aria-labelledby="rooms"><h2 id="rooms">Rooms</h2><p class="soft">By how much better places of '
-            "one paint agree in the albedo than in the scan, under light that was found without looking at them. The "
-            "smallest gain stands first.</p>"
+            '<section aria-labelledby="rooms"><h2 id="rooms">Rooms</h2><p class="soft">'
+            "By how much better places of one paint agree in the albedo than in the scan, under "
+            "light that was found without looking at them. The smallest gain stands first.</p>"
         )
         body += [_room(scan, pictures.get(scan.name, [])) for scan in rooms]
         body.append("</section>")
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<title>{_count(len(scans), 'scan')}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<main>\n"
+        f"<title>{_count(len(scans), 'scan')}</title>\n"
+        f"<style>\n{STYLE.read_text(encoding='utf-8')}</style>\n</head>\n<body>\n<main>\n"
         + "\n".join(body)
         + "\n</main>\n</body>\n</html>\n"
     )
@@ -79,24 +60,34 @@ def _summary(scans: list[ScanResults], rooms: list[ScanResults]) -> str:
 
 def _refused(scan: ScanResults) -> str:
     return (
-        f'<article class="refused"><div class="head"><h3>{escape(scan.name)}</h3></div>'
-        f'<p class="soft"><code>{escape(scan.path)}</code></p>{_sentences(scan.problems, "bad")}</article>'
+        f'<article class="refused"><h3>{escape(scan.name)}</h3>'
+        f'<p class="soft"><code>{escape(scan.path)}</code></p>'
+        f'{_sentences(scan.problems, "bad")}</article>'
     )
 
 
 def _room(scan: ScanResults, pictures: list[Thumbnail]) -> str:
     folder = quote(f"{scan.name}/room/")
-    figures = "".join(f"<div><dt>{escape(what)}</dt><dd>{escape(value)}</dd></div>" for what, value in _figures(scan))
-    shown = "".join(
-        f'<figure><img src="{picture.uri}" width="{picture.width}" height="{picture.height}" loading="lazy" '
-        f'alt="{escape(f"{scan.name}, {picture.shows}")}"><figcaption>{escape(picture.shows)}</figcaption></figure>'
-        for picture in pictures
+    shown = "".join(_figure(scan.name, picture) for picture in pictures)
+    figures = "".join(
+        f"<div><dt>{escape(what)}</dt><dd>{escape(value)}</dd></div>"
+        for what, value in _figures(scan)
     )
     return (
-        f'<article class="room"><div class="head"><h3><a href="{folder}">{escape(scan.name)}</a></h3>{_gain(scan)}</div>'
+        '<article class="room"><div class="head">'
+        f'<h3><a href="{folder}">{escape(scan.name)}</a></h3>{_gain(scan)}</div>'
         f'<p class="soft"><code>{escape(scan.path)}</code></p>'
         + (f'<div class="pictures">{shown}</div>' if shown else "")
-        + f"<dl>{figures}</dl>{_sentences(scan.problems, 'bad')}{_sentences(_warnings(scan), 'doubt')}</article>"
+        + f"<dl>{figures}</dl>{_sentences(scan.problems, 'bad')}"
+        + f"{_sentences(_warnings(scan), 'doubt')}</article>"
+    )
+
+
+def _figure(name: str, picture: Thumbnail) -> str:
+    return (
+        f'<figure><img src="{picture.uri}" width="{picture.width}" height="{picture.height}" '
+        f'loading="lazy" alt="{escape(f"{name}, {picture.shows}")}">'
+        f"<figcaption>{escape(picture.shows)}</figcaption></figure>"
     )
 
 
@@ -113,14 +104,17 @@ def _gain(scan: ScanResults) -> str:
 
 def _warnings(scan: ScanResults) -> list[str]:
     verified = scan.outcomes.get("verify")
-    found = scan.report.get("warnings", []) + ((verified.printed or {}).get("warnings", []) if verified else [])
+    found = list(scan.report.get("warnings", []))
+    if verified and verified.printed:
+        found += verified.printed.get("warnings", [])
     return list(dict.fromkeys(found))  # each once
 
 
 def _sentences(sentences: list[str], kind: str) -> str:
     if not sentences:
         return ""
-    return f'<ul class="{kind}">' + "".join(f"<li>{escape(sentence)}</li>" for sentence in sentences) + "</ul>"
+    items = "".join(f"<li>{escape(sentence)}</li>" for sentence in sentences)
+    return f'<ul class="{kind}">{items}</ul>'
 
 
 def _figures(scan: ScanResults) -> list[tuple[str, str]]:
@@ -128,10 +122,12 @@ def _figures(scan: ScanResults) -> list[tuple[str, str]]:
     found = []
     if scan.gain is not None:
         paint = report["crossValidation"]
-        found.append(("one paint differs by", f"{paint['scan']:.2f} stops, in the albedo {paint['albedo']:.2f}"))
+        stops = f"{paint['scan']:.2f} stops, in the albedo {paint['albedo']:.2f}"
+        found.append(("one paint differs by", stops))
     loop = report.get("closedLoop") or {}
     if loop:
-        found.append(("not explained by the light", f"{loop['rmsError']:.3f} of {loop['rmsOfScan']:.3f}"))
+        left = f"{loop['rmsError']:.3f} of {loop['rmsOfScan']:.3f}"
+        found.append(("not explained by the light", left))
     verified = scan.outcomes.get("verify")
     if verified and verified.outcome == DONE:
         found.append(("rendered again (verify)", f"{verified.printed['psnr']:.1f} dB"))

@@ -10,30 +10,34 @@ from outcomes import read_outcome
 
 
 class Estimate:
-    """Of a scan, by what relamp info says of it; before that, of a scan without texels: Snakemake 7 asks once when it
-    plans, and again when the job's turn comes."""
+    """Of a scan, by what relamp info says of it; before that, of a scan without texels: Snakemake 7
+    asks once when it plans, and again when the job's turn comes."""
 
     def __init__(self, settings: dict[str, float], info_outcome: str) -> None:
         self._settings = settings
         info = read_outcome(Path(info_outcome))
         self._info: dict[str, Any] = (info.printed if info else None) or {}
 
-    def megabytes(self, step: str) -> int:
-        """Of the first attempt; for the step of a refused scan, which runs nothing, the least."""
+    def megabytes(self, step: str, attempt: int) -> int:
+        """More at each attempt; for the step of a refused scan, which runs nothing, the least."""
         estimated = self._estimated(step).get("megabytes")
         if estimated is not None:
-            return math.ceil(estimated * self._settings["margin"])
-        return math.ceil(self._settings["megabytes"] + self._texels() * self._settings["bytesPerTexel"] / 1e6)
+            first = estimated * self._settings["margin"]
+        else:
+            by_texels = self._texels() * self._settings["bytesPerTexel"] / 1e6
+            first = self._settings["megabytes"] + by_texels
+        most = self._settings["mostMegabytes"] or math.inf
+        return int(min(attempt * math.ceil(first), most))
 
-    def minutes(self, step: str, threads: int) -> int:
-        """From start to end on so many threads; at least one."""
+    def minutes(self, step: str, attempt: int, threads: int) -> int:
+        """From start to end on so many threads; at least two."""
         estimated = self._estimated(step).get("coreSeconds")
         if estimated is not None:
             core_seconds = estimated * self._settings["margin"]
         else:
             by_texels = self._texels() * self._settings["microsecondsPerTexel"] / 1e6
             core_seconds = self._settings["coreSeconds"] + by_texels
-        return 1 + math.ceil(core_seconds / threads / 60)
+        return attempt * (1 + math.ceil(core_seconds / threads / 60))
 
     def _estimated(self, step: str) -> dict[str, float]:
         of_step: dict[str, float] = self._info.get("estimate", {}).get(step, {})

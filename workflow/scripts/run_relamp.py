@@ -1,7 +1,8 @@
 """Runs one step of a scan and writes its outcome.
 
-What relamp refuses (exit codes 1 and 2) is an outcome with its sentence, and the job is done. Anything else,
-a signal above all, and what the machine lacks, leaves no outcome and fails the job, so that it is tried again.
+What relamp refuses (exit codes 1 and 2) is an outcome with its sentence, and the job is done.
+Anything else, a signal above all, and what the machine lacks, leaves no outcome and fails the job,
+so that it is tried again.
 """
 
 from __future__ import annotations
@@ -19,7 +20,8 @@ from pathlib import Path
 from outcomes import DONE, PASSED_OVER, REFUSED, Outcome, read_outcome, write_outcome
 
 REFUSALS = {1, 2}  # the world is wrong; the command line is
-OF_THE_MACHINE = ("not enough memory", "the system refuses", "cannot be written")  # said of it, with exit code 1
+# Said with exit code 1 of the machine, not of the scan.
+OF_THE_MACHINE = ("not enough memory", "the system refuses", "cannot be written")
 
 
 class Refused(Exception):
@@ -42,10 +44,11 @@ class Relamp:
             print(shlex.join(command), problems, sep="\n", file=log)
             if not ended.returncode:
                 return ended.stdout.decode()
-            sentence = sentence_of(problems)
-            if ended.returncode in REFUSALS and not any(words in sentence for words in OF_THE_MACHINE):
-                raise Refused(sentence)
-            said = sentence if ended.returncode in REFUSALS else f"relamp {how_it_ended(ended.returncode)}"
+            said = f"relamp {how_it_ended(ended.returncode)}"
+            if ended.returncode in REFUSALS:
+                said = sentence_of(problems)
+                if not any(words in said for words in OF_THE_MACHINE):
+                    raise Refused(said)
             print(said, file=log)
             sys.exit(said)
 
@@ -64,8 +67,8 @@ def sentence_of(problems: str) -> str:
 
 
 def sweep(folder: Path) -> None:
-    """Removes what a run that was killed left hidden, on whatever machine: Snakemake runs no step of a scan twice
-    at a time, so nobody is at work on it."""
+    """Removes what a run that was killed left hidden, on whatever machine: Snakemake runs no step
+    of a scan twice at a time, so nobody is at work on it."""
     for left in folder.glob(".*.relamp-*"):
         shutil.rmtree(left) if left.is_dir() else left.unlink()
 
@@ -108,7 +111,8 @@ def run(asked: argparse.Namespace) -> Outcome:
         printed = relamp.run(asked.command)
     except Refused as refused:
         return Outcome(REFUSED, sentence=str(refused))
-    return Outcome(DONE, printed=json.loads(printed) if asked.json else None, makes=[str(f) for f in asked.makes])
+    made = [str(file) for file in asked.makes]
+    return Outcome(DONE, printed=json.loads(printed) if asked.json else None, makes=made)
 
 
 def arguments() -> argparse.Namespace:
@@ -116,9 +120,9 @@ def arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("outcome", type=Path, help="where to write what came of it")
     parser.add_argument("--log", type=Path, required=True)
-    parser.add_argument("--after", type=Path, help="outcome of the step before; nothing is run unless it was done")
+    parser.add_argument("--after", type=Path, help="of the step before; if not done, nothing runs")
     parser.add_argument("--json", action="store_true", help="keep the JSON that relamp prints")
-    parser.add_argument("--makes", type=Path, nargs="+", default=[], help="files by which to see that it is there")
+    parser.add_argument("--makes", type=Path, nargs="+", default=[], help="what will be there")
     parser.add_argument("--pictures", type=Path, help="folder for pictures under --lights")
     parser.add_argument("--room", type=Path, help="what --pictures are of")
     parser.add_argument("--lights", nargs="+", default=[], metavar="NAME=OPTIONS")

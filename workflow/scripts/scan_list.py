@@ -36,9 +36,10 @@ def read_scans(source: Path) -> list[ListedScan]:
     elif source.suffix in {".tsv", ".csv"}:
         scans = _of_table(source)
     elif source.exists():
-        raise ListError(f"{source}: neither a folder nor a table. A table's name ends in .tsv or .csv")
+        raise ListError(f"{source}: neither a folder nor a table, whose name ends in .tsv or .csv")
     else:
-        raise ListError(f"{source}: not there. Say where the scans are: --config scans=FOLDER_OR_TABLE")
+        way_out = "Say where the scans are: --config scans=FOLDER_OR_TABLE"
+        raise ListError(f"{source}: not there. {way_out}")
     if not scans:
         raise ListError(f"{source}: no scan in it, nothing of {', '.join(sorted(KINDS))}")
     _refuse_same_names(source, scans)
@@ -47,25 +48,27 @@ def read_scans(source: Path) -> list[ListedScan]:
 
 def _of_folder(folder: Path) -> list[ListedScan]:
     """kitchen.glb is kitchen, house/attic.glb is house-attic."""
-    files = [file for file in folder.rglob("*") if file.suffix.lower() in KINDS and file.is_file()]
-    shown = [file for file in files if not any(part.startswith(".") for part in file.relative_to(folder).parts)]
-    return [
-        ListedScan(folder_name(str(file.relative_to(folder).with_suffix(""))), str(file))
-        for file in sorted(shown)
-    ]
+    found = []
+    for file in sorted(folder.rglob("*")):
+        within = file.relative_to(folder)
+        hidden = any(part.startswith(".") for part in within.parts)
+        if file.suffix.lower() in KINDS and not hidden and file.is_file():
+            found.append(ListedScan(folder_name(str(within.with_suffix(""))), str(file)))
+    return found
 
 
 def _of_table(table: Path) -> list[ListedScan]:
-    """Paths are relative to the table. What is not there is a scan, too: relamp says so in the report."""
+    """Paths are relative to the table. What is not there is a scan, too: the report says so."""
     with open(table, newline="", encoding="utf-8-sig") as lines:
         rows = csv.DictReader(lines, dialect="excel-tab" if table.suffix == ".tsv" else "excel")
         columns = set(rows.fieldnames or [])
         if "path" not in columns or columns - COLUMNS:
             raise ListError(
-                f"{table}: its columns are {', '.join(map(str, rows.fieldnames or []))}. There must be path; "
-                "there may be name, read_options and delight_options"
+                f"{table}: its columns are {', '.join(map(str, rows.fieldnames or []))}. "
+                "There must be path; there may be name, read_options and delight_options"
             )
-        return [_of_row(table, number, row) for number, row in enumerate(rows, 2) if any(row.values())]
+        numbered = enumerate(rows, 2)
+        return [_of_row(table, number, row) for number, row in numbered if any(row.values())]
 
 
 def _of_row(table: Path, number: int, row: dict[str, str]) -> ListedScan:
@@ -80,7 +83,7 @@ def _of_row(table: Path, number: int, row: dict[str, str]) -> ListedScan:
 def _refuse_same_names(source: Path, scans: list[ListedScan]) -> None:
     first: dict[str, ListedScan] = {}
     for scan in scans:
-        other = first.setdefault(scan.name.casefold(), scan)  # some disks take Attic and attic for one
+        other = first.setdefault(scan.name.casefold(), scan)  # Attic is attic on some disks
         if other is not scan:
             raise ListError(
                 f"{source}: {other.path} and {scan.path} would both be {scan.name}. "

@@ -31,7 +31,7 @@ class ScanResults:
 
     @property
     def gain(self) -> float | None:
-        """The cross-validated figure: by how many dB places of one paint agree better than in the scan."""
+        """Cross-validated: dB by which places of one paint agree better than in the scan."""
         validation = self.report.get("crossValidation") or {}
         return validation.get("gainDb")
 
@@ -50,7 +50,8 @@ def read_results(results: Path, scan: ListedScan) -> ScanResults:
     found = {step: read_outcome(folder / f"{step}.json") for step in STEPS}
     outcomes = {step: outcome for step, outcome in found.items() if outcome}
     delit = "delight" in outcomes and outcomes["delight"].outcome == DONE
-    problems = [f"{step}: {outcome.sentence}" for step, outcome in outcomes.items() if outcome.outcome == REFUSED]
+    refused = [(step, of) for step, of in outcomes.items() if of.outcome == REFUSED]
+    problems = [f"{step}: {outcome.sentence}" for step, outcome in refused]
     unfinished = next((step for step in STEPS if step not in outcomes), None)
     if unfinished:
         problems.append(f"{unfinished}: not finished{_why(folder / 'logs' / f'{unfinished}.log')}")
@@ -76,8 +77,9 @@ def _read_json(file: Path) -> dict[str, Any]:
 
 
 def in_order(scans: list[ScanResults]) -> list[ScanResults]:
-    """Those without a room first, then those without the figure, then by it, the smallest gain first: what a person
-    should look at stands at the top."""
+    """Those without a room first, then those without the figure, then by it, the smallest gain
+    first: what a person should look at stands at the top."""
+
     def key(scan: ScanResults) -> tuple[bool, bool, float, str]:
         return scan.room, scan.gain is not None, scan.gain or 0.0, scan.name
 

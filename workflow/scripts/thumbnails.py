@@ -25,15 +25,15 @@ class Thumbnail:
 
 
 def thumbnails_of(scan_folder: Path) -> list[Thumbnail]:
-    """The first view of the preview, column by column, and the relit pictures. What is not there, or cannot be read,
-    is left out."""
+    """The first view of the preview, column by column, and the relit pictures. What is not there,
+    or cannot be read, is left out."""
     found = []
     if preview := _read(scan_folder / "room" / "preview.png"):
         width = preview.width // len(PREVIEW)
-        height = width * 5 // 8  # of a view
+        height = min(width * 5 // 8, preview.height)  # of one view
         for column, shows in enumerate(PREVIEW):
-            left = column * width
-            found.append(_thumbnail(shows, preview.crop((left, 0, left + width, min(height, preview.height)))))
+            view = preview.crop((column * width, 0, (column + 1) * width, height))
+            found.append(_thumbnail(shows, view))
     for file in sorted((scan_folder / "relit").glob("*.png")):
         if picture := _read(file):
             found.append(_thumbnail(f"relit: {file.stem.replace('_', ' ')}", picture))
@@ -48,7 +48,8 @@ def _read(file: Path) -> Image.Image | None:
 
 
 def _thumbnail(shows: str, image: Image.Image) -> Thumbnail:
-    small = image.resize((WIDTH, round(WIDTH * image.height / image.width)), Image.Resampling.LANCZOS)
+    size = (WIDTH, round(WIDTH * image.height / image.width))
+    small = image.resize(size, Image.Resampling.LANCZOS)
     jpeg = io.BytesIO()
     small.save(jpeg, "JPEG", quality=QUALITY, optimize=True)
     uri = "data:image/jpeg;base64," + base64.b64encode(jpeg.getvalue()).decode()
