@@ -24,6 +24,10 @@ if [[ $1 == delight && $2 == *kitchen* && ! -e killed ]]; then
 fi
 exec "$RELAMP_PROGRAM" "$@"
 """
+KILLED_ALWAYS = """#!/bin/bash
+[[ $1 == info ]] || kill -KILL $$
+exec "$RELAMP_PROGRAM" "$@"
+"""
 
 
 class Shelf(unittest.TestCase):
@@ -127,6 +131,21 @@ class Shelf(unittest.TestCase):
         self.assertNotEqual(wrong.returncode, 0)
         self.assertIn("nowhere: not there. Say where the scans are", wrong.stderr)
         self.assertNotIn("Traceback", wrong.stderr)
+
+    def test_8_what_fails_every_time_is_in_the_report(self) -> None:
+        folder = self.folder / "dies"
+        (folder / "scans").mkdir(parents=True)
+        shutil.copy(SAMPLE, folder / "scans" / "hall.glb")
+        program = folder / "dies"
+        program.write_text(KILLED_ALWAYS)
+        program.chmod(0o755)
+        command = [os.environ["RELAMP_SNAKEMAKE"], "-s", str(SOURCE / "workflow" / "Snakefile")]
+        command += ["--cores", "2", "--config", "relamp=./dies"]
+        failed = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=250)
+        self.assertEqual(failed.returncode, 1)
+        self.assertEqual(len(re.findall("^rule delight:", failed.stderr, re.M)), 3)
+        page = (folder / "results" / "report.html").read_text()
+        self.assertIn("<li>delight: not finished; relamp was killed by signal 9", page)
 
 
 if __name__ == "__main__":

@@ -1,9 +1,10 @@
 # The list of scans, and what the rules have in common.
+import importlib.util
+import shlex
 import shutil
 import sys
 from pathlib import Path
 
-from snakemake.common import Mode
 from snakemake.exceptions import WorkflowError
 
 WORKFLOW = Path(workflow.basedir)
@@ -18,6 +19,18 @@ from scan_list import ListError, read_scans  # noqa: E402
 RESULTS = config["results"].rstrip("/")
 STEPS = ["info", "delight", "verify", "relight"]
 PYTHON = sys.executable
+
+
+def command_of(script: str) -> str:
+    """One of the scripts, as a shell takes it; Snakemake takes braces for its own."""
+    return shlex.join([PYTHON, str(SCRIPTS / script)]).replace("{", "{{").replace("}", "}}")
+
+
+def started_by_people() -> bool:
+    """And not by Snakemake, for one job."""
+    if hasattr(workflow, "mode"):
+        return workflow.mode == 0  # Snakemake 7
+    return not (workflow.remote_exec or workflow.subprocess_exec)  # 8 and later
 
 
 def program() -> str:
@@ -38,12 +51,14 @@ except ListError as error:
 RELAMP = program()
 
 # A job parses this file, too; only the process that people start looks at what is there.
-if workflow.mode == Mode.default:
+if started_by_people():
+    if importlib.util.find_spec("PIL") is None:
+        raise WorkflowError("The report needs Pillow for its pictures: apt-get install python3-pil")
     forget(Path(RESULTS), SCANS, STEPS, refused=bool(config["again"]))
 
 
 # In a job of a cluster, which is a Snakemake of its own, a second attempt would have the memory of the first.
-RETRIES = config["retries"] if workflow.mode == Mode.default else 0
+RETRIES = config["retries"] if started_by_people() else 0
 
 
 wildcard_constraints:
@@ -75,6 +90,12 @@ def options(*keys):
     return of_scan
 
 
+def lights(wildcards):
+    """NAME=OPTIONS of each of the standard lights."""
+    folder = shlex.quote(str(LIGHTS))
+    return [f"{name}={what.replace('{lights}', folder)}" for name, what in config["lights"].items() if what]
+
+
 def megabytes(step):
     def of_job(wildcards, input, attempt):
         return Estimate(config["resources"], input.info).megabytes(step, attempt)
@@ -90,4 +111,4 @@ def minutes(step):
 
 
 # Runs relamp and writes the outcome; what relamp refuses is an outcome, what was killed is a failure of the job.
-RUN = f"{PYTHON} {SCRIPTS}/run_relamp.py {{output:q}} --log {{log:q}}"
+RUN = command_of("run_relamp.py") + " {output:q} --log {log:q}"

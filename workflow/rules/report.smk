@@ -1,11 +1,7 @@
 # One page about all scans.
-import shlex
-
-
 def report_command() -> str:
-    words = [PYTHON, SCRIPTS / "report.py", config["scans"], RESULTS, "-o", f"{RESULTS}/report.html"]
-    words += ["--thumbnails", config["thumbnails"]]
-    return " ".join(shlex.quote(str(word)) for word in words)
+    words = [config["scans"], RESULTS, "-o", f"{RESULTS}/report.html", "--thumbnails", str(config["thumbnails"])]
+    return shlex.join([PYTHON, str(SCRIPTS / "report.py"), *words])
 
 
 RECORDS = [record(step).format(name=name) for name in SCANS for step in STEPS]
@@ -17,6 +13,6 @@ rule report:
     output:
         f"{RESULTS}/report.html",
     params:
-        command=report_command(),
+        command=lambda wildcards: report_command(),
     shell:
         "{params.command}"

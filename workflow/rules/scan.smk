@@ -75,8 +75,8 @@ rule relight:
     params:
         folder=lambda wildcards: f"{RESULTS}/{wildcards.name}",
         options=options("relight_options"),
-        lights=[f"{name}={what.format(lights=LIGHTS)}" for name, what in config["lights"].items() if what],
-        windows=config["through_windows"],
+        lights=lights,
+        windows=lambda wildcards: config["through_windows"],
     threads: config["threads"]
     retries: RETRIES
     resources:

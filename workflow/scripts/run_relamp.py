@@ -44,11 +44,10 @@ class Relamp:
             print(shlex.join(command), problems, sep="\n", file=log)
             if not ended.returncode:
                 return ended.stdout.decode()
-            said = f"relamp {how_it_ended(ended.returncode)}"
-            if ended.returncode in REFUSALS:
-                said = sentence_of(problems)
-                if not any(words in said for words in OF_THE_MACHINE):
-                    raise Refused(said)
+            said = sentence_of(problems) if ended.returncode in REFUSALS else ""
+            if said and not any(words in said for words in OF_THE_MACHINE):
+                raise Refused(said)
+            said = said or f"relamp {how_it_ended(ended.returncode)}"
             print(said, file=log)
             sys.exit(said)
 
@@ -61,9 +60,9 @@ def how_it_ended(code: int) -> str:
 
 
 def sentence_of(problems: str) -> str:
-    """What relamp said last, without its name; progress and notes stand before it."""
-    last = ("\n" + problems).rpartition("\nrelamp: ")[2]
-    return " ".join(last.split()) or "it says nothing"
+    """relamp's sentence without its name, or nothing; progress and notes stand before it."""
+    last = ("\n" + problems).partition("\nrelamp: ")[2]
+    return " ".join(last.split())
 
 
 def sweep(folder: Path) -> None:
