@@ -12,7 +12,7 @@ import unittest
 from pathlib import Path
 
 SOURCE = Path(os.environ["RELAMP_SOURCE"])
-SAMPLE = SOURCE / "samples" / "bedroom" / "scan.glb"
+ROOM = SOURCE / "tests" / "rooms" / "lounge" / "scan.glb"  # has lamps and windows
 
 # Killed at its first attempt to take the light out of the kitchen, as by a machine without memory;
 # what it had begun stays there.
@@ -41,8 +41,8 @@ class Shelf(unittest.TestCase):
         scans = cls.folder / "my scans"
         scans.mkdir()
         for name in ("bedroom", "kitchen"):
-            shutil.copy(SAMPLE, scans / f"{name}.glb")
-        (scans / "broken <b>.glb").write_bytes(SAMPLE.read_bytes()[:100000])
+            shutil.copy(ROOM, scans / f"{name}.glb")
+        (scans / "broken <b>.glb").write_bytes(ROOM.read_bytes()[:100000])
         (cls.folder / "list.tsv").write_text(
             "path\tname\tdelight_options\n"
             "my scans/bedroom.glb\tbedroom\t\n"
@@ -58,7 +58,7 @@ class Shelf(unittest.TestCase):
     @classmethod
     def snakemake(cls, *more: str) -> subprocess.CompletedProcess[str]:
         settings = ["relamp=./killed_once", "threads=2", "delight_options=--quality draft"]
-        settings += ["verify_options=--samples 4 --places 1000", "relight_options=--size 160x100"]
+        settings += ["verify_options=--samples 4 --places 1000", "relight_options=--size 160x100 --rays 4"]
         command = [os.environ["RELAMP_SNAKEMAKE"], "-s", str(SOURCE / "workflow" / "Snakefile")]
         command += ["--cores", "2", "--nocolor", *more, "--config", "scans=list.tsv", *settings]
         return subprocess.run(command, cwd=cls.folder, capture_output=True, text=True, timeout=250)
@@ -119,7 +119,7 @@ class Shelf(unittest.TestCase):
         self.assertEqual(other.stat().st_mtime_ns, before)
 
     def test_6_scan_that_was_mended_is_done(self) -> None:
-        shutil.copy(SAMPLE, self.folder / "my scans" / "broken <b>.glb")
+        shutil.copy(ROOM, self.folder / "my scans" / "broken <b>.glb")
         planned = self.snakemake("--dry-run")
         will_run = self.ran(planned.stdout + planned.stderr)
         self.assertEqual({scan for _, scan in will_run}, {"broken"})
@@ -135,7 +135,7 @@ class Shelf(unittest.TestCase):
     def test_8_what_fails_every_time_is_in_the_report(self) -> None:
         folder = self.folder / "dies"
         (folder / "scans").mkdir(parents=True)
-        shutil.copy(SAMPLE, folder / "scans" / "hall.glb")
+        shutil.copy(ROOM, folder / "scans" / "hall.glb")
         program = folder / "dies"
         program.write_text(KILLED_ALWAYS)
         program.chmod(0o755)

@@ -76,7 +76,7 @@ rule relight:
         folder=lambda wildcards: f"{RESULTS}/{wildcards.name}",
         options=options("relight_options"),
         lights=lights,
-        windows=lambda wildcards: config["through_windows"],
+        needs=lambda wildcards: [f"{name}={what}" for name, what in config["needs"].items() if what],
     threads: config["threads"]
     retries: RETRIES
     resources:
@@ -84,5 +84,5 @@ rule relight:
         runtime=minutes("relight"),
     shell:
         RUN + " --after {input.delight:q} --room {params.folder:q}/room --pictures {params.folder:q}/relit"
-        " --lights {params.lights:q} --through-windows {params.windows:q}"
+        " --lights {params.lights:q} --needs {params.needs:q}"
         " -- {RELAMP:q} relight {params.folder:q}/room --threads {threads} --quiet {params.options}"

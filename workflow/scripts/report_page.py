@@ -48,13 +48,14 @@ def _summary(scans: list[ScanResults], rooms: list[ScanResults]) -> str:
     doubtful = sum(1 for scan in rooms if _is_doubtful(scan))
     warned = sum(1 for scan in rooms if _warnings(scan))
     hours = sum(scan.core_seconds for scan in scans) / 3600
-    parts = [
-        f"{_count(len(rooms), 'room')} done",
-        f"{len(scans) - len(rooms):,} without a result",
-        f"{doubtful:,} in which the albedo is not clearly better than the scan",
-        f"{warned:,} with warnings",
-        f"{hours:.2f} core hours",
+    counted = [
+        (len(scans) - len(rooms), "without a result"),
+        (doubtful, "whose albedo is not clearly better than the scan"),
+        (warned, "with warnings"),
     ]
+    parts = [f"{_count(len(rooms), 'room')} done"]
+    parts += [f"{number:,} {what}" for number, what in counted if number]
+    parts.append(f"{hours:.2f} core hours")
     return f"<h1>{_count(len(scans), 'scan')}</h1>\n<p>{'; '.join(parts)}.</p>"
 
 
@@ -122,20 +123,20 @@ def _figures(scan: ScanResults) -> list[tuple[str, str]]:
     found = []
     if scan.gain is not None:
         paint = report["crossValidation"]
-        stops = f"{paint['scan']:.2f} stops, in the albedo {paint['albedo']:.2f}"
-        found.append(("one paint differs by", stops))
+        stops = f"{paint['scan']:.2f}, now {paint['albedo']:.2f}"
+        found.append(("stops in a paint", stops))
     loop = report.get("closedLoop") or {}
     if loop:
         left = f"{loop['rmsError']:.3f} of {loop['rmsOfScan']:.3f}"
-        found.append(("not explained by the light", left))
+        found.append(("unexplained", left))
     verified = scan.outcomes.get("verify")
     if verified and verified.outcome == DONE:
-        found.append(("rendered again (verify)", f"{verified.printed['psnr']:.1f} dB"))
+        found.append(("rendered again", f"{verified.printed['psnr']:.1f} dB"))
     found += [
-        ("can be believed", f"{report['confidence']['good']:.0%} of the surface"),
-        ("lamps and windows", str(len(report["lights"]["fixtures"]))),
         ("surface", f"{report['scan']['squareMetres']:.0f} m²"),
+        ("can be believed", f"{report['confidence']['good']:.0%} of it"),
+        ("lamps, windows", str(len(report["lights"]["fixtures"]))),
         ("texels", f"{report['scan']['texels'] / 1e6:.2f} million"),
-        ("took", f"{scan.core_seconds:.0f} core seconds, {scan.megabytes / 1000:.2f} GB"),
+        ("core seconds, GB", f"{scan.core_seconds:.0f}, {scan.megabytes / 1000:.1f}"),
     ]
     return found

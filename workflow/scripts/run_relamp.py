@@ -18,6 +18,7 @@ import time
 from pathlib import Path
 
 from outcomes import DONE, PASSED_OVER, REFUSED, Outcome, read_outcome, write_outcome
+from standard_lights import RoomLights
 
 REFUSALS = {1, 2}  # the world is wrong; the command line is
 # Said with exit code 1 of the machine, not of the scan.
@@ -72,27 +73,22 @@ def sweep(folder: Path) -> None:
         shutil.rmtree(left) if left.is_dir() else left.unlink()
 
 
-def has_window(room: Path) -> bool:
-    """Whether delight found one."""
-    report = json.loads((room / "report.json").read_text(encoding="utf-8"))
-    return any(fixture["name"].startswith("window") for fixture in report["lights"]["fixtures"])
-
-
 def take_pictures(relamp: Relamp, asked: argparse.Namespace) -> list[str]:
     """One picture under each of the lights that make sense in this room."""
     asked.pictures.mkdir(parents=True, exist_ok=True)
     sweep(asked.pictures)
-    windowless = not has_window(asked.room)
+    room = RoomLights(asked.room)
+    needs = dict(need.split("=") for need in asked.needs)
     made: list[str] = []
     for light in asked.lights:
-        name, _, options = light.partition("=")
-        picture = asked.pictures / f"{name}.png"
-        if not (windowless and name in asked.through_windows):
-            relamp.run([*asked.command, *shlex.split(options), "-o", str(picture)])
-            made.append(str(picture))
-    for picture in asked.pictures.glob("*.png"):  # of lights that a former run had
-        if str(picture) not in made:
-            picture.unlink()
+        name, _, words = light.partition("=")
+        if name not in needs or room.has(needs[name]):
+            picture = str(asked.pictures / f"{name}.png")
+            relamp.run([*asked.command, *room.options(words), "-o", picture])
+            made.append(picture)
+    for old in asked.pictures.glob("*.png"):  # of lights that a former run had
+        if str(old) not in made:
+            old.unlink()
     return made
 
 
@@ -125,7 +121,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--pictures", type=Path, help="folder for pictures under --lights")
     parser.add_argument("--room", type=Path, help="what --pictures are of")
     parser.add_argument("--lights", nargs="+", default=[], metavar="NAME=OPTIONS")
-    parser.add_argument("--through-windows", nargs="*", default=[], metavar="NAME")
+    parser.add_argument("--needs", nargs="*", default=[], metavar="NAME=lamp|window")
     split = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)
     asked = parser.parse_args(sys.argv[1:split])
     asked.command = sys.argv[split + 1 :]
