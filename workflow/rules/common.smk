@@ -54,7 +54,7 @@ RELAMP = program()
 if started_by_people():
     if importlib.util.find_spec("PIL") is None:
         raise WorkflowError("The report needs Pillow for its pictures: apt-get install python3-pil")
-    forget(Path(RESULTS), SCANS, STEPS, refused=bool(config["again"]))
+    forget(Path(RESULTS), SCANS, STEPS, refused=str(config["again"]).lower() == "true")
 
 
 # In a job of a cluster, which is a Snakemake of its own, a second attempt would have the memory of the first.
@@ -85,7 +85,7 @@ def options(*keys):
 
     def of_scan(wildcards):
         scan = SCANS[wildcards.name]
-        return " ".join(f"{config[key]} {scan.options.get(key, '')}".strip() for key in keys).strip()
+        return " ".join(f"{config[key] or ''} {scan.options.get(key, '')}".strip() for key in keys).strip()
 
     return of_scan
 

@@ -13,8 +13,9 @@ class Estimate:
     """Of a scan, by what relamp info says of it; before that, of a scan without texels: Snakemake 7
     asks once when it plans, and again when the job's turn comes."""
 
-    def __init__(self, settings: dict[str, float], info_outcome: str) -> None:
-        self._settings = settings
+    def __init__(self, settings: dict[str, float | str], info_outcome: str) -> None:
+        # On the command line of Snakemake the numbers of a dictionary are texts.
+        self._settings = {name: float(value) for name, value in settings.items()}
         info = read_outcome(Path(info_outcome))
         self._info: dict[str, Any] = (info.printed if info else None) or {}
 

@@ -120,7 +120,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--makes", type=Path, nargs="+", default=[], help="what will be there")
     parser.add_argument("--pictures", type=Path, help="folder for pictures under --lights")
     parser.add_argument("--room", type=Path, help="what --pictures are of")
-    parser.add_argument("--lights", nargs="+", default=[], metavar="NAME=OPTIONS")
+    parser.add_argument("--lights", nargs="*", default=[], metavar="NAME=OPTIONS")
     parser.add_argument("--needs", nargs="*", default=[], metavar="NAME=lamp|window")
     split = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)
     asked = parser.parse_args(sys.argv[1:split])
