@@ -98,7 +98,7 @@ std::vector<Measured> measuredScans()
              20.75},
             {"sample, sixteen times the triangles",
              sized(545268, 637680, 87.3, {page(1024, 1024, 1831)}), 3, 488, 24.51},
-            {"sixteen rooms", sized(8724224, 637680, 1396.2, sixteen), 48, 6177, 232.7}};
+            {"sixteen rooms", sized(8724224, 637680, 1396.2, sixteen), 32, 6177, 232.7}};
 }
 
 } // namespace
