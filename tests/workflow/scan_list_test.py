@@ -74,9 +74,9 @@ class Resources(unittest.TestCase):
             return Estimate(self.settings, file.name)
 
     def test_estimate_of_the_program_counts_with_the_margin(self) -> None:
-        of_delight = '{"delight": {"megabytes": 1000, "coreSeconds": 400}}'
+        of_delight = '{"delight": {"bytes": 1000000000, "coreSeconds": 400}}'
         estimate = self.estimate(f'{{"texels": 9, "estimate": {of_delight}}}')
-        self.assertEqual(estimate.megabytes("delight", 1), 1500)
+        self.assertEqual(estimate.megabytes("delight", 1), 1700)
         # 1.5 * 400 / 2 s are 5 minutes, and one to begin and end.
         self.assertEqual(estimate.minutes("delight", 1, 2), 6)
 

@@ -104,22 +104,29 @@ processes_of() {
         [[ $(cat "$folder/comm" 2>/dev/null) == slurmstepd ]] || echo "${folder#/proc/}"
     done
 }
-# Waits until relamp takes the light out of a room, and gives the process and its Slurm job.
-at_work_on() {
-    local pid
-    until pid=$(pgrep -f "^$relamp delight scans/$1.glb") && [[ $(readlink "/proc/$pid/cwd") == "$PWD" ]]; do
-        kill -0 "$snakemake" 2>/dev/null || return 1
+# Waits until relamp takes the light out of a room other than $1, and gives the process, its Slurm job and the room.
+at_work() {
+    local pid room
+    while kill -0 "$snakemake" 2>/dev/null; do
+        for pid in $(pgrep -f "^$relamp delight scans/room_"); do
+            room=$(tr '\0' '\n' <"/proc/$pid/cmdline" | sed -n 's|^scans/\(.*\)[.]glb$|\1|p') || continue
+            [[ $(readlink "/proc/$pid/cwd") == "$PWD" && $room != "$1" ]] || continue
+            echo "$pid $(tr '\0' '\n' <"/proc/$pid/environ" | sed -n 's/^SLURM_JOB_ID=//p') $room"
+            return
+        done 2>/dev/null
         sleep 0.05
     done
-    echo "$pid $(tr '\0' '\n' <"/proc/$pid/environ" | sed -n 's/^SLURM_JOB_ID=//p')"
+    return 1
 }
-found=$(at_work_on room_1) || fail "snakemake ended before relamp began with room_1"
-kill -KILL "${found% *}"
-echo "relamp was killed in Slurm's job ${found#* }"
-found=$(at_work_on room_2) || fail "snakemake ended before relamp began with room_2"
-mapfile -t processes < <(processes_of "${found#* }")
+found=$(at_work none) || fail "snakemake ended before relamp began"
+read -r process job first <<<"$found"
+kill -KILL "$process"
+echo "$first: relamp was killed in Slurm's job $job"
+found=$(at_work "$first") || fail "snakemake ended before relamp began with another room than $first"
+read -r process job second <<<"$found"
+mapfile -t processes < <(processes_of "$job")
 kill -KILL "${processes[@]}"
-echo "${#processes[@]} processes were killed in Slurm's job ${found#* }"
+echo "$second: ${#processes[@]} processes were killed in Slurm's job $job"
 wait "$snakemake" || fail "snakemake ended with an error"
 took=$((SECONDS - began))
 

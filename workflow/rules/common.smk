@@ -103,9 +103,9 @@ def megabytes(step):
     return of_job
 
 
-def minutes(step):
+def minutes(step, runs=1):
     def of_job(wildcards, input, attempt, threads):
-        return Estimate(config["resources"], input.info).minutes(step, attempt, threads)
+        return Estimate(config["resources"], input.info).minutes(step, attempt, threads, runs)
 
     return of_job
 

@@ -81,7 +81,7 @@ rule relight:
     retries: RETRIES
     resources:
         mem_mb=megabytes("relight"),
-        runtime=minutes("relight"),
+        runtime=minutes("relight", runs=len(config["lights"])),
     shell:
         RUN + " --after {input.delight:q} --room {params.folder:q}/room --pictures {params.folder:q}/relit"
         " --lights {params.lights:q} --needs {params.needs:q}"

@@ -9,6 +9,9 @@ from typing import Any
 from outcomes import read_outcome
 
 
+SNAKEMAKE_MEGABYTES = 200  # two of them and Python, beside relamp in a job of a cluster
+
+
 class Estimate:
     """Of a scan, by what relamp info says of it; before that, of a scan without texels: Snakemake 7
     asks once when it plans, and again when the job's turn comes."""
@@ -21,20 +24,20 @@ class Estimate:
 
     def megabytes(self, step: str, attempt: int) -> int:
         """More at each attempt; for the step of a refused scan, which runs nothing, the least."""
-        estimated = self._estimated(step).get("megabytes")
+        estimated = self._estimated(step).get("bytes")
         if estimated is not None:
-            first = estimated * self._settings["margin"]
+            first = SNAKEMAKE_MEGABYTES + estimated / 1e6 * self._settings["margin"]
         else:
             by_texels = self._texels() * self._settings["bytesPerTexel"] / 1e6
             first = self._settings["megabytes"] + by_texels
         most = self._settings["mostMegabytes"] or math.inf
         return int(min(attempt * math.ceil(first), most))
 
-    def minutes(self, step: str, attempt: int, threads: int) -> int:
-        """From start to end on so many threads; at least two."""
+    def minutes(self, step: str, attempt: int, threads: int, runs: int = 1) -> int:
+        """Of so many runs on so many threads; at least two."""
         estimated = self._estimated(step).get("coreSeconds")
         if estimated is not None:
-            core_seconds = estimated * self._settings["margin"]
+            core_seconds = runs * estimated * self._settings["margin"]
         else:
             by_texels = self._texels() * self._settings["microsecondsPerTexel"] / 1e6
             core_seconds = self._settings["coreSeconds"] + by_texels
