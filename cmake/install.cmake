@@ -18,6 +18,7 @@ if(TARGET relamp_reference)
     install(FILES ${reference}/_relamp DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
     install(FILES ${reference}/relamp.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 endif()
+install(DIRECTORY workflow config DESTINATION ${CMAKE_INSTALL_DATADIR}/relamp PATTERN __pycache__ EXCLUDE)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright OPTIONAL)
 
 configure_package_config_file(cmake/relampConfig.cmake.in relampConfig.cmake
@@ -37,7 +38,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/src) # lib
 # The headers name GLM's types. The program does not need it, and apt brings what is recommended unless told otherwise.
 # libvulkan1 is looked for when a GPU is.
 set(CPACK_DEBIAN_RELAMP_PACKAGE_RECOMMENDS "libglm-dev, libvulkan1")
-set(CPACK_DEBIAN_RELAMP_PACKAGE_SUGGESTS ffmpeg) # for films as .mp4
+set(CPACK_DEBIAN_RELAMP_PACKAGE_SUGGESTS "ffmpeg, snakemake") # for films as .mp4; for many scans
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 set(CPACK_COMPONENTS_ALL relamp)

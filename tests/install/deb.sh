@@ -23,7 +23,8 @@ done
 contents=$(dpkg-deb --contents "$deb")
 for file in bin/relamp bin/relamp-view librelamp.so. librelamp_formats.so include/relamp/scan.h relampConfig.cmake \
     man/man1/relamp.1 man/man1/relamp-delight.1 bash-completion/completions/relamp zsh/vendor-completions/_relamp \
-    fish/vendor_completions.d/relamp.fish share/relamp/blender/relamp_addon/__init__.py share/relamp/blender/relamp-; do
+    fish/vendor_completions.d/relamp.fish share/relamp/blender/relamp_addon/__init__.py share/relamp/blender/relamp- \
+    share/relamp/workflow/Snakefile share/relamp/config/config.yaml; do
     expect "$file" "$contents"
 done
 
