@@ -99,6 +99,7 @@ const char* kindOf(const LightPart& part)
 {
     if (part.fixture < 0 && !part.lighting.lights.empty())
         return part.lighting.lights.front().type == LightType::sun ? "sun" : "lamp";
+    if (part.name.starts_with("window")) return "window";
     for (const LitFixture& lit : part.lighting.fixtures)
         if (lit.fixture.radiance != glm::vec3(0.0f)) return lit.isWindow ? "window" : "lamp";
     return "sky";
@@ -136,7 +137,7 @@ public:
 private:
     std::string numbered(const char* name, size_t p) const
     {
-        return room_.scan->pages.size() == 1 ? name : fmt::format("{}{}", name, p);
+        return room_.scan->pages.size() == 1 ? name : fmt::format("{}_{}", name, p);
     }
 
     std::vector<Image> scanned()
@@ -219,7 +220,7 @@ private:
                 const Image map = relighter_.shading(p, side, progress_);
                 const float scale = scaleOfLightmap(map.half());
                 ordered_json file = writeWebPicture(
-                    folder_, numbered(fmt::format("light{}_", i).c_str(), p),
+                    folder_, numbered(fmt::format("light_{:02}", i).c_str(), p),
                     lightmapBytes(map.half(), scale), map.width, map.height, WebPicture::jpeg);
                 file["scale"] = scale;
                 item["maps"].push_back(std::move(file));
