@@ -80,6 +80,20 @@ std::vector<uint8_t> shiningBytes(const Relighter& relighter, const FixtureMap& 
     return rgb;
 }
 
+/// What an albedo page shows of what shines: there, no albedo was found.
+glm::vec3 meanShiningAlbedo(const Image& albedo, const FixtureMap& map)
+{
+    const Radiance paint(albedo);
+    glm::dvec3 sum(0.0);
+    size_t count = 0;
+    for (size_t i = 0; i < map.id.size(); ++i) {
+        if (map.id[i] < 0) continue;
+        sum += glm::dvec3(paint[i]);
+        ++count;
+    }
+    return sum / static_cast<double>(std::max<size_t>(count, 1));
+}
+
 /// Sides of lightmaps of which a phone can hold `lights`: 64 MB where they are decoded.
 int sideFor(size_t lights, size_t pages)
 {
@@ -172,6 +186,7 @@ private:
                 item["shining"] = writeWebPicture(folder_, numbered("shining", p),
                                                   shiningBytes(relighter_, map, covered), map.width,
                                                   map.height, WebPicture::png);
+                item["shiningAlbedo"] = arrayOf(meanShiningAlbedo(room_.albedo[p], map));
             }
             pages.push_back(std::move(item));
         }

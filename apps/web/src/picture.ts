@@ -123,7 +123,7 @@ export class Picture {
         place(this.camera, this.pose());
         const box = new THREE.Box3(
             new THREE.Vector3(...this.facts.box.low), new THREE.Vector3(...this.facts.box.high));
-        room.uniforms.isOutside.value = !box.containsPoint(this.camera.position);
+        room.backs.visible = box.containsPoint(this.camera.position);
         room.uniforms.exposure.value = 2 ** (this.facts.exposure + state.stops);
         const { width, height } = this.renderer.getSize(new THREE.Vector2());
         const cut = state.against ? Math.round(state.wipe * width) : width;

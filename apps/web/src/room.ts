@@ -42,6 +42,7 @@ export interface PageOfRoom {
     albedo: Picture;
     scan?: Picture;
     shining?: Picture;
+    shiningAlbedo?: Rgb; // linear; shown in place of what a lamp hides
 }
 
 export interface Shine {

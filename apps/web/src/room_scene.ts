@@ -7,7 +7,7 @@ import { LightSum } from "./light_sum";
 import type { Parts } from "./parts";
 import { pixelsOf, textureOf } from "./pictures";
 import type { MeshOfRoom, PageOfRoom, Rgb, Room } from "./room";
-import { beyondHoles, commonUniforms, emissionTexture, surfaceMaterial, wrappingOf } from "./surface";
+import { backMaterial, beyondHoles, commonUniforms, emissionTexture, surfaceMaterial, wrappingOf } from "./surface";
 
 /** Whose the texels of a page are, for who points at one. */
 interface ShiningMap {
@@ -21,6 +21,8 @@ export class RoomScene {
     readonly uniforms = commonUniforms();
     readonly meshes: THREE.Mesh[] = [];
     readonly hasScan: boolean;
+    readonly backs = new THREE.Group(); // hidden from outside: near walls are taken away
+    private readonly back = backMaterial();
     private readonly sums: LightSum[];
     private readonly shining: (ShiningMap | null)[];
     private readonly emission: THREE.DataTexture;
@@ -31,7 +33,7 @@ export class RoomScene {
         this.emission = emissionTexture(room.fixtures);
         this.shining = room.pages.map(() => null);
         this.materials = room.pages.map(() => []);
-        this.scene.add(beyondHoles(this.uniforms));
+        this.scene.add(beyondHoles(this.uniforms), this.backs);
         this.sums = room.pages.map((_, p) => {
             const first = room.lights[0]?.maps[p];
             return new LightSum(
@@ -111,21 +113,27 @@ export class RoomScene {
             {
                 albedo: null,
                 scan: null,
-                light: this.sums[mesh.page]?.texture ?? new THREE.Texture(),
+                shading: this.sums[mesh.page]?.texture ?? new THREE.Texture(),
                 shining: null,
                 emission: this.emission,
             },
             [...mesh.uvBox.low, ...mesh.uvBox.extent],
+            this.room.pages[mesh.page]?.shiningAlbedo ?? [0.5, 0.5, 0.5],
             this.uniforms,
         );
         this.materials[mesh.page]?.push(material);
-        const drawn = new THREE.Mesh(geometryOf(mesh, bytes), material);
-        drawn.userData["mesh"] = mesh;
-        drawn.matrixAutoUpdate = false;
-        drawn.matrix.copy(matrixOf(mesh));
-        drawn.updateMatrixWorld(true);
-        this.scene.add(drawn);
-        this.meshes.push(drawn);
+        const geometry = geometryOf(mesh, bytes);
+        const front = new THREE.Mesh(geometry, material);
+        front.userData["mesh"] = mesh;
+        this.meshes.push(front);
+        const back = new THREE.Mesh(geometry, this.back);
+        this.backs.add(back);
+        for (const drawn of [front, back]) {
+            drawn.matrixAutoUpdate = false;
+            drawn.matrix.copy(matrixOf(mesh));
+            drawn.updateMatrixWorld(true);
+        }
+        this.scene.add(front);
     }
 
     private setTexture(page: number, name: string, texture: THREE.Texture): void {

@@ -19,12 +19,12 @@ precision highp float;
 precision highp sampler2D;
 uniform sampler2D albedo;
 uniform sampler2D scan;
-uniform sampler2D light;    // irradiance / pi of all that is on
+uniform sampler2D shading;  // irradiance / pi of all that is on
 uniform sampler2D shining;  // R + 256 G: 1 + the place of the fixture that a texel is of; 0: of none
 uniform sampler2D emission; // of fixtures: radiance, and whether it is on
+uniform vec3 shiningAlbedo; // shown of all that ever shines
 uniform int view;
 uniform float exposure;     // that light is multiplied by
-uniform bool isOutside;     // then near walls are taken away
 in vec2 at;
 layout(location = 0) out vec4 pixel;
 ${VIEW_TRANSFORM}
@@ -33,7 +33,8 @@ vec4 emissionOf(ivec2 texel) {
     ivec2 last = textureSize(shining, 0) - 1;
     vec4 id = floor(texelFetch(shining, clamp(texel, ivec2(0), last), 0) * 255.0 + 0.5);
     int place = int(id.r + 256.0 * id.g);
-    return place == 0 ? vec4(0.0) : texelFetch(emission, ivec2(place - 1, 0), 0);
+    if (place == 0) return vec4(0.0);
+    return view == 1 ? vec4(shiningAlbedo, 1.0) : texelFetch(emission, ivec2(place - 1, 0), 0);
 }
 
 // What shines of the four texels around, as a texture would mix them.
@@ -46,20 +47,15 @@ vec4 glow() {
 }
 
 void main() {
-    if (!gl_FrontFacing) {
-        if (isOutside) discard;
-        pixel = vec4(0.0, 0.0, 0.0, 1.0);
-        return;
-    }
     if (view == 0) {
         pixel = vec4(srgbOf(texture(scan, at).rgb), 1.0);
-    } else if (view == 1) {
-        pixel = vec4(srgbOf(texture(albedo, at).rgb), 1.0);
-    } else {
-        vec4 lamp = glow();
-        vec3 radiance = mix(texture(albedo, at).rgb * texture(light, at).rgb, vec3(0.0), lamp.a) + lamp.rgb;
-        pixel = vec4(srgbOf(agxOf(exposure * radiance)), 1.0);
+        return;
     }
+    vec4 lamp = glow();
+    vec3 paint = texture(albedo, at).rgb;
+    vec3 light = view == 1 ? vec3(1.0) : texture(shading, at).rgb;
+    vec3 radiance = mix(paint * light, vec3(0.0), lamp.a) + lamp.rgb;
+    pixel = vec4(srgbOf(view == 1 ? radiance : agxOf(exposure * radiance)), 1.0);
 }`;
 
 const SKY = `
@@ -76,7 +72,7 @@ void main() {
 export interface SurfaceTextures {
     albedo: THREE.Texture | null;
     scan: THREE.Texture | null;
-    light: THREE.Texture;
+    shading: THREE.Texture;
     shining: THREE.Texture | null;
     emission: THREE.Texture;
 }
@@ -95,7 +91,6 @@ export function wrappingOf(word: string): THREE.Wrapping {
 export interface CommonUniforms {
     view: { value: number };
     exposure: { value: number };
-    isOutside: { value: boolean };
     sky: { value: THREE.Vector3 };
     [name: string]: { value: unknown };
 }
@@ -104,7 +99,6 @@ export function commonUniforms(): CommonUniforms {
     return {
         view: { value: VIEWS.relit },
         exposure: { value: 1 },
-        isOutside: { value: false },
         sky: { value: new THREE.Vector3() },
     };
 }
@@ -112,14 +106,17 @@ export function commonUniforms(): CommonUniforms {
 export function surfaceMaterial(
     textures: SurfaceTextures,
     uvBox: number[],
+    shiningAlbedo: number[],
     common: CommonUniforms,
 ): THREE.ShaderMaterial {
     const material = new THREE.ShaderMaterial({
         glslVersion: THREE.GLSL3,
         vertexShader: VERTEX,
         fragmentShader: FRAGMENT,
-        side: THREE.DoubleSide,
-        uniforms: { uvBox: { value: new THREE.Vector4(...uvBox) } },
+        uniforms: {
+            uvBox: { value: new THREE.Vector4(...uvBox) },
+            shiningAlbedo: { value: new THREE.Vector3(...shiningAlbedo) },
+        },
     });
     Object.assign(material.uniforms, common);
     for (const [name, value] of Object.entries(textures)) material.uniforms[name] = { value };
@@ -150,4 +147,15 @@ export function beyondHoles(common: CommonUniforms): THREE.Mesh {
     mesh.frustumCulled = false;
     mesh.renderOrder = -1;
     return mesh;
+}
+
+/** Backs of surfaces are black. Theirs is the further one where a front and a back meet in an edge. */
+export function backMaterial(): THREE.Material {
+    return new THREE.MeshBasicMaterial({
+        color: 0x000000,
+        side: THREE.BackSide,
+        polygonOffset: true,
+        polygonOffsetFactor: 2,
+        polygonOffsetUnits: 2,
+    });
 }
