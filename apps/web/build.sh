@@ -14,9 +14,9 @@ install() {
     cp package-lock.json node_modules/installed
 }
 
-bundle() { # SOURCE TARGET
-    NODE_PATH=$folder/node_modules "$node" node_modules/esbuild/bin/esbuild "$source/$1" --bundle --minify \
-        --format=iife --target=es2020 --legal-comments=none --loader:.h=text --log-level=warning --outfile="$2"
+bundle() { # SOURCE TARGET OPTION ...
+    NODE_PATH=$folder/node_modules "$node" node_modules/esbuild/bin/esbuild "$source/$1" --bundle --outfile="$2" \
+        --target=es2020 --legal-comments=none --loader:.h=text --log-level=warning "${@:3}"
 }
 
 mkdir -p "$folder"
@@ -27,8 +27,9 @@ if ! install; then
 fi
 rm -rf staged
 mkdir staged
-bundle src/main.ts staged/viewer.js
-bundle test/formulas_probe.ts formulas_probe.js
+bundle src/main.ts staged/viewer.js --format=iife --minify
+bundle test/formulas_probe.ts formulas_probe.js --format=iife
+bundle test/unit_test.ts unit_test.mjs --format=esm --platform=node
 cp "$source/index.html" "$source/viewer.css" staged
 {
     echo "The viewer of this page is relamp's, under the Apache License 2.0. It contains these libraries."

@@ -1,7 +1,7 @@
 // What the browser tests share: the program, Chromium, a static server, and pictures as numbers.
 
 import { execFile } from "node:child_process";
-import { createReadStream, existsSync, readFileSync } from "node:fs";
+import { createReadStream, existsSync } from "node:fs";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { join, normalize } from "node:path";
@@ -124,4 +124,3 @@ export async function decibels(page, first, second) {
     }, pictures);
 }
 
-export { readFileSync };
