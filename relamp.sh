@@ -97,6 +97,7 @@ case ${1-help} in
         begin
         targets=(relamp_cli)
         [[ $1 == view ]] && targets+=(relamp_view)
+        [[ $1 == page ]] && targets+=(relamp_page)
         build release "${targets[@]}"
         exec "$build/release/apps/cli/relamp" "$@" 9>&-
         ;;

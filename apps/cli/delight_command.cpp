@@ -3,12 +3,14 @@
 #include "draft.h"
 #include "interrupt.h"
 #include "place_arguments.h"
+#include "room_page.h"
 #include "scan_arguments.h"
 #include "terminal.h"
 #include "unexpected.h"
 
 #include "relamp/delight.h"
 #include "relamp/error.h"
+#include "relamp/page.h"
 #include "relamp/result.h"
 #include "relamp/threads.h"
 
@@ -46,6 +48,7 @@ struct DelightArguments
     bool quiet = false;
     bool json = false;
     bool force = false;
+    bool page = false;
 };
 
 void addThesisParameters(CLI::App& command, DelightArguments& arguments)
@@ -276,6 +279,26 @@ void printSummary(const DelightArguments& arguments, const relamp::Decomposition
         printAside(closingLine(result.crossValidation()));
 }
 
+relamp::PageOptions pageOptions(const DelightArguments& arguments)
+{
+    relamp::PageOptions page{.viewer = pageViewer()};
+    page.scan.scan = arguments.scan.file;
+    page.scan.asScan.allowOutside = arguments.scan.options.allowOutside;
+    if (arguments.force) page.replacing = relamp::Replacing::any;
+    return page;
+}
+
+/// The page of what was written, for browsers, in a folder of its own.
+void writePage(const DelightArguments& arguments, relamp::Progress& progress)
+{
+    const relamp::PageOptions page = pageOptions(arguments);
+    const relamp::DelitRoom room = relamp::readDelitRoom(arguments.folder, page.scan, progress);
+    relamp::RelightOptions options{.engine = arguments.options.engine};
+    relamp::Relighter relighter(room, options, progress);
+    relamp::writePage(relighter, relamp::asCaptured(room.captured), arguments.folder / "page", page,
+                      progress);
+}
+
 int runOne(DelightArguments& arguments)
 {
     const Talk talk = arguments.quiet || arguments.json ? Talk::quiet : Talk::normal;
@@ -287,6 +310,7 @@ int runOne(DelightArguments& arguments)
     const auto replacing = arguments.force ? relamp::Replacing::any : relamp::Replacing::unchanged;
     relamp::checkOutput(arguments.scan.file, arguments.folder, replacing);
     relamp::checkDevice(arguments.options.engine);
+    if (arguments.page) pageOptions(arguments); // before anything takes long
     std::vector<std::string> notes;
     if (!arguments.lights.empty())
         arguments.options.lights = relamp::readLights(arguments.lights, notes);
@@ -309,6 +333,7 @@ int runOne(DelightArguments& arguments)
         relamp::delight(std::move(scan), arguments.options, progress);
     const std::string report =
         relamp::writeResult(result, arguments.scan.file, arguments.folder, progress, replacing);
+    if (arguments.page) writePage(arguments, progress);
     endProgressDisplay(talk);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (arguments.json) printExactly(report); // endOutput tells whether it came
@@ -424,6 +449,8 @@ void addDelightCommand(CLI::App& app, Run& run)
                      "what is burnt out too)");
     addEngineArguments(command, arguments->options.engine,
                        "the light of lamps once they are found, and the thesis solver");
+    command.add_flag("--page", arguments->page,
+                     "Also write DIR/page, the room for browsers, as relamp page does");
     command.add_flag("--force", arguments->force,
                      "Replace files of DIR that relamp did not write, or that were changed since");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");

@@ -1,18 +1,17 @@
 #include "command.h"
 #include "interrupt.h"
+#include "room_page.h"
 #include "scan_arguments.h"
 #include "terminal.h"
 
-#include "relamp/error.h"
 #include "relamp/page.h"
 #include "relamp/picture.h"
 #include "relamp/threads.h"
 
-#include <array>
 #include <chrono>
 #include <memory>
 #include <string>
-#include <system_error>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -32,22 +31,6 @@ struct PageArguments
     bool keepNothing = false;
     bool quiet = false;
 };
-
-/// Where what runs in the browser lies: as installed, or where a build folder has it.
-std::filesystem::path viewerFolder()
-{
-    const std::filesystem::path here =
-        std::filesystem::read_symlink("/proc/self/exe").parent_path();
-    const std::array<std::filesystem::path, 2> places{here / "../share/relamp/page",
-                                                      here / "../web/page"};
-    std::error_code ignored;
-    for (const std::filesystem::path& place : places)
-        if (std::filesystem::exists(place, ignored)) return place.lexically_normal();
-    throw relamp::Error(relamp::ErrorCode::cannotRead,
-                        fmt::format("{}: what a page runs in the browser is not there; it is made "
-                                    "where Node.js and npm are: install them and build again",
-                                    places.back().lexically_normal().string()));
-}
 
 relamp::Relighting lightingOf(const PageArguments& arguments, const relamp::Lights& captured,
                               std::vector<std::string>& warnings)
@@ -69,7 +52,7 @@ int run(PageArguments& arguments)
     const relamp::ThreadLimit threads(arguments.room.threads);
     relamp::checkDevice(arguments.relight.engine);
     relamp::PageOptions& page = arguments.page;
-    page.viewer = viewerFolder();
+    page.viewer = pageViewer();
     page.scan.asScan = arguments.room.options;
     if (arguments.force) page.replacing = relamp::Replacing::any;
     relamp::checkPage(arguments.output, page);
