@@ -16,8 +16,8 @@ namespace relamp
 namespace
 {
 
-constexpr std::array<const char*, 4> kOfViewer{"index.html", "viewer.css", "viewer.js",
-                                               "licences.txt"};
+constexpr std::array<const char*, 5> kOfViewer{"index.html", "viewer.css", "viewer.js",
+                                               "relamp-room.js", "licences.txt"};
 
 bool isOfWebPage(const std::string& name)
 {

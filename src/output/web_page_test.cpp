@@ -52,7 +52,8 @@ protected:
         lighting = asCaptured(room.captured);
         lighting.sky.radiance = {0.1f, 0.2f, 0.4f};
         std::filesystem::create_directory(folder / "viewer");
-        for (const char* name : {"index.html", "viewer.css", "viewer.js", "licences.txt"})
+        for (const char* name :
+             {"index.html", "viewer.css", "viewer.js", "relamp-room.js", "licences.txt"})
             folder.write(std::string("viewer/") + name, name);
         options.viewer = folder / "viewer";
     }

@@ -5,13 +5,13 @@ import { element, slider } from "./dom";
 import type { Light, Rgb } from "./room";
 
 const COLOURS: [string, string][] = [
-    ["", "colour as found"],
-    ["1900", "1900 K, candle"],
-    ["2700", "2700 K, warm"],
-    ["4000", "4000 K, neutral"],
-    ["6500", "6500 K, daylight"],
-    ["12000", "12000 K, blue sky"],
-    ["pick", "a colour of your own"],
+    ["", "as found"],
+    ["1900", "1900 K candle"],
+    ["2700", "2700 K warm"],
+    ["4000", "4000 K neutral"],
+    ["6500", "6500 K day"],
+    ["12000", "12000 K blue"],
+    ["pick", "own colour"],
 ];
 
 /** sRGB of a colour at its brightest, for a dot beside the name. */
@@ -38,7 +38,7 @@ export class LampRow {
         this.isOn.addEventListener("change", () => this.toggle());
         const dot = element("span", { class: "dot", "aria-hidden": true });
         dot.style.background = dotColour(light.colour);
-        const label = element("label", { class: "name" }, this.isOn, light.name, dot);
+        const label = element("label", { class: "name" }, this.isOn, dot, light.name);
         this.share = slider(
             `brightness of ${light.name}`,
             { min: 0, max: 2, step: 0.01 },
@@ -55,8 +55,8 @@ export class LampRow {
         });
         this.colour.addEventListener("change", () => this.recolour());
         this.picked.addEventListener("input", () => this.recolour());
-        const colours = element("div", { class: "colours" }, this.colour, this.picked);
-        this.root = element("li", { class: "lamp" }, label, this.share.input, colours);
+        const head = element("div", { class: "head" }, label, this.colour, this.picked);
+        this.root = element("li", { class: "lamp" }, head, this.share.input);
         this.show();
     }
 

@@ -49,10 +49,14 @@ class App {
         const scene = new RoomScene(this.room);
         if (!scene.hasScan && this.state.show === "scan") this.state.show = "relit";
         const panel = this.controls(scene);
-        const anisotropy = this.picture.renderer.capabilities.getMaxAnisotropy();
+        const { capabilities } = this.picture.renderer;
+        const limits = {
+            anisotropy: capabilities.getMaxAnisotropy(),
+            most: capabilities.maxTextureSize,
+        };
         const parts = new Parts("", this.room, showProgress);
         this.picture.setRoom(scene);
-        await scene.load(parts, anisotropy, () => {
+        await scene.load(parts, limits, () => {
             byId("preview").hidden = true;
             this.picture.lightChanged();
         });

@@ -5,10 +5,8 @@ import { LampRow } from "./lamp_row";
 import { presetsFor } from "./light_mix";
 import type { Room } from "./room";
 import type { Way } from "./steering";
-import { SHOWS } from "./url_state";
+import { SHOWS, WORDS } from "./url_state";
 import type { Show, State } from "./url_state";
-
-const WORDS: Record<Show, string> = { scan: "As scanned", albedo: "Albedo", relit: "Relit" };
 
 export interface PanelActions {
     state(): State;

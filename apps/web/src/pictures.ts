@@ -6,13 +6,17 @@ import type { Parts } from "./parts";
 import { Trouble } from "./room";
 import type { Picture } from "./room";
 
-async function bitmapOf(parts: Parts, picture: Picture, isFlipped: boolean): Promise<ImageBitmap> {
+async function bitmapOf(
+    parts: Parts,
+    picture: Picture,
+    resize: ImageBitmapOptions = {},
+): Promise<ImageBitmap> {
     const bytes = await parts.take(picture);
     try {
         return await createImageBitmap(new Blob([bytes], { type: picture.type }), {
             colorSpaceConversion: "none",
             premultiplyAlpha: "none",
-            imageOrientation: isFlipped ? "flipY" : "none",
+            ...resize,
         });
     } catch {
         throw new Trouble(
@@ -26,7 +30,7 @@ export async function pixelsOf(
     parts: Parts,
     picture: Picture,
 ): Promise<Uint8Array<ArrayBuffer>> {
-    const bitmap = await bitmapOf(parts, picture, false);
+    const bitmap = await bitmapOf(parts, picture);
     const canvas = document.createElement("canvas");
     canvas.width = bitmap.width;
     canvas.height = bitmap.height;
@@ -37,13 +41,33 @@ export async function pixelsOf(
     return new Uint8Array(context.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
 }
 
-/** An sRGB texture that is smooth from near and far. */
+const SIDE_OF_PHONE = 2048; // 4096 of several textures is more than its memory
+const WIDTH_OF_PHONE = 600; // CSS pixels of a screen's shorter side
+
+/** Pixels to which the longer side of a texture is scaled down, so that this device can hold it. */
+export function mostSide(largest: number): number {
+    const isPhone = Math.min(screen.width, screen.height) < WIDTH_OF_PHONE;
+    return isPhone ? Math.min(largest, SIDE_OF_PHONE) : largest;
+}
+
+function resizeOf({ width, height }: Picture, most: number): ImageBitmapOptions {
+    const share = most / Math.max(width, height);
+    if (share >= 1) return {};
+    return {
+        resizeWidth: Math.max(1, Math.round(width * share)),
+        resizeHeight: Math.max(1, Math.round(height * share)),
+        resizeQuality: "high",
+    };
+}
+
+/** An sRGB texture that is smooth from near and far; `most` is what the GPU takes. */
 export async function textureOf(
     parts: Parts,
     picture: Picture,
-    anisotropy: number,
+    { anisotropy, most }: { anisotropy: number; most: number },
 ): Promise<THREE.Texture> {
-    const texture = new THREE.Texture(await bitmapOf(parts, picture, false));
+    const texture = new THREE.Texture(
+        await bitmapOf(parts, picture, resizeOf(picture, mostSide(most))));
     texture.colorSpace = THREE.SRGBColorSpace;
     texture.flipY = false;
     texture.generateMipmaps = true;

@@ -9,11 +9,25 @@ import { pixelsOf, textureOf } from "./pictures";
 import type { MeshOfRoom, PageOfRoom, Rgb, Room } from "./room";
 import { backMaterial, beyondHoles, commonUniforms, emissionTexture, surfaceMaterial, wrappingOf } from "./surface";
 
+/** What the GPU takes. */
+export interface Limits {
+    anisotropy: number;
+    most: number; // pixels along a side
+}
+
 /** Whose the texels of a page are, for who points at one. */
 interface ShiningMap {
     width: number;
     height: number;
-    pixels: Uint8Array;
+    channels: 1 | 4; // R alone tells of fewer than 255 fixtures
+    pixels: Uint8Array<ArrayBuffer>;
+}
+
+/** Every fourth byte. */
+function firstChannel(rgba: Uint8Array): Uint8Array<ArrayBuffer> {
+    const red = new Uint8Array(rgba.length / 4);
+    for (let i = 0; i < red.length; ++i) red[i] = rgba[4 * i] ?? 0;
+    return red;
 }
 
 export class RoomScene {
@@ -45,19 +59,19 @@ export class RoomScene {
     }
 
     /** Loads what the first picture needs, then the rest; `onMore` is told of every piece. */
-    async load(parts: Parts, anisotropy: number, onMore: () => void): Promise<void> {
+    async load(parts: Parts, limits: Limits, onMore: () => void): Promise<void> {
         await decoderIsReady();
         const bytes = await parts.take(this.room.geometry);
         for (const mesh of this.room.meshes) this.addMesh(mesh, bytes);
         for (const [p, page] of this.room.pages.entries())
-            this.setTexture(p, "albedo", await textureOf(parts, page.albedo, anisotropy));
+            this.setTexture(p, "albedo", await textureOf(parts, page.albedo, limits));
         for (const [i, light] of this.room.lights.entries())
             for (const [p, map] of light.maps.entries()) {
                 this.sums[p]?.setMap(i, await pixelsOf(parts, map));
                 onMore();
             }
         for (const [p, page] of this.room.pages.entries()) {
-            await this.loadRest(parts, page, p, anisotropy);
+            await this.loadRest(parts, page, p, limits);
             onMore();
         }
     }
@@ -152,17 +166,21 @@ export class RoomScene {
         parts: Parts,
         page: PageOfRoom,
         p: number,
-        anisotropy: number,
+        limits: Limits,
     ): Promise<void> {
         if (page.shining) {
             const { width, height } = page.shining;
-            const pixels = await pixelsOf(parts, page.shining);
-            this.shining[p] = { width, height, pixels };
-            const texture = new THREE.DataTexture(pixels, width, height);
+            const rgba = await pixelsOf(parts, page.shining);
+            const isFew = this.room.fixtures < 255;
+            const pixels = isFew ? firstChannel(rgba) : rgba;
+            this.shining[p] = { width, height, channels: isFew ? 1 : 4, pixels };
+            const format = isFew ? THREE.RedFormat : THREE.RGBAFormat;
+            const texture = new THREE.DataTexture(pixels, width, height, format);
+            texture.unpackAlignment = 1;
             texture.needsUpdate = true;
             this.setTexture(p, "shining", texture);
         }
-        if (page.scan) this.setTexture(p, "scan", await textureOf(parts, page.scan, anisotropy));
+        if (page.scan) this.setTexture(p, "scan", await textureOf(parts, page.scan, limits));
     }
 }
 
@@ -171,8 +189,9 @@ function placeNear(map: ShiningMap, column: number, row: number): number | null 
     for (const reach of [0, 1, 2])
         for (let y = row - reach; y <= row + reach; ++y)
             for (let x = column - reach; x <= column + reach; ++x) {
-                const at = 4 * (y * map.width + x);
-                const id = (map.pixels[at] ?? 0) + 256 * (map.pixels[at + 1] ?? 0);
+                const at = map.channels * (y * map.width + x);
+                const high = map.channels === 1 ? 0 : (map.pixels[at + 1] ?? 0);
+                const id = (map.pixels[at] ?? 0) + 256 * high;
                 if (id > 0) return id - 1;
             }
     return null;

@@ -7,6 +7,7 @@ import type { Pose } from "./url_state";
 
 const TURN = 0.004; // rad a pixel
 const STEP = 1.5; // m a second
+const TAP = 16; // ms that a press of a key lasts at least
 const SLOP = 5; // pixels that a click may move
 
 export type Way = "walk" | "orbit";
@@ -116,8 +117,8 @@ export class Steering {
         const isFirst = this.keys.size === 0;
         this.keys.add(event.code);
         if (!isFirst) return;
-        this.last = performance.now();
-        requestAnimationFrame(() => this.step());
+        this.last = performance.now() - TAP; // so that the shortest press moves, however slow frames are
+        this.step();
     }
 
     /** As long as a key is down, a frame each. */

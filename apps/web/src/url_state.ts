@@ -5,6 +5,7 @@ import type { Setting } from "./light_mix";
 
 export type Show = "scan" | "albedo" | "relit";
 export const SHOWS: Show[] = ["scan", "albedo", "relit"];
+export const WORDS: Record<Show, string> = { scan: "As scanned", albedo: "Albedo", relit: "Relit" };
 
 export interface Pose {
     position: [number, number, number]; // m

@@ -1,5 +1,6 @@
 // The line between two views, to be dragged or moved by arrow keys.
 
+import { WORDS } from "./url_state";
 import type { State } from "./url_state";
 
 export class Wipe {
@@ -19,7 +20,14 @@ export class Wipe {
     }
 
     show(): void {
-        const { against, wipe } = this.state();
+        const { show, against, wipe } = this.state();
+        const stage = this.handle.parentElement;
+        if (stage && against) {
+            stage.dataset["left"] = WORDS[show];
+            stage.dataset["right"] = WORDS[against];
+        } else {
+            delete stage?.dataset["right"];
+        }
         this.handle.hidden = against === null;
         this.handle.style.left = `${100 * wipe}%`;
         this.handle.setAttribute("aria-valuenow", String(Math.round(100 * wipe)));

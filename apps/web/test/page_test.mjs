@@ -11,7 +11,7 @@ import { decibels, drawn, launch, open, place, relamp, serve, settled, show } fr
 
 const MOST_BYTES = 8e6; // of the sample's page
 const SIZE = ["--size", "640x360"];
-const BRIGHT = { scan: 32, albedo: 32, lamp: 30, all: 30 }; // dB at least
+const LIKENESS = { scan: 32, albedo: 32, lamp: 30, all: 30 }; // dB at least
 
 let folder;
 let browser;
@@ -70,28 +70,28 @@ test("all of its files are less than the bound", async (t) => {
 });
 
 test("it shows the scan as the program does", (t) =>
-    compare(t, "scan", "show=scan", ["--show", "scan"], BRIGHT.scan));
+    compare(t, "scan", "show=scan", ["--show", "scan"], LIKENESS.scan));
 
 test("it shows the albedo as the program does", (t) =>
-    compare(t, "albedo", "show=albedo", ["--show", "albedo"], BRIGHT.albedo));
+    compare(t, "albedo", "show=albedo", ["--show", "albedo"], LIKENESS.albedo));
 
 test("each lamp alone lights the room as the program has it", async (t) => {
     const lamps = room.lights.filter((light) => light.fixture !== undefined);
     assert.equal(lamps.length, 3);
     for (const lamp of lamps)
         await compare(t, `lamp${lamp.fixture}`, alone(room.lights.indexOf(lamp)),
-            ["--fixture", `${lamp.fixture}=on`, `--exposure=${room.exposure}`], BRIGHT.lamp);
+            ["--fixture", `${lamp.fixture}=on`, `--exposure=${room.exposure}`], LIKENESS.lamp);
 });
 
 test("all lights light the room as the program has it", (t) =>
     compare(t, "all", "", ["--lights", join(folder, "out/lights.json"),
-        `--exposure=${room.exposure}`], BRIGHT.all));
+        `--exposure=${room.exposure}`], LIKENESS.all));
 
 test("a lamp of another colour temperature and brightness is as the program has it", (t) => {
     const at = room.lights.findIndex((light) => light.fixture === 2);
     const others = alone(at).replace(`light${at}=1`, `light${at}=0.5,2700K`);
     return compare(t, "warm", others,
-        ["--fixture", "2=2700K,50%", `--exposure=${room.exposure}`], BRIGHT.lamp);
+        ["--fixture", "2=2700K,50%", `--exposure=${room.exposure}`], LIKENESS.lamp);
 });
 
 test("the shader's view transform gives the numbers of the program's", async () => {
@@ -107,11 +107,12 @@ test("the shader's view transform gives the numbers of the program's", async () 
     await other.close();
 });
 
-test("a wipe shows one view beside the other, and arrow keys move it", async (t) => {
+test("a wipe shows one view beside the other, and arrow keys move it", async () => {
     await show(tab.page, "panel=off&show=scan&against=albedo&wipe=0.5");
-    const seen = await tab.page.screenshot({ clip: { x: 0, y: 0, width: 300, height: 360 } });
+    const left = { clip: { x: 0, y: 60, width: 300, height: 300 } }; // below the words
+    const seen = await tab.page.screenshot(left);
     await show(tab.page, "panel=off&show=scan");
-    const scan = await tab.page.screenshot({ clip: { x: 0, y: 0, width: 300, height: 360 } });
+    const scan = await tab.page.screenshot(left);
     assert.ok((await decibels(tab.page, seen, scan)) > 60);
     await show(tab.page, "panel=off&show=scan&against=albedo&wipe=0.5");
     await tab.page.locator("#wipe").press("ArrowRight");
@@ -164,6 +165,20 @@ test("from a server, on a phone, lamps are switched and dimmed by the panel", as
     await phone.page.waitForFunction(() => location.hash.includes("light0=0"));
     assert.deepEqual(phone.complaints, []);
     await phone.close();
+    server.close();
+});
+
+test("<relamp-room> shows the room on another page", async () => {
+    await writeFile(join(folder, "other.html"),
+        '<link rel="icon" href="data:,"><script src="page/relamp-room.js"></script><relamp-room src="page/"></relamp-room>');
+    const server = await serve(folder);
+    const other = await open(browser);
+    await other.page.goto(`${server.url}other.html`);
+    const frame = other.page.frameLocator("relamp-room iframe");
+    await frame.locator("body[data-state=ready]").waitFor();
+    assert.equal(await frame.locator("#panel").isVisible(), false);
+    assert.deepEqual(other.complaints, []);
+    await other.close();
     server.close();
 });
 
