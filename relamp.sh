@@ -39,7 +39,8 @@ packages_for() {
 install_packages_for() {
     local -a missing as_root=()
     mapfile -t missing < <(comm -23 <(packages_for "$1") \
-        <(dpkg-query --show --showformat='${db:Status-Abbrev}${Package}\n' | sed -n 's/^ii *//p' | sort -u))
+        <(dpkg-query --show --showformat='${db:Status-Abbrev}${Package}, ${Provides}\n' |
+            sed -n 's/^ii *//p' | sed 's/ ([^)]*)//g; s/, */\n/g' | sort -u)) # npm may be in another's nodejs
     ((${#missing[@]})) || return 0
     if ((EUID != 0)); then
         command -v sudo >/dev/null || die "as root, please: apt-get install ${missing[*]}"
@@ -88,6 +89,7 @@ case ${1-help} in
         ;;
     test)
         begin
+        install_packages_for asan # of which the release build needs some for its tests
         build release
         build asan
         echo 'subdirs(release asan)' >"$build/CTestTestfile.cmake"
@@ -97,6 +99,7 @@ case ${1-help} in
         begin
         targets=(relamp_cli)
         [[ $1 == view ]] && targets+=(relamp_view)
+        [[ $1 == page ]] && targets+=(relamp_page)
         build release "${targets[@]}"
         exec "$build/release/apps/cli/relamp" "$@" 9>&-
         ;;

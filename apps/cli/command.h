@@ -12,6 +12,7 @@ void addBenchCommand(CLI::App& app, Run& run);
 void addDelightCommand(CLI::App& app, Run& run);
 void addDevicesCommand(CLI::App& app, Run& run);
 void addInfoCommand(CLI::App& app, Run& run);
+void addPageCommand(CLI::App& app, Run& run);
 void addRelightCommand(CLI::App& app, Run& run);
 void addVerifyCommand(CLI::App& app, Run& run);
 void addViewCommand(CLI::App& app, Run& run);

@@ -3,12 +3,14 @@
 #include "draft.h"
 #include "interrupt.h"
 #include "place_arguments.h"
+#include "room_page.h"
 #include "scan_arguments.h"
 #include "terminal.h"
 #include "unexpected.h"
 
 #include "relamp/delight.h"
 #include "relamp/error.h"
+#include "relamp/page.h"
 #include "relamp/result.h"
 #include "relamp/threads.h"
 
@@ -48,6 +50,7 @@ struct DelightArguments
     bool json = false;
     bool progress = false;
     bool force = false;
+    bool page = false;
 };
 
 void addThesisParameters(CLI::App& command, DelightArguments& arguments)
@@ -281,6 +284,26 @@ void printSummary(const DelightArguments& arguments, const relamp::Decomposition
         printAside(closingLine(result.crossValidation()));
 }
 
+relamp::PageOptions pageOptions(const DelightArguments& arguments)
+{
+    relamp::PageOptions page{.viewer = pageViewer()};
+    page.scan.scan = arguments.scan.file;
+    page.scan.asScan.allowOutside = arguments.scan.options.allowOutside;
+    if (arguments.force) page.replacing = relamp::Replacing::any;
+    return page;
+}
+
+/// The page of what was written, for browsers, in a folder of its own.
+void writePage(const DelightArguments& arguments, relamp::Progress& progress)
+{
+    const relamp::PageOptions page = pageOptions(arguments);
+    const relamp::DelitRoom room = relamp::readDelitRoom(arguments.folder, page.scan, progress);
+    relamp::RelightOptions options{.engine = arguments.options.engine};
+    relamp::Relighter relighter(room, options, progress);
+    relamp::writePage(relighter, relamp::asCaptured(room.captured), arguments.folder / "page", page,
+                      progress);
+}
+
 int runOne(DelightArguments& arguments)
 {
     const bool isSilent = arguments.quiet || arguments.json;
@@ -293,6 +316,7 @@ int runOne(DelightArguments& arguments)
     const auto replacing = arguments.force ? relamp::Replacing::any : relamp::Replacing::unchanged;
     relamp::checkOutput(arguments.scan.file, arguments.folder, replacing, arguments.files);
     relamp::checkDevice(arguments.options.engine);
+    if (arguments.page) pageOptions(arguments); // before anything takes long
     std::vector<std::string> notes;
     if (!arguments.lights.empty())
         arguments.options.lights = relamp::readLights(arguments.lights, notes);
@@ -315,6 +339,7 @@ int runOne(DelightArguments& arguments)
         relamp::delight(std::move(scan), arguments.options, progress);
     const std::string report = relamp::writeResult(result, arguments.scan.file, arguments.folder,
                                                    progress, replacing, arguments.files);
+    if (arguments.page) writePage(arguments, progress);
     endProgressDisplay(talk);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (arguments.json) printExactly(report); // endOutput tells whether it came
@@ -433,6 +458,8 @@ void addDelightCommand(CLI::App& app, Run& run)
     command.add_flag("--usd", arguments->files.usd,
                      "Also write the room as <scan>.usda, with its lamps as lights, and what "
                      "shines as emission.exr");
+    command.add_flag("--page", arguments->page,
+                     "Also write DIR/page, the room for browsers, as relamp page does");
     command.add_flag("--force", arguments->force,
                      "Replace files of DIR that relamp did not write, or that were changed since");
     command.add_flag("-q,--quiet", arguments->quiet, "Say nothing but errors");

@@ -119,6 +119,7 @@ int main(int argc, char** argv)
     addDelightCommand(app, run);
     addDevicesCommand(app, run);
     addInfoCommand(app, run);
+    addPageCommand(app, run);
     addRelightCommand(app, run);
     addVerifyCommand(app, run);
     addViewCommand(app, run);

@@ -18,6 +18,7 @@
 #include "relamp/lightmaps.h"
 #include "relamp/lights.h"
 #include "relamp/names.h"
+#include "relamp/page.h"
 #include "relamp/pathtrace.h"
 #include "relamp/picture.h"
 #include "relamp/pixel_view.h"

@@ -2,11 +2,9 @@
 
 #include "base/fail.h"
 #include "base/file.h"
-#include "base/half.h"
-#include "base/parallel.h"
-#include "image/transfer.h"
 #include "image/write_image.h"
 #include "output/fixtures_file.h"
+#include "output/lightmap_bytes.h"
 #include "output/listed_folder.h"
 #include "output/result_folder.h"
 #include "relight/relighter_state.h"
@@ -14,7 +12,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -29,7 +26,6 @@ namespace
 using nlohmann::ordered_json;
 
 constexpr const char* kLightmapList = "lightmaps.json";
-constexpr float kRoot = 4.0f; // of LightmapFormat::png: an eye sees steps of dark and bright alike
 
 const char* endingOf(LightmapFormat format)
 {
@@ -53,24 +49,6 @@ bool isLightmap(const std::string& name)
                                      (name.ends_with(".exr") || name.ends_with(".png")));
 }
 
-float brightest(const std::vector<uint16_t>& half)
-{
-    float most = 0.0f;
-    for (const uint16_t value : half) most = std::max(most, floatFromHalf(value));
-    return most;
-}
-
-std::vector<uint8_t> rootBytes(const std::vector<uint16_t>& half, float scale)
-{
-    std::vector<uint8_t> bytes(half.size());
-    forEachChunk(half.size(), size_t{1} << 16, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i)
-            bytes[i] = static_cast<uint8_t>(std::lround(
-                255.0f * std::pow(std::min(floatFromHalf(half[i]) / scale, 1.0f), 1.0f / kRoot)));
-    });
-    return bytes;
-}
-
 void writePng(const std::filesystem::path& file, std::span<const uint8_t> rgb, Size size)
 {
     const std::vector<uint8_t> png = encodePng(rgb, size, 3);
@@ -86,9 +64,8 @@ ordered_json writeMap(const Image& map, const std::filesystem::path& file, Light
         writeExr(file, map.half(), size);
         return item;
     }
-    const float most = brightest(map.half());
-    const float scale = most > 0.0f ? most : 1.0f;
-    writePng(file, rootBytes(map.half(), scale), size);
+    const float scale = scaleOfLightmap(map.half());
+    writePng(file, lightmapBytes(map.half(), scale), size);
     item["scale"] = scale;
     return item;
 }
@@ -107,15 +84,6 @@ ordered_json shiningAsJson(const Relighter& relighter)
             list.push_back(
                 {{"fixture", light.fixture.id}, {"radiance", vectorAsJson(light.emission)}});
     return list;
-}
-
-std::vector<uint8_t> srgbBytes(const std::vector<uint16_t>& half)
-{
-    std::vector<uint8_t> bytes(half.size());
-    forEachChunk(half.size(), size_t{1} << 16, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) bytes[i] = srgbByteFromLinear(floatFromHalf(half[i]));
-    });
-    return bytes;
 }
 
 /// Writes what of a page is not light: its albedo, and whose its texels are. Gives what

@@ -1,0 +1,137 @@
+// Puts the page together.
+
+import * as THREE from "three";
+
+import { poseOf } from "./camera";
+import { byId } from "./dom";
+import { Panel } from "./panel";
+import { Parts, loadRoom } from "./parts";
+import { Picture } from "./picture";
+import { Trouble } from "./room";
+import type { Room } from "./room";
+import { RoomScene } from "./room_scene";
+import { Steering } from "./steering";
+import { hashOf, stateFrom } from "./url_state";
+import type { State } from "./url_state";
+import { Wipe } from "./wipe";
+
+const URL_PAUSE = 250; // ms without a change, after which the address is
+
+function say(trouble: unknown): void {
+    const sentence =
+        trouble instanceof Trouble
+            ? trouble.message
+            : `This page cannot be shown here (${String(trouble)}).`;
+    byId("trouble").textContent = sentence;
+    byId("trouble").hidden = false;
+    byId("preview").hidden = false;
+    byId("progress").hidden = true;
+    document.body.dataset["state"] = "trouble";
+}
+
+function showProgress(share: number): void {
+    (byId("progress") as HTMLProgressElement).value = share;
+    if (share >= 1) byId("progress").hidden = true;
+}
+
+class App {
+    private state: State;
+    private readonly picture: Picture;
+    private timer = 0;
+
+    constructor(private readonly room: Room) {
+        this.state = stateFrom(location.hash, room.lights.length);
+        this.picture = new Picture(
+            byId("canvas") as HTMLCanvasElement, room, () => this.state, () => this.pose());
+    }
+
+    async start(): Promise<void> {
+        const scene = new RoomScene(this.room);
+        if (!scene.hasScan && this.state.show === "scan") this.state.show = "relit";
+        const panel = this.controls(scene);
+        const { capabilities } = this.picture.renderer;
+        const limits = {
+            anisotropy: capabilities.getMaxAnisotropy(),
+            most: capabilities.maxTextureSize,
+        };
+        const parts = new Parts("", this.room, showProgress);
+        this.picture.setRoom(scene);
+        await scene.load(parts, limits, () => {
+            byId("preview").hidden = true;
+            this.picture.lightChanged();
+        });
+        panel.show();
+        document.body.dataset["state"] = "ready";
+    }
+
+    private pose() {
+        return this.state.pose ?? poseOf(this.room.camera);
+    }
+
+    private controls(scene: RoomScene): Panel {
+        const { low, high } = this.room.box;
+        const centre = new THREE.Vector3(...low).add(new THREE.Vector3(...high)).divideScalar(2);
+        const wipe = new Wipe(byId("wipe"), () => this.state, () => this.changed(false));
+        const steering = new Steering(byId("canvas"), centre, {
+            pose: () => this.pose(),
+            move: (pose) => {
+                this.state.pose = pose;
+                this.changed(false);
+            },
+            click: (x, y) => this.click(scene, panel, x, y),
+        });
+        const panel: Panel = new Panel(this.room, scene.hasScan, {
+            state: () => this.state,
+            changed: (isLight) => {
+                wipe.show();
+                this.changed(isLight);
+            },
+            setWay: (way) => (steering.way = way),
+            goHome: () => {
+                this.state.pose = null;
+                this.changed(false);
+            },
+        });
+        byId("panel").hidden = !this.state.hasPanel;
+        window.addEventListener("hashchange", () => {
+            this.state = stateFrom(location.hash, this.room.lights.length);
+            byId("panel").hidden = !this.state.hasPanel;
+            panel.show();
+            wipe.show();
+            this.picture.lightChanged();
+        });
+        return panel;
+    }
+
+    /** A lamp that is clicked is switched. */
+    private click(scene: RoomScene, panel: Panel, x: number, y: number): void {
+        const fixture = scene.fixtureAlong(this.picture.rayAt(x, y));
+        if (fixture === null) return;
+        const light = this.room.lights.findIndex(
+            ({ shines, kind }) => kind !== "sky" && shines.some(({ place }) => place === fixture));
+        if (light >= 0) panel.toggle(light);
+    }
+
+    private changed(isLight: boolean): void {
+        if (isLight) this.picture.lightChanged();
+        else this.picture.ask();
+        window.clearTimeout(this.timer);
+        this.timer = window.setTimeout(() => {
+            const hash = hashOf(this.state);
+            history.replaceState(null, "", hash ? `#${hash}` : location.pathname);
+        }, URL_PAUSE);
+    }
+}
+
+async function main(): Promise<void> {
+    try {
+        const room = await loadRoom("");
+        document.title = `${room.name} · relamp`;
+        byId("title").textContent = room.name;
+        await new App(room).start();
+    } catch (trouble) {
+        say(trouble);
+    }
+}
+
+void main();

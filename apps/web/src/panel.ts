@@ -1,0 +1,134 @@
+// The panel: what is shown, the lights by name, presets, exposure, how one moves.
+
+import { byId, element, slider } from "./dom";
+import { LampRow } from "./lamp_row";
+import { presetsFor } from "./light_mix";
+import type { Room } from "./room";
+import type { Way } from "./steering";
+import { SHOWS, WORDS } from "./url_state";
+import type { Show, State } from "./url_state";
+
+export interface PanelActions {
+    state(): State;
+    changed(isLight: boolean): void; // after the state was changed
+    setWay(way: Way): void;
+    goHome(): void;
+}
+
+export class Panel {
+    private readonly rows: LampRow[];
+    private readonly shows: HTMLInputElement[] = [];
+    private readonly against: HTMLSelectElement;
+    private readonly stops: { input: HTMLInputElement; set: (value: number) => void };
+
+    constructor(
+        room: Room,
+        private readonly hasScan: boolean,
+        private readonly actions: PanelActions,
+    ) {
+        const { state, changed } = actions;
+        this.rows = room.lights.map((light, i) =>
+            new LampRow(light, () => state().settings[i]!, (setting) => {
+                state().settings[i] = setting;
+                this.lightChanged();
+            }));
+        this.against = element("select", { "aria-label": "compare with" });
+        this.against.append(element("option", { value: "" }, "nothing"));
+        for (const show of this.possible())
+            this.against.append(element("option", { value: show }, WORDS[show]));
+        this.against.addEventListener("change", () => {
+            state().against = SHOWS.find((show) => show === this.against.value) ?? null;
+            changed(false);
+        });
+        this.stops = slider(
+            "exposure",
+            { min: -6, max: 6, step: 0.1 },
+            (value) => `${value.toFixed(1)} stops`,
+            (value) => {
+                state().stops = value;
+                changed(false);
+            },
+        );
+        byId("panel").append(
+            this.views(), this.presets(room), this.lights(), this.exposure(), this.moving());
+        this.show();
+    }
+
+    toggle(light: number): void {
+        this.rows[light]?.toggle();
+    }
+
+    show(): void {
+        const state = this.actions.state();
+        for (const input of this.shows) input.checked = input.value === state.show;
+        this.against.value = state.against ?? "";
+        this.stops.set(state.stops);
+        for (const row of this.rows) row.show();
+    }
+
+    private possible(): Show[] {
+        return SHOWS.filter((show) => show !== "scan" || this.hasScan);
+    }
+
+    private lightChanged(): void {
+        const state = this.actions.state();
+        if (state.show !== "relit" && state.against !== "relit") state.show = "relit";
+        this.show();
+        this.actions.changed(true);
+    }
+
+    private views(): HTMLElement {
+        const group = element("fieldset", { class: "views" }, element("legend", {}, "Show"));
+        for (const show of this.possible()) {
+            const input = element("input", { type: "radio", name: "show", value: show });
+            input.addEventListener("change", () => {
+                this.actions.state().show = show;
+                this.actions.changed(false);
+            });
+            this.shows.push(input);
+            group.append(element("label", {}, input, element("span", {}, WORDS[show])));
+        }
+        const compare = element("label", { class: "against" }, "beside ", this.against);
+        return element("section", {}, group, compare);
+    }
+
+    private presets(room: Room): HTMLElement {
+        const group = element("div", { class: "presets", role: "group", "aria-label": "presets" });
+        for (const preset of presetsFor(room.lights)) {
+            const button = element("button", { type: "button" }, preset.name);
+            button.addEventListener("click", () => {
+                this.actions.state().settings = room.lights.map(preset.settings);
+                this.lightChanged();
+            });
+            group.append(button);
+        }
+        return element("section", {}, element("h2", {}, "Light"), group);
+    }
+
+    private lights(): HTMLElement {
+        return element(
+            "ul", { class: "lamps", "aria-label": "lights" }, ...this.rows.map((row) => row.root));
+    }
+
+    private exposure(): HTMLElement {
+        return element(
+            "section", { class: "exposure" }, element("h2", {}, "Exposure"), this.stops.input);
+    }
+
+    private moving(): HTMLElement {
+        const way = element("button", { type: "button", "aria-pressed": false }, "Orbit");
+        way.addEventListener("click", () => {
+            const isOrbit = way.getAttribute("aria-pressed") !== "true";
+            way.setAttribute("aria-pressed", String(isOrbit));
+            this.actions.setWay(isOrbit ? "orbit" : "walk");
+        });
+        const home = element("button", { type: "button" }, "Back to the start");
+        home.addEventListener("click", () => this.actions.goHome());
+        const help = element(
+            "p", { class: "help" },
+            "Drag to look, scroll or W A S D to walk, Q E down and up; click a lamp to switch it.");
+        return element(
+            "section", {}, element("h2", {}, "Move"),
+            element("div", { class: "presets" }, way, home), help);
+    }
+}

@@ -1,0 +1,79 @@
+// Pictures of a page as pixels and as textures.
+
+import * as THREE from "three";
+
+import type { Parts } from "./parts";
+import { Trouble } from "./room";
+import type { Picture } from "./room";
+
+async function bitmapOf(
+    parts: Parts,
+    picture: Picture,
+    resize: ImageBitmapOptions = {},
+): Promise<ImageBitmap> {
+    const bytes = await parts.take(picture);
+    try {
+        return await createImageBitmap(new Blob([bytes], { type: picture.type }), {
+            colorSpaceConversion: "none",
+            premultiplyAlpha: "none",
+            ...resize,
+        });
+    } catch {
+        throw new Trouble(
+            `${picture.file}.js holds no picture that can be shown; write the page again with relamp page.`,
+        );
+    }
+}
+
+/** RGBA, row 0 on top. */
+export async function pixelsOf(
+    parts: Parts,
+    picture: Picture,
+): Promise<Uint8Array<ArrayBuffer>> {
+    const bitmap = await bitmapOf(parts, picture);
+    const canvas = document.createElement("canvas");
+    canvas.width = bitmap.width;
+    canvas.height = bitmap.height;
+    const context = canvas.getContext("2d", { willReadFrequently: true });
+    if (!context) throw new Trouble("This browser draws no pictures.");
+    context.drawImage(bitmap, 0, 0);
+    bitmap.close();
+    return new Uint8Array(context.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+}
+
+const SIDE_OF_PHONE = 2048; // 4096 of several textures is more than its memory
+const WIDTH_OF_PHONE = 600; // CSS pixels of a screen's shorter side
+
+/** Pixels to which the longer side of a texture is scaled down, so that this device can hold it. */
+export function mostSide(largest: number): number {
+    const isPhone = Math.min(screen.width, screen.height) < WIDTH_OF_PHONE;
+    return isPhone ? Math.min(largest, SIDE_OF_PHONE) : largest;
+}
+
+function resizeOf({ width, height }: Picture, most: number): ImageBitmapOptions {
+    const share = most / Math.max(width, height);
+    if (share >= 1) return {};
+    return {
+        resizeWidth: Math.max(1, Math.round(width * share)),
+        resizeHeight: Math.max(1, Math.round(height * share)),
+        resizeQuality: "high",
+    };
+}
+
+/** An sRGB texture that is smooth from near and far; `most` is what the GPU takes. */
+export async function textureOf(
+    parts: Parts,
+    picture: Picture,
+    { anisotropy, most }: { anisotropy: number; most: number },
+): Promise<THREE.Texture> {
+    const texture = new THREE.Texture(
+        await bitmapOf(parts, picture, resizeOf(picture, mostSide(most))));
+    texture.colorSpace = THREE.SRGBColorSpace;
+    texture.flipY = false;
+    texture.generateMipmaps = true;
+    texture.minFilter = THREE.LinearMipmapLinearFilter;
+    texture.magFilter = THREE.LinearFilter;
+    texture.anisotropy = anisotropy;
+    texture.needsUpdate = true;
+    return texture;
+}

@@ -1,0 +1,117 @@
+// What room.js says of a room: include/relamp/page.h and docs/guide/page.md have the words.
+
+export type Rgb = [number, number, number];
+
+export interface Part {
+    file: string;
+    type: string;
+    bytes: number;
+}
+
+export interface Picture extends Part {
+    width: number;
+    height: number;
+}
+
+export interface Lightmap extends Picture {
+    scale: number; // irradiance / pi = scale (byte / 255)^4
+}
+
+export interface Box {
+    low: number[];
+    extent: number[];
+}
+
+export interface Place {
+    offset: number;
+    bytes: number;
+}
+
+export interface MeshOfRoom {
+    page: number;
+    vertices: number;
+    triangles: number;
+    box: Box;
+    uvBox: Box;
+    wrap: [string, string];
+    vertexData: Place;
+    indexData: Place;
+}
+
+export interface PageOfRoom {
+    albedo: Picture;
+    scan?: Picture;
+    shining?: Picture;
+    shiningAlbedo?: Rgb; // linear; shown in place of what a lamp hides
+}
+
+export interface Shine {
+    place: number; // of the fixture among the room's
+    radiance: Rgb;
+}
+
+export interface Light {
+    name: string;
+    kind: "lamp" | "window" | "sun" | "sky";
+    colour: Rgb;
+    fixture?: number;
+    shines: Shine[];
+    maps: Lightmap[];
+}
+
+export interface RoomCamera {
+    position: Rgb;
+    forward: Rgb;
+    up: Rgb;
+    fieldOfView: number; // rad
+    across: "width" | "height";
+}
+
+export interface Room {
+    format: string;
+    name: string;
+    geometry: Part;
+    meshes: MeshOfRoom[];
+    pages: PageOfRoom[];
+    fixtures: number;
+    exposure: number; // stops
+    camera: RoomCamera;
+    box: { low: Rgb; high: Rgb };
+    lights: Light[];
+}
+
+const FORMAT = "relamp page 1";
+
+/** What is wrong, as a sentence for whoever looks at the page. */
+export class Trouble extends Error {}
+
+/** Throws Trouble where `data` is none of a page of this format. */
+export function asRoom(data: unknown): Room {
+    const room = data as Room;
+    const isWhole =
+        typeof room === "object" &&
+        room !== null &&
+        Array.isArray(room.meshes) &&
+        Array.isArray(room.pages) &&
+        Array.isArray(room.lights) &&
+        typeof room.geometry === "object" &&
+        typeof room.camera === "object";
+    if (!isWhole) throw new Trouble("room.js is damaged; write the page again with relamp page.");
+    if (room.format !== FORMAT)
+        throw new Trouble(
+            `room.js is of another version (${room.format}); write the page again with relamp page.`,
+        );
+    return room;
+}
+
+/** All files of a room but room.js, in the order in which they are worth having. */
+export function partsOf(room: Room): Part[] {
+    const parts: Part[] = [room.geometry];
+    for (const page of room.pages) parts.push(page.albedo);
+    for (const light of room.lights) parts.push(...light.maps);
+    for (const page of room.pages) {
+        if (page.shining) parts.push(page.shining);
+        if (page.scan) parts.push(page.scan);
+    }
+    return parts;
+}

@@ -1,0 +1,131 @@
+// What of the page needs no browser; run by node's own runner after esbuild has made it JavaScript.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { blackbodyColour, luminance } from "../src/blackbody";
+import { orbited, poseOf, turned, verticalView, walked } from "../src/camera";
+import { glslFrom } from "../src/formulas";
+import { asFound, colourFromHex, presetsFor, weightOf } from "../src/light_mix";
+import { Trouble, asRoom, partsOf } from "../src/room";
+import type { Light, Rgb, RoomCamera } from "../src/room";
+import { hashOf, initialState, stateFrom } from "../src/url_state";
+import numbers from "./formulas.json";
+import { Vector3 } from "three";
+
+function near(found: number, wanted: number, by: number): void {
+    assert.ok(Math.abs(found - wanted) <= by, `${found} is not ${wanted} to ${by}`);
+}
+
+function light(kind: Light["kind"], colour: Rgb = [2, 1, 0.5]): Light {
+    return { name: kind, kind, colour, shines: [], maps: [] };
+}
+
+test("a blackbody has the colour that the program gives it", () => {
+    assert.ok(numbers.blackbody.length >= 5);
+    for (const { kelvin, colour } of numbers.blackbody)
+        blackbodyColour(kelvin).forEach((value, i) => near(value, colour[i]!, 1e-4));
+});
+
+test("a lamp as it was found is its lightmap, and half of it at half its brightness", () => {
+    assert.deepEqual(weightOf(light("lamp"), asFound()), [1, 1, 1]);
+    assert.deepEqual(weightOf(light("lamp"), { ...asFound(), share: 0.5 }), [0.5, 0.5, 0.5]);
+});
+
+test("a lamp of another colour is as bright as it was found", () => {
+    const lamp = light("lamp");
+    for (const setting of [
+        { share: 1, kelvin: 2700, colour: null },
+        { share: 1, kelvin: null, colour: "#40c0ff" },
+    ]) {
+        const weight = weightOf(lamp, setting);
+        const shown = lamp.colour.map((value, i) => value * weight[i]!) as Rgb;
+        near(luminance(shown), luminance(lamp.colour), 1e-6);
+    }
+    const red = colourFromHex("#ff0000");
+    near(luminance(red), 1, 1e-9);
+    assert.equal(red[1], 0);
+});
+
+test("a lamp without blue gives none in any colour", () => {
+    const weight = weightOf(light("lamp", [1, 1, 0]), { share: 1, kelvin: 12000, colour: null });
+    assert.ok(weight.every(Number.isFinite));
+});
+
+test("night has the lamps alone, day all but the lamps", () => {
+    const lights = [light("lamp"), light("window"), light("sky")];
+    const share = (name: string) =>
+        lights.map(presetsFor(lights).find((preset) => preset.name === name)!.settings)
+            .map((setting) => setting.share);
+    assert.deepEqual(share("Night"), [1, 0, 0]);
+    assert.deepEqual(share("Day"), [0, 1, 1]);
+    assert.deepEqual(presetsFor([light("lamp")]).map(({ name }) => name), ["As scanned", "Evening"]);
+});
+
+test("the address holds all that a person sets, and nothing of what is as at first", () => {
+    assert.equal(hashOf(initialState(3)), "");
+    const state = initialState(3);
+    state.show = "scan";
+    state.against = "albedo";
+    state.wipe = 0.25;
+    state.stops = -1.5;
+    state.settings = [
+        { share: 0, kelvin: null, colour: null },
+        { share: 0.5, kelvin: 2700, colour: null },
+        { share: 1, kelvin: null, colour: "#ff8800" },
+    ];
+    state.pose = { position: [1, 2.5, -3], yaw: 0.5, pitch: -0.25 };
+    state.hasPanel = false;
+    assert.deepEqual(stateFrom(`#${hashOf(state)}`, 3), state);
+});
+
+test("an address that means nothing is as none", () => {
+    const nonsense = "#show=cellar&against=&wipe=x&stops=NaN&light0=&light9=0&at=1,2&__proto__=1";
+    assert.deepEqual(stateFrom(nonsense, 2), initialState(2));
+    assert.equal(stateFrom("#stops=1e9&wipe=-4", 1).stops, 10);
+    assert.equal(stateFrom("#light0=-3,99K", 1).settings[0]!.share, 0);
+});
+
+const camera: RoomCamera = {
+    position: [1, 2, 3], forward: [0.6, 0, -0.8], up: [0, 1, 0], fieldOfView: 1.3, across: "width",
+};
+
+test("a visitor begins where the program's camera stands, and walks where it looks", () => {
+    const pose = poseOf(camera);
+    const ahead = walked(pose, 0, 0, 2);
+    ahead.position.forEach((value, i) =>
+        near(value, camera.position[i]! + 2 * camera.forward[i]!, 1e-9));
+    near(walked(pose, 1, 0, 0).position[0], 1 + 0.8, 1e-9);
+    assert.ok(turned(pose, 0, 9).pitch < Math.PI / 2);
+});
+
+test("the picture is as wide as the program's, and no more than that on a phone", () => {
+    near(verticalView(camera, 16 / 9), (360 / Math.PI) * Math.atan((Math.tan(0.65) * 9) / 16), 1e-9);
+    assert.ok(verticalView(camera, 0.46) < 90);
+});
+
+test("who orbits keeps his distance", () => {
+    const centre = new Vector3(0, 1, 0);
+    const from = (pose: { position: Rgb }) => new Vector3(...pose.position).distanceTo(centre);
+    const pose = poseOf(camera);
+    near(from(orbited(pose, centre, 0.4, 0.1)), from(pose), 1e-9);
+});
+
+test("a damaged room is told of in a sentence", () => {
+    for (const data of [null, 7, {}, { format: "relamp page 1" }])
+        assert.throws(() => asRoom(data), Trouble);
+    const part = { file: "a", type: "b", bytes: 1 };
+    const room = {
+        format: "relamp page 1", meshes: [], geometry: part, camera, lights: [],
+        pages: [{ albedo: { ...part, file: "albedo" } }],
+    };
+    assert.deepEqual(partsOf(asRoom(room)).map(({ file }) => file), ["a", "albedo"]);
+    assert.throws(() => asRoom({ ...room, format: "relamp page 9" }), /another version/);
+});
+
+test("a shared header becomes GLSL ES without macros", () => {
+    const glsl = glslFrom(
+        '#pragma once\n#include "base/shared.h"\nSHARED_BEGIN\nSHARED_CONST kA = 2.0f;\n' +
+        "SHARED_FN float f(float x)\n{\n    const float b = kA * x;\n    return b;\n}\nSHARED_END\n");
+    assert.equal(glsl, "const float kA = 2.0f;\n float f(float x)\n{\n    float b = kA * x;\n    return b;\n}");
+});
