@@ -20,7 +20,10 @@ constexpr size_t kChunk = size_t{1} << 16; // bytes
 
 std::filesystem::path newFolder()
 {
-    std::string name = (std::filesystem::temp_directory_path() / "relamp-XXXXXX").string();
+    std::error_code error; // and then TMPDIR, which is no folder, is what mkdtemp fails in
+    std::filesystem::path parent = std::filesystem::temp_directory_path(error);
+    if (error) parent = std::getenv("TMPDIR");
+    std::string name = (parent / "relamp-XXXXXX").string();
     if (mkdtemp(name.data()) != nullptr) return name;
     throw relamp::Error(relamp::ErrorCode::cannotWrite,
                         fmt::format("{}: cannot be made: {}; name a folder that can be written in "

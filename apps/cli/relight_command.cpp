@@ -110,9 +110,7 @@ relamp::Film filmOf(const RelightArguments& arguments, const Wish& wish)
     film.frames = picture.turntable;
     if (wish.timeline) film.timeline = &*wish.timeline;
     if (wish.timeline && !film.turns)
-        film.frames = std::clamp(
-            static_cast<int>(std::lround(wish.timeline->seconds() * film.framesPerSecond)), 1,
-            9999);
+        film.frames = relamp::framesOf(*wish.timeline, film.framesPerSecond);
     return film;
 }
 

@@ -27,9 +27,7 @@ def new_world(name: str, result: Result) -> bpy.types.World:
     world.node_tree.nodes.clear()
     build = Builder(world.node_tree)
     background = build.add("ShaderNodeBackground")
-    most = max(float(ambient.max()), 1e-9)
-    background.inputs["Color"].default_value = (*(ambient / most), 1)
-    background.inputs["Strength"].default_value = most if ambient.any() else 0
+    _send(background, ambient)
     build.link(background.outputs[0], build.add("ShaderNodeOutputWorld").inputs["Surface"])
     return world
 
@@ -62,8 +60,13 @@ def _glowing(name: str, radiance: numpy.ndarray) -> bpy.types.Material:
     material.node_tree.nodes.clear()
     build = Builder(material.node_tree)
     emission = build.add("ShaderNodeEmission")
-    most = max(float(radiance.max()), 1e-9)
-    emission.inputs["Color"].default_value = (*(radiance / most), 1)
-    emission.inputs["Strength"].default_value = most
+    _send(emission, radiance)
     build.link(emission.outputs[0], build.add("ShaderNodeOutputMaterial").inputs["Surface"])
     return material
+
+
+def _send(node: bpy.types.Node, radiance: numpy.ndarray) -> None:
+    """Sets what a Background or an Emission sends."""
+    most = float(radiance.max())
+    node.inputs["Color"].default_value = (*(radiance / most if most > 0 else radiance), 1)
+    node.inputs["Strength"].default_value = most

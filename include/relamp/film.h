@@ -22,6 +22,9 @@ struct Film
     Replacing replacing = Replacing::unchanged; // in a folder
 };
 
+/// Frames of a film as long as the timeline, 1..9999.
+RELAMP_API int framesOf(const Timeline& timeline, double framesPerSecond);
+
 /// Whether a film of this name is a video: its name ends in .mp4. Else it is a folder of pictures:
 /// a name without an ending or with a slash behind it, or a folder that is there. Throws
 /// Error(unsupported) where it is neither.

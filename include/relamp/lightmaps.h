@@ -44,7 +44,8 @@ RELAMP_API void checkLightmaps(const std::filesystem::path& folder, const Lightm
 /// irradiance / pi with all bounces and shadows; times the albedo it is what that light makes of
 /// the room. Pixels that no surface covers continue what lies next to them. Leaves the relighter
 /// under the last of the lights. `progress` is told of "lightmap 3 of 7" as a part. Throws
-/// Error(cannotWrite | cancelled), and Error(unsupported) where no light is on.
+/// Error(cannotWrite | cancelled), the first also where `folder` is the room's own, and
+/// Error(unsupported) where no light is on.
 RELAMP_API void writeLightmaps(Relighter& relighter, const Relighting& lighting,
                                const std::filesystem::path& folder,
                                const LightmapOptions& options = {},

@@ -5,8 +5,6 @@
 
 #include "relamp/film.h"
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -59,9 +57,7 @@ std::vector<std::string> writeFilm(const std::shared_ptr<Lighter>& lighter,
     std::optional<relamp::Timeline> changes;
     if (!timeline.empty()) changes.emplace(timeline, captured, notes);
     film.timeline = changes ? &*changes : nullptr;
-    if (changes && !film.turns)
-        film.frames = std::clamp(
-            static_cast<int>(std::lround(changes->seconds() * film.framesPerSecond)), 1, 9999);
+    if (changes && !film.turns) film.frames = relamp::framesOf(*changes, film.framesPerSecond);
     film.picture.sky = light.sky;
     film.picture.lamps = light.lights;
     relamp::checkFilm(film, target);

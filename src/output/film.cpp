@@ -9,6 +9,7 @@
 #include "relamp/printable.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include <fmt/format.h>
@@ -124,6 +125,12 @@ private:
 constexpr int kMeasured = 12; // frames of a film
 
 } // namespace
+
+int framesOf(const Timeline& timeline, double framesPerSecond)
+{
+    return static_cast<int>(
+        std::lround(std::clamp(timeline.seconds() * framesPerSecond, 1.0, 9999.0)));
+}
 
 bool isVideo(const std::filesystem::path& target)
 {

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cctype>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -141,6 +142,11 @@ void writeLightmaps(Relighter& relighter, const Relighting& lighting,
                     const std::filesystem::path& folder, const LightmapOptions& options,
                     Progress& progress)
 {
+    std::error_code ignored;
+    if (std::filesystem::equivalent(folder, relighter.room().folder, ignored))
+        fail(ErrorCode::cannotWrite, folder.string(),
+             "is the room's own folder, whose albedo and fixtures lightmaps would replace by files "
+             "of the same names; name another folder");
     const std::vector<LightPart> parts = partsOf(lighting, relighter);
     if (parts.empty())
         fail(ErrorCode::unsupported, folder.string(),

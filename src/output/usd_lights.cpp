@@ -84,16 +84,18 @@ UsdLights usdLightsOf(const Decomposition& room)
 
 std::vector<uint16_t> emissionBy(const FixtureMap& map, const Lights& lights)
 {
+    std::map<int32_t, glm::vec3> radianceOf;
+    for (size_t place = 0; place < lights.fixtures.size(); ++place)
+        if (lights.fixtures[place].radiance != glm::vec3(0.0f))
+            radianceOf[lights.idOf(place)] = lights.fixtures[place].radiance;
     std::vector<uint16_t> emission;
     for (size_t pixel = 0; pixel < map.id.size(); ++pixel) {
         if (map.id[pixel] < 0) continue;
-        const size_t place = lights.placeOf(map.id[pixel]);
-        if (place == lights.fixtures.size()) continue;
-        const glm::vec3 radiance = lights.fixtures[place].radiance;
-        if (radiance == glm::vec3(0.0f)) continue;
+        const auto found = radianceOf.find(map.id[pixel]);
+        if (found == radianceOf.end()) continue;
         emission.resize(3 * map.id.size());
         for (int c = 0; c < 3; ++c)
-            emission[3 * pixel + static_cast<size_t>(c)] = halfFromFloat(radiance[c]);
+            emission[3 * pixel + static_cast<size_t>(c)] = halfFromFloat(found->second[c]);
     }
     return emission;
 }

@@ -111,10 +111,7 @@ Relighting asCaptured(const Lights& captured)
     Relighting lighting = darkened(captured);
     for (size_t place = 0; place < captured.fixtures.size(); ++place)
         lighting.fixtures[place].fixture.radiance = captured.fixtures[place].radiance;
-    if (captured.sun)
-        lighting.lights.push_back({.type = LightType::sun,
-                                   .emission = captured.sun->irradiance,
-                                   .direction = -captured.sun->direction});
+    if (captured.sun) lighting.lights.push_back(asNewLight(*captured.sun));
     lighting.sky.radiance = captured.ambient;
     return lighting;
 }

@@ -126,4 +126,9 @@ glm::vec3 radianceUnder(const EmissionWish& wish, const Fixture& captured,
     return radianceFromLumens(*wish.lumens, std::max(captured.area, 1e-6f), colour, white);
 }
 
+NewLight asNewLight(const Sun& sun)
+{
+    return {.type = LightType::sun, .emission = sun.irradiance, .direction = -sun.direction};
+}
+
 } // namespace relamp

@@ -36,4 +36,7 @@ float solidAngleOfSpot(float cone, float blend);
 glm::vec3 radianceUnder(const EmissionWish& wish, const Fixture& captured,
                         const PhotometricWhite& white);
 
+/// The sun that delight found, as a light that somebody puts up.
+NewLight asNewLight(const Sun& sun);
+
 } // namespace relamp

@@ -262,8 +262,7 @@ void LightsReader::readSky(const JsonItem& top)
 {
     if (top.has("ambient")) lighting_.sky.radiance = top.lightAt("ambient");
     if (const auto sun = sunOf(top, warnings_)) // as delight writes it: where it stands
-        lighting_.lights.push_back(
-            {.type = LightType::sun, .emission = sun->irradiance, .direction = -sun->direction});
+        lighting_.lights.push_back(asNewLight(*sun));
     const std::optional<JsonItem> found = top.objectIn("sky");
     if (!found) return;
     const JsonItem& item = *found;

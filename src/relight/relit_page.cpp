@@ -3,6 +3,7 @@
 #include "base/half.h"
 #include "base/parallel.h"
 #include "image/padding.h"
+#include "scan/coarsened.h"
 
 #include <algorithm>
 
@@ -58,15 +59,11 @@ void forEachLitTexel(const Relighter::State& state, size_t p, Progress& progress
 /// Pixels of a page in blocks of `factor` along each side, fewer where the page ends.
 struct Blocks
 {
-    Blocks(const Image& page, int longestSide, bool ofVertices)
-    {
-        while (!ofVertices && longestSide > 0 &&
-               std::max(page.width, page.height) > longestSide * factor)
-            factor *= 2;
-        width = (page.width + factor - 1) / factor;
-        height = (page.height + factor - 1) / factor;
-        pageWidth = page.width;
-    }
+    Blocks(const Page& page, int longestSide)
+        : factor(longestSide > 0 ? coarseFactor(page, longestSide) : 1),
+          width((page.image.width + factor - 1) / factor),
+          height((page.image.height + factor - 1) / factor), pageWidth(page.image.width)
+    {}
 
     [[nodiscard]] size_t of(uint32_t pixel) const
     {
@@ -80,10 +77,10 @@ struct Blocks
         return static_cast<size_t>(width) * static_cast<size_t>(height);
     }
 
-    int factor = 1;
-    int width = 0;
-    int height = 0;
-    int pageWidth = 0;
+    int factor;
+    int width;
+    int height;
+    int pageWidth;
 };
 
 void storeHalf(std::span<uint16_t> rgb, size_t pixel, glm::vec3 value)
@@ -143,7 +140,7 @@ Image shadingPage(const Relighter::State& state, size_t p, int longestSide, Prog
     forEachLitTexel(state, p, progress, [&](uint32_t pixel, uint32_t, glm::vec3 shading) {
         ofPixel[pixel] = glm::max(shading, 0.0f);
     });
-    const Blocks blocks(page.image, longestSide, page.ofVertices);
+    const Blocks blocks(page, longestSide);
     std::vector<glm::vec3> sum(blocks.count(), glm::vec3(0.0f));
     std::vector<uint32_t> count(blocks.count(), 0);
     for (size_t pixel = 0; pixel < ofPixel.size(); ++pixel) {

@@ -83,7 +83,9 @@ Image shrunk(const Image& image, int factor)
 }
 
 /// How many pixels become one along each side.
-int factorFor(const Page& page, int longestSide)
+} // namespace
+
+int coarseFactor(const Page& page, int longestSide)
 {
     assert(longestSide >= 1);
     int factor = 1;
@@ -92,12 +94,10 @@ int factorFor(const Page& page, int longestSide)
     return factor;
 }
 
-} // namespace
-
 Scan coarsened(Scan scan, int longestSide)
 {
     for (Page& page : scan.pages)
-        if (const int factor = factorFor(page, longestSide); factor > 1)
+        if (const int factor = coarseFactor(page, longestSide); factor > 1)
             page.image = shrunk(page.image, factor);
     int& limit = scan.options.longestSide; // whoever reads the scan again gets the same textures
     limit = limit > 0 ? std::min(limit, longestSide) : longestSide;
@@ -108,7 +108,7 @@ Scan coarseCopyOf(const Scan& scan, int longestSide)
 {
     Scan copy{.name = scan.name, .meshes = scan.meshes};
     for (const Page& page : scan.pages) {
-        const int factor = factorFor(page, longestSide);
+        const int factor = coarseFactor(page, longestSide);
         copy.pages.push_back({.name = page.name,
                               .image = factor > 1 ? shrunk(page.image, factor) : page.image,
                               .ofVertices = page.ofVertices});

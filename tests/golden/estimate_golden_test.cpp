@@ -72,7 +72,7 @@ struct Measured
     Inspection sizes;
     size_t fixtures;
     double megabytes;
-    double coreSeconds; // busy cores: a quiet one takes two thirds
+    double coreSeconds;
 };
 
 Inspection sized(size_t texels, size_t triangles, double squareMetres,
@@ -93,9 +93,9 @@ std::vector<Measured> measuredScans()
     };
     const std::vector<PageInspection> sixteen(16, page(1024, 1024, 1831));
     return {{"a small room", sized(151969, 558, 53.8, {page(448, 448, 279)}), 3, 123, 2.27},
-            {"meeting room", sized(4916430, 27560, 121.9, {page(2048, 3840, 80)}), 11, 603, 12.38},
+            {"meeting room", sized(4916430, 27560, 121.9, {page(2048, 3840, 80)}), 11, 603, 12.3},
             {"sample, 4096 pixels", sized(8716650, 39855, 87.2, {page(4096, 4096, 1831)}), 3, 1010,
-             20.75},
+             19.9},
             {"sample, sixteen times the triangles",
              sized(545268, 637680, 87.3, {page(1024, 1024, 1831)}), 3, 488, 24.51},
             {"sixteen rooms", sized(8724224, 637680, 1396.2, sixteen), 32, 6177, 232.7}};
@@ -109,7 +109,7 @@ TEST(Estimate, IsWithinHalfOfWhatOtherScansTook)
         const Cost found = estimate(measured.sizes, measured.fixtures).delight;
         EXPECT_GT(found.bytes, 1e6 * measured.megabytes / 1.5) << measured.scan;
         EXPECT_LT(found.bytes, 1e6 * measured.megabytes * 1.5) << measured.scan;
-        EXPECT_GT(found.coreSeconds, measured.coreSeconds / 2.0) << measured.scan;
+        EXPECT_GT(found.coreSeconds, measured.coreSeconds / 1.5) << measured.scan;
         EXPECT_LT(found.coreSeconds, measured.coreSeconds) << measured.scan;
     }
 }

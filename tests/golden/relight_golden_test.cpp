@@ -141,6 +141,8 @@ TEST_F(RelightProgram, LightmapsOfLampsAddUpToTheirLight)
     };
     // A lamp that is off reflects the light of the others; one that is on does not.
     EXPECT_NEAR(psnr(sum, all, 1.0f, isPaint), 42.3, 0.5);
+    EXPECT_THAT(bake(room(), {"--per-lamp", "exr", "--force"}).err,
+                HasSubstr("the room's own folder"));
     EXPECT_THAT(bake(out("maps.exr"), {"--per-lamp", "exr"}).err, HasSubstr("a folder"));
     EXPECT_THAT(bake(out("maps.exr"), {"--side", "64"}).err, HasSubstr("--per-lamp"));
 }
