@@ -42,7 +42,7 @@ struct LampRoom
     HitLists hits;
     FoundLamps found;
     std::vector<AreaLight> areas;
-    std::vector<std::vector<AreaSample>> coarse;
+    std::vector<LampSight> coarse;
 };
 
 LampRoom& room()

@@ -107,8 +107,7 @@ void shadows(benchmark::State& state)
     const Obstacles walls(s.texels, s.scene, {}, s.radiance.isClipped);
     for (auto _ : state) {
         const auto onSides = directOfSides(s.texels, walls, source, s.transport.sides);
-        benchmark::DoNotOptimize(Shadows(s.texels, walls, source,
-                                         std::span(onSides).first(s.texels.surfels.count()), 16));
+        benchmark::DoNotOptimize(Shadows(s.texels, walls, source, onSides, 16));
     }
 }
 

@@ -43,7 +43,7 @@ struct LitWall
                 paintNoise * static_cast<double>(unit() + unit() + unit() - 1.5f) * 2.0;
             model.gathered.emplace_back(0.02f);
             model.missed.push_back(0.0f);
-            model.direct.push_back(direct);
+            model.direct.push_back({{0, direct}});
             model.shown.emplace_back(0.4f / kPi * (0.02f + kRadiance * direct) *
                                      static_cast<float>(std::exp(noise)));
         }
@@ -54,7 +54,7 @@ struct LitWall
         model.shown.emplace_back(1.0f); // the lamp, of which nothing is seen
         model.gathered.emplace_back(0.0f);
         model.missed.push_back(0.0f);
-        model.direct.push_back(0.0f);
+        model.direct.emplace_back();
         model.area.push_back(0.0f);
     }
 

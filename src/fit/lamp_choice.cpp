@@ -149,8 +149,11 @@ std::vector<size_t> LampChoice::apart(std::span<const std::vector<uint32_t>> set
     std::vector<std::vector<float>> lights;
     for (size_t k = 0; k < sets.size(); ++k) {
         std::vector<float> light(light_.model.places(), 0.0f);
+        std::vector<uint8_t> isOfSet(light_.model.pieces, 0);
+        for (const uint32_t piece : sets[k]) isOfSet[piece] = 1;
         for (size_t i = 0; i < light.size(); ++i)
-            for (const uint32_t piece : sets[k]) light[i] += light_.model.directAt(i)[piece];
+            for (const auto [piece, direct] : light_.model.direct[i])
+                if (isOfSet[piece] != 0) light[i] += direct;
         const float all = std::accumulate(light.begin(), light.end(), 0.0f);
         for (float& l : light) l /= std::max(all, kFaintest);
         const auto isApart = [&](const std::vector<float>& other) {

@@ -188,16 +188,14 @@ std::span<const MaterialPair> LampEvidence::pairs(size_t perPlace) const
 
 void LampEvidence::look(std::span<Piece> pieces, size_t fewestRays) const
 {
-    const auto samples = directOfLists(texels_, scene_, hits_, soughtOf(pieces, fewestRays),
-                                       places_, rooms_ > 1.0 ? kPlacesOfScout : 1);
-    for (size_t f = 0; f < pieces.size(); ++f) {
-        pieces[f].direct.clear();
-        for (const AreaSample& sample : samples[f]) pieces[f].direct.push_back(sample.visible);
-    }
+    std::vector<LampSight> seen =
+        directOfLists(texels_, scene_, hits_, soughtOf(pieces, fewestRays), places_,
+                      rooms_ > 1.0 ? kPlacesOfScout : 1);
+    for (size_t f = 0; f < pieces.size(); ++f) pieces[f].direct = std::move(seen[f]);
 }
 
 LightModel LampEvidence::modelOf(std::span<const Piece> pieces, const PieceSights& sights,
-                                 std::vector<float> direct)
+                                 std::vector<std::vector<DirectLight>> direct)
 {
     std::fill(field_.shines.begin(), field_.shines.end(), uint8_t{0});
     for (const Piece& piece : pieces)
@@ -213,7 +211,7 @@ LightModel LampEvidence::modelOf(std::span<const Piece> pieces, const PieceSight
     model.missed.resize(rows * model.outsides, 0.0f);
     const bool isNew = direct.empty();
     model.direct = std::move(direct);
-    model.direct.resize(rows * pieces.size(), 0.0f);
+    model.direct.resize(rows);
     const Gathered gathered = settling_.gather(field_);
     forEach(places_.size(), [&](size_t i) {
         float count = 0.0f; // around it: bounce light changes slowly, its few rays are noisy
@@ -229,11 +227,11 @@ LightModel LampEvidence::modelOf(std::span<const Piece> pieces, const PieceSight
             model.missed[i * model.outsides + part] /= count;
         model.shown[i] = field_.plain[places_[i]];
     });
-    // By blocks of places, for the two are laid out across each other.
-    forEachChunk(isNew ? places_.size() : 0, 64, [&](size_t begin, size_t end) {
-        for (size_t f = 0; f < pieces.size(); ++f)
-            for (size_t i = begin; i < end; ++i)
-                model.direct[i * pieces.size() + f] = pieces[f].direct[i];
+    forEachChunk(isNew ? places_.size() : 0, LampSight::kBlock, [&](size_t begin, size_t) {
+        for (uint32_t f = 0; f < pieces.size(); ++f)
+            pieces[f].direct.forEachOf(begin / LampSight::kBlock, [&](size_t i, AreaSample seen) {
+                if (seen.visible > 0.0f) model.direct[i].push_back({f, seen.visible});
+            });
     });
     addLightOnPieces(pieces, sights, model);
     return model;
@@ -247,17 +245,17 @@ PieceSights LampEvidence::sightsOf(std::span<const Piece> pieces) const
         sights.lists.insert(sights.lists.end(), looks.begin(), looks.end());
         sights.first.push_back(sights.lists.size());
     }
-    sights.direct.assign(pieces.size() * pieces.size(), 0.0f);
+    sights.direct.resize(pieces.size());
     if (sights.lists.empty()) return sights;
     const auto light = directOfLists(texels_, scene_, hits_, soughtOf(pieces, 1), sights.lists);
     for (size_t f = 0; f < pieces.size(); ++f)
-        for (size_t other = 0; other < pieces.size(); ++other) {
+        for (uint32_t other = 0; other < pieces.size(); ++other) {
             if (pieces[other].body == pieces[f].body) continue;
             float sum = 0.0f;
             for (size_t k = sights.first[f]; k < sights.first[f + 1]; ++k)
                 sum += light[other][k].visible;
             const auto looks = static_cast<float>(sights.first[f + 1] - sights.first[f]);
-            sights.direct[f * pieces.size() + other] = sum / std::max(looks, 1.0f);
+            if (sum > 0.0f) sights.direct[f].push_back({other, sum / looks});
         }
     return sights;
 }
@@ -281,8 +279,7 @@ void LampEvidence::addLightOnPieces(std::span<const Piece> pieces, const PieceSi
         const size_t end = sights.first[f + 1];
         if (begin == end) continue;
         model.area[f] = pieces[f].candidate.area;
-        std::copy_n(sights.direct.begin() + static_cast<ptrdiff_t>(f * model.pieces), model.pieces,
-                    model.direct.begin() + static_cast<ptrdiff_t>(place * model.pieces));
+        model.direct[place] = sights.direct[f];
         const auto per = 1.0f / static_cast<float>(end - begin);
         for (size_t k = begin; k < end; ++k) {
             model.gathered[place] += per * gathered.irradiance[k];

@@ -27,9 +27,9 @@ std::vector<uint32_t> placesToLookAt(const Surfels& surfels, const SurfelRadianc
 /// What pieces see of each other, from some of each one's surfels.
 struct PieceSights
 {
-    std::vector<uint32_t> lists;  // that they look by: fronts
-    std::vector<size_t> first{0}; // of each piece in `lists`, and one more
-    std::vector<float> direct;    // [piece][other]: the other's light, mean over the lists
+    std::vector<uint32_t> lists;                  // that they look by: fronts
+    std::vector<size_t> first{0};                 // of each piece in `lists`, and one more
+    std::vector<std::vector<DirectLight>> direct; // on each by others, mean over its lists
 };
 
 /// What a scan tells of the lamps in it, whichever these are: places all over its surfaces with
@@ -82,7 +82,7 @@ public:
     /// The light of all of these, emit they or reflect, at places and on the pieces. `direct`: that
     /// of their model of before, if what they do at places has not changed since.
     [[nodiscard]] LightModel modelOf(std::span<const Piece> pieces, const PieceSights& sights,
-                                     std::vector<float> direct = {});
+                                     std::vector<std::vector<DirectLight>> direct = {});
     /// Lets burnt-out walls and backs settle in the light of these lamps, and fills in their
     /// `onSides`. Returns their light.
     LitSides settle(std::span<Piece> lamps, const OutsideLight& outside);

@@ -54,7 +54,7 @@ TEST(LampEvidence, PlacesShowTheLightOfTheirLampsAndWalls)
     std::vector<float> albedo;
     for (size_t i = 0; i < model.places(); ++i)
         albedo.push_back(kPi * model.shown[i].g /
-                         (model.gathered[i].g + LitRoom::kLampRadiance.g * model.direct[i]));
+                         (model.gathered[i].g + LitRoom::kLampRadiance.g * model.directAt(i, 0)));
     const auto middle = albedo.begin() + static_cast<ptrdiff_t>(albedo.size() / 2);
     std::nth_element(albedo.begin(), middle, albedo.end());
     EXPECT_NEAR(*middle, 0.42f, 0.03f); // most of the room is wall
@@ -87,10 +87,10 @@ TEST(LampEvidence, PiecesLightEachOtherAndNotThemselves)
     const AreaSample light =
         sampleAreaLight(told.room.rays, AreaLight(panel.patches), LitRoom::kSheetCentre,
                         glm::vec3(1.0f, 0.0f, 0.0f), 1024, 0.5f);
-    EXPECT_NEAR(model.directAt(model.placeOf(1))[0] / light.visible, 1.0f, 0.2f);
-    EXPECT_GT(model.directAt(model.placeOf(0))[1], 0.0f);
+    EXPECT_NEAR(model.directAt(model.placeOf(1), 0) / light.visible, 1.0f, 0.2f);
+    EXPECT_GT(model.directAt(model.placeOf(0), 1), 0.0f);
     for (size_t f = 0; f < 2; ++f) {
-        EXPECT_EQ(model.directAt(model.placeOf(f))[f], 0.0f);
+        EXPECT_EQ(model.directAt(model.placeOf(f), f), 0.0f);
         EXPECT_GT(model.gathered[model.placeOf(f)].g, 0.0f);
         EXPECT_GT(model.shown[model.placeOf(f)].r, 0.97f); // burnt out
     }

@@ -300,7 +300,8 @@ void LampSearch::findColors()
 void LampSearch::letSunIn(const LitSides& sides)
 {
     FoundLamps known;
-    for (const Piece& piece : lamps()) known.lamps.push_back({.patches = piece.candidate.patches});
+    for (size_t f = 0; f < pieces_.size(); ++f)
+        if (emits_[f] != 0) known.lamps.push_back({.patches = pieces_[f].candidate.patches});
     auto outside =
         std::make_shared<const RayScene>(sceneWithoutPanes(texels_, evidence_.radiance(), known));
     std::vector<uint32_t> all(pieces_.size());

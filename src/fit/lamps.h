@@ -11,6 +11,7 @@
 #include "scan/split_surfels.h"
 #include "shading/hit_lists.h"
 #include "shading/lamp_powers.h"
+#include "shading/lamp_sight.h"
 #include "shading/lit_sides.h"
 
 #include <cstdint>
@@ -28,8 +29,8 @@ namespace relamp
 struct FoundLamp
 {
     std::vector<ClippedPatch> patches;
-    glm::vec3 logError{0.0f};          // standard error of log power
-    std::vector<AreaSample> onSides{}; // at radiance 1, one a hit list; empty: not looked at
+    glm::vec3 logError{0.0f};     // standard error of log power
+    LampSight onSides{};          // by hit lists; empty: not looked at
     bool isSunlit = false;        // no lamp but a burnt-out patch of sun, which lights the room
     bool isDetermined = true;     // false: it lights too little that is seen to tell how bright
     std::vector<uint32_t> ends{}; // of each single lamp in `patches`; empty: it is one
@@ -41,7 +42,7 @@ struct FoundSun
 {
     Sun sun;
     std::shared_ptr<const RayScene> outside; // what stands before it
-    std::vector<AreaSample> onSides;         // at radiance 1, one a hit list
+    LampSight onSides;                       // by hit lists
     TexelMarks inShade{};                    // see markShade
 };
 

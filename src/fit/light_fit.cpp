@@ -43,9 +43,8 @@ LightFit::LightFit(const LightModel& model, std::span<const MaterialPair> pairs,
         const double light =
             std::max(static_cast<double>(kPi) * std::exp(logShown_[i]), kLeastIrradiance);
         const double share = 1.0 / (light * static_cast<double>(model.places()));
-        const std::span<const float> direct = model.directAt(i);
-        for (size_t f = 0; f < model.pieces; ++f)
-            whiteShare_[f] += share * static_cast<double>(direct[f]);
+        for (const auto [f, direct] : model.direct[i])
+            whiteShare_[f] += share * static_cast<double>(direct);
     }
     const auto end = logShown_.begin() + static_cast<ptrdiff_t>(model.places());
     outside_ = medianOfAll({logShown_.begin(), end}) + std::log(kOutside);

@@ -27,7 +27,7 @@ struct HalfLitFloor
     {
         for (int i = 0; i < 64; ++i) {
             const float lit = i < 32 ? 0.1f + 0.01f * static_cast<float>(i) : 0.0f;
-            model.direct.insert(model.direct.end(), {lit, lit, 0.0f});
+            model.direct.push_back({{0, lit}, {1, lit}});
             model.gathered.emplace_back(0.2f);
             model.missed.push_back(0.0f);
             model.shown.emplace_back(0.35f / kPi * (0.2f + 10.0f * lit));
@@ -106,8 +106,8 @@ struct LitFloor
             const float falloff = 0.02f + 0.001f * static_cast<float>(i % 15);
             const float ofLeft = i < 45 ? falloff : 0.0f;
             const float ofMiddle = i >= 30 && i < 60 ? falloff : 0.0f;
-            model.direct.insert(model.direct.end(),
-                                {ofLeft, ofMiddle, i >= 60 ? falloff : 0.0f, 0.0f});
+            model.direct.push_back(
+                {{left, ofLeft}, {middle, ofMiddle}, {right, i >= 60 ? falloff : 0.0f}});
             model.gathered.emplace_back(0.2f);
             model.missed.push_back(0.0f);
             model.shown.emplace_back(

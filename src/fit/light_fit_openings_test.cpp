@@ -21,6 +21,7 @@ LightModel placesBeside(float holes, float opening)
         const float gathered = 0.2f + 0.6f * random.next();
         const float missed[2] = {0.1f * random.next(), random.next()};
         const float all = gathered + holes * missed[0] + opening * missed[1];
+        model.direct.emplace_back();
         model.gathered.emplace_back(gathered);
         model.missed.insert(model.missed.end(), missed, missed + 2);
         model.shown.emplace_back(0.4f / kPi * all);

@@ -142,11 +142,11 @@ TEST(LightFit, ChannelThatTheDataLeaveOpenIsNearTheLuminance)
     Floor floor({{400, 300, 200}}, 0.0f, 0.0f);
     Numbers random;
     for (size_t i = 0; i < Floor::kPlaces; ++i) {
-        const glm::vec3 light = floor.truth[0] * floor.model.direct[i];
+        const glm::vec3 light = floor.truth[0] * floor.model.directAt(i, 0);
         if (i % 80 > 1) {
             const glm::vec3 rest = floor.model.gathered[i] + floor.outside * floor.model.missed[i];
             floor.model.shown[i] *= rest / (rest + light);
-            floor.model.direct[i] = 0.0f;
+            floor.model.direct[i].clear();
         }
         floor.model.shown[i].b *= std::exp(3.0f * random.normal());
     }
@@ -170,7 +170,8 @@ TEST(LightFit, ManySmallLampsAreNotHeldAtWhite)
 {
     constexpr float kSmaller = 100.0f;
     Floor floor(std::vector<glm::vec3>(24, {4.0f, 3.5f, 3.0f}), 0.02f, 0.0f);
-    for (float& direct : floor.model.direct) direct /= kSmaller;
+    for (std::vector<DirectLight>& ofPlace : floor.model.direct)
+        for (DirectLight& direct : ofPlace) direct.irradiance /= kSmaller;
     const LightEstimate light = floor.solve();
     for (size_t f = 0; f < 24; ++f)
         expectNear(light.log[f], floor.truthOf(f) + std::log(kSmaller), 0.2);
@@ -188,8 +189,9 @@ TEST(LightFit, LevelOfARoomIsHeldWhereLampsOutshineWhatIsGathered)
     for (uint32_t i = 0; i < 800; ++i) {
         model.gathered.emplace_back(1e-4f);
         model.missed.push_back(0.0f);
-        model.direct.push_back(random.between(0.05f, 0.2f));
-        model.shown.emplace_back(kAlbedo / kPi * kLamp * model.direct.back());
+        const float direct = random.between(0.05f, 0.2f);
+        model.direct.push_back({{0, direct}});
+        model.shown.emplace_back(kAlbedo / kPi * kLamp * direct);
         for (const uint32_t step : {1u, 5u, 9u}) pairs.push_back({i, (i + step) % 800});
     }
     addPieces(model);
@@ -225,7 +227,7 @@ TEST(LightFit, PaintOfAWallThatLightsTheRoomIsFound)
         const size_t place = floor.model.placeOf(1);
         const glm::vec3 sent = albedo / kPi * (floor.model.gathered[place] + 1.5f * floor.truth[0]);
         for (size_t i = 0; i < Floor::kPlaces; ++i) {
-            const std::span<const float> direct = floor.model.directAt(i);
+            const float direct[] = {floor.model.directAt(i, 0), floor.model.directAt(i, 1)};
             const glm::vec3 rest = floor.model.gathered[i] + floor.outside * floor.model.missed[i] +
                                    floor.truth[0] * direct[0];
             floor.model.shown[i] *= (rest + sent * direct[1]) / (rest + floor.truth[1] * direct[1]);
@@ -351,7 +353,7 @@ struct DarkCorners
             model.shown.emplace_back(0.35f / kPi * (gathered + 40.0f * direct));
             model.gathered.emplace_back(gathered + (isDark ? stray : 0.0f));
             model.missed.push_back(0.0f);
-            model.direct.push_back(direct);
+            model.direct.push_back({{0, direct}});
         }
         for (size_t i = 0; i < 8 * kPlaces; ++i)
             pairs.push_back({static_cast<uint32_t>(random.between(0, kPlaces - 1)),

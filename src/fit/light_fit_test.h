@@ -45,7 +45,7 @@ inline void addPieces(LightModel& model)
     model.shown.insert(model.shown.end(), model.pieces, glm::vec3(1.0f));
     model.gathered.insert(model.gathered.end(), model.pieces, glm::vec3(0.0f));
     model.missed.insert(model.missed.end(), model.pieces, 0.0f);
-    model.direct.insert(model.direct.end(), model.pieces * model.pieces, 0.0f);
+    model.direct.resize(model.shown.size());
     model.area.assign(model.pieces, 0.0f);
 }
 
@@ -109,11 +109,13 @@ inline Floor::Floor(std::vector<glm::vec3> lamps, float noise, float outliers)
         model.gathered.push_back(irradiance);
         model.missed.push_back(place.x < 2.0f ? random.between(0.0f, 0.4f) : 0.0f);
         irradiance += outside * model.missed.back();
-        for (size_t f = 0; f < truth.size(); ++f) {
+        std::vector<DirectLight>& ofPlace = model.direct.emplace_back();
+        for (uint32_t f = 0; f < truth.size(); ++f) {
             const float squared = 4.0f + glm::dot(place - under[f], place - under[f]);
             const bool isShadow = truth[f].g <= 0.0f || random.between(0, 1) < 0.3f;
-            model.direct.push_back(isShadow ? 0.0f : 0.1f * 4.0f / (squared * squared));
-            irradiance += truth[f] * model.direct.back();
+            if (isShadow) continue;
+            ofPlace.push_back({f, 0.1f * 4.0f / (squared * squared)});
+            irradiance += truth[f] * ofPlace.back().irradiance;
         }
         const float albedo = (i % 2 == 0 ? 0.5f : 0.25f) * std::exp(noise * random.normal());
         model.shown.push_back(albedo * irradiance / kPi);
@@ -130,11 +132,10 @@ inline Floor::Floor(std::vector<glm::vec3> lamps, float noise, float outliers)
 inline void Floor::darken(size_t lamp)
 {
     for (size_t i = 0; i < model.places(); ++i) {
-        float& direct = model.direct[i * model.pieces + lamp];
         glm::vec3 irradiance = model.gathered[i] + outside * model.missed[i];
-        for (size_t f = 0; f < model.pieces; ++f) irradiance += truth[f] * model.directAt(i)[f];
-        model.shown[i] *= (irradiance - truth[lamp] * direct) / irradiance;
-        direct = 0.0f;
+        for (const auto [f, direct] : model.direct[i]) irradiance += truth[f] * direct;
+        model.shown[i] *= (irradiance - truth[lamp] * model.directAt(i, lamp)) / irradiance;
+        std::erase_if(model.direct[i], [&](DirectLight light) { return light.piece == lamp; });
     }
 }
 
@@ -143,7 +144,7 @@ inline void Floor::burnOut(size_t wall, size_t lamp, float direct)
     const size_t place = model.placeOf(wall);
     model.area[wall] = 0.1f;
     model.gathered[place] = glm::vec3(0.2f);
-    model.direct[place * model.pieces + lamp] = direct;
+    model.direct[place] = {{static_cast<uint32_t>(lamp), direct}};
 }
 
 } // namespace relamp

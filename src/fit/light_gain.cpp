@@ -9,10 +9,14 @@ namespace relamp
 
 LightGain::LightGain(const LightFit& fit, const LightEstimate& estimate)
     : fit_(fit), radiance_(exponentials(estimate.log)),
-      light_(fit.irradiance(radiance_, 0, fit.model_.places())), logAlbedo_(light_.size())
+      light_(fit.irradiance(radiance_, 0, fit.model_.places())), logAlbedo_(light_.size()),
+      lit_(fit.model_.pieces)
 {
     for (size_t i = 0; i < light_.size(); ++i)
         logAlbedo_[i] = fit.logShown_[i] - std::log(light_[i]);
+    for (uint32_t i = 0; i < light_.size(); ++i)
+        for (const auto [f, direct] : fit.model_.direct[i])
+            if (direct > 0.0f) lit_[f].push_back({i, direct});
 }
 
 /// Only the places that it lights change, and the pairs that they are in.
@@ -22,13 +26,11 @@ double LightGain::of(size_t piece, double& best) const
     constexpr int kTried = 6; // radiances, each thrice the last
 
     const double was = radiance_[piece];
-    std::vector<uint32_t> lit;
     std::vector<uint8_t> isLit(light_.size(), 0);
     double share = 0.0;
-    for (uint32_t i = 0; i < light_.size(); ++i) {
-        const auto direct = static_cast<double>(fit_.model_.directAt(i)[piece]);
-        if (direct <= 0.0) continue;
-        lit.push_back(i);
+    for (const LitPlace place : lit_[piece]) {
+        const auto direct = static_cast<double>(place.direct);
+        const uint32_t i = place.place;
         isLit[i] = 1;
         share += direct / (light_[i] - was * direct);
     }
@@ -39,10 +41,9 @@ double LightGain::of(size_t piece, double& best) const
     std::vector<double> logAlbedo = logAlbedo_;
     const auto residual = [&](MaterialPair pair) { return logAlbedo[pair.p] - logAlbedo[pair.q]; };
     const auto nats = [&](double r) {
-        for (const uint32_t i : lit) {
-            const auto direct = static_cast<double>(fit_.model_.directAt(i)[piece]);
-            logAlbedo[i] = fit_.logShown_[i] - std::log(light_[i] + (r - was) * direct);
-        }
+        for (const auto [i, direct] : lit_[piece])
+            logAlbedo[i] =
+                fit_.logShown_[i] - std::log(light_[i] + (r - was) * static_cast<double>(direct));
         SumOfLogs sum;
         for (const size_t k : changed) {
             const double off = residual(fit_.pairs_[k]);

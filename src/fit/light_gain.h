@@ -20,10 +20,17 @@ public:
     [[nodiscard]] double of(size_t piece, double& log) const;
 
 private:
+    struct LitPlace
+    {
+        uint32_t place;
+        float direct; // > 0
+    };
+
     const LightFit& fit_;
-    std::vector<double> radiance_;  // of pieces, then of parts outside
-    std::vector<double> light_;     // irradiance of places
-    std::vector<double> logAlbedo_; // likewise
+    std::vector<double> radiance_;           // of pieces, then of parts outside
+    std::vector<double> light_;              // irradiance of places
+    std::vector<double> logAlbedo_;          // likewise
+    std::vector<std::vector<LitPlace>> lit_; // by each piece
 };
 
 } // namespace relamp

@@ -18,13 +18,11 @@ std::vector<uint32_t> orderOf(const LightModel& model)
 {
     std::vector<double> sum(model.pieces, 0.0);
     std::vector<double> weighed(model.pieces, 0.0);
-    for (size_t i = 0; i < model.places(); ++i) {
-        const std::span<const float> direct = model.directAt(i);
-        for (size_t f = 0; f < model.pieces; ++f) {
-            sum[f] += static_cast<double>(direct[f]);
-            weighed[f] += static_cast<double>(direct[f]) * static_cast<double>(i);
+    for (size_t i = 0; i < model.places(); ++i)
+        for (const auto [f, direct] : model.direct[i]) {
+            sum[f] += static_cast<double>(direct);
+            weighed[f] += static_cast<double>(direct) * static_cast<double>(i);
         }
-    }
     std::vector<double> mean(model.pieces, 0.0);
     for (size_t f = 0; f < model.pieces; ++f)
         if (sum[f] > 0.0) mean[f] = weighed[f] / sum[f];
@@ -33,6 +31,17 @@ std::vector<uint32_t> orderOf(const LightModel& model)
     std::stable_sort(order.begin(), order.end(),
                      [&](uint32_t a, uint32_t b) { return mean[a] < mean[b]; });
     return order;
+}
+
+PackedRows rowsOf(const LightModel& model, std::span<const uint32_t> order)
+{
+    std::vector<uint32_t> columns(order.size());
+    for (uint32_t k = 0; k < order.size(); ++k) columns[order[k]] = k;
+    return {model.shown.size(), model.pieces + model.outsides, [&](size_t i, std::span<float> row) {
+                for (const auto [f, direct] : model.direct[i]) row[columns[f]] = direct;
+                std::ranges::copy(model.missedAt(i),
+                                  row.begin() + static_cast<ptrdiff_t>(model.pieces));
+            }};
 }
 
 struct LightArgs
@@ -67,13 +76,7 @@ void lightKernel(const LightArgs& args)
 } // namespace
 
 PackedLight::PackedLight(const LightModel& model)
-    : order(orderOf(model)),
-      rows(model.shown.size(), model.pieces + model.outsides, [&](size_t i, std::span<float> row) {
-          const std::span<const float> direct = model.directAt(i);
-          std::transform(order.begin(), order.end(), row.begin(),
-                         [&](uint32_t piece) { return direct[piece]; });
-          std::ranges::copy(model.missedAt(i), row.begin() + static_cast<ptrdiff_t>(model.pieces));
-      })
+    : order(orderOf(model)), rows(rowsOf(model, order))
 {}
 
 void PackedLight::add(std::span<const double> radiance, size_t first,

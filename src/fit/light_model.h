@@ -3,6 +3,7 @@
 #include "base/radiometry.shared.h"
 #include "fit/packed_rows.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,6 +12,15 @@
 
 namespace relamp
 {
+
+/// What a piece sends straight to a place: irradiance at radiance 1.
+struct DirectLight
+{
+    uint32_t piece;
+    float irradiance;
+
+    bool operator==(const DirectLight&) const = default;
+};
 
 /// What is fixed of a room's light once rays are cast. At places of the scan, and on the pieces
 /// themselves, the irradiance is
@@ -25,8 +35,9 @@ struct LightModel
                                // scan for a part of what lies outside, at radiance 1
     size_t outsides = 1;       // parts; the first are small holes
     size_t roomsOfHoles = 1; // of which small holes are a part by themselves; the others come last
-    std::vector<float> direct;       // [place * pieces + piece]: irradiance of it at radiance 1
-    std::vector<float> area;         // of pieces, m^2; 0: nothing of it was seen
+    std::vector<std::vector<DirectLight>> direct; // of places, by ascending piece; of a house it
+                                                  // is a place's own room that lights it
+    std::vector<float> area;                      // of pieces, m^2; 0: nothing of it was seen
     std::vector<float> coloured;     // of pieces, share that some channel is not burnt out in: its
                                      // radiance is seen there; empty: none is
     double rooms = 1.0;              // that its places are as much as, >= 1
@@ -42,9 +53,10 @@ struct LightModel
     {
         return {missed.data() + place * outsides, outsides};
     }
-    [[nodiscard]] std::span<const float> directAt(size_t place) const
+    [[nodiscard]] float directAt(size_t place, size_t piece) const
     {
-        return {direct.data() + place * pieces, pieces};
+        const auto found = std::ranges::lower_bound(direct[place], piece, {}, &DirectLight::piece);
+        return found != direct[place].end() && found->piece == piece ? found->irradiance : 0.0f;
     }
 };
 

@@ -45,7 +45,7 @@ void add(const Piece& piece, Piece& whole)
     std::vector<ClippedPatch> patches = std::move(whole.candidate.patches);
     patches.insert(patches.end(), piece.candidate.patches.begin(), piece.candidate.patches.end());
     whole.candidate = candidateOf(std::move(patches));
-    for (size_t i = 0; i < whole.direct.size(); ++i) whole.direct[i] += piece.direct[i];
+    whole.direct.add(piece.direct);
 }
 
 /// Whether two are burnt out all around, and of one size: globes of one model. A wall is burnt out

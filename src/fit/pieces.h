@@ -4,7 +4,7 @@
 #include "lights/area_light.h"
 #include "lights/candidates.h"
 #include "scan/rays.h"
-#include "shading/area_direct.h"
+#include "shading/lamp_sight.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,13 +19,13 @@ namespace relamp
 struct Piece
 {
     Candidate candidate;
-    std::vector<uint32_t> ends{};      // see LampGroup; empty: it is one lamp
-    bool isGiven = false;              // a person says that it shines
-    size_t body = 0;                   // of the same number: two sides of one lamp
-    bool isUnseen = false;             // its far side, not scanned
-    bool isOpening = false;            // nothing that was scanned: see HitLists::squares
-    std::vector<float> direct{};       // irradiance at radiance 1, one a place
-    std::vector<AreaSample> onSides{}; // the same, one a hit list
+    std::vector<uint32_t> ends{}; // see LampGroup; empty: it is one lamp
+    bool isGiven = false;         // a person says that it shines
+    size_t body = 0;              // of the same number: two sides of one lamp
+    bool isUnseen = false;        // its far side, not scanned
+    bool isOpening = false;       // nothing that was scanned: see HitLists::squares
+    LampSight direct{};           // what places see of it
+    LampSight onSides{};          // likewise hit lists
     glm::vec3 radiance{1.0f};
     float error = 0.0f; // standard error of log radiance
 

@@ -23,7 +23,7 @@ Piece panelAt(float x, float radiance, size_t body)
         patches.push_back({{x + step, 2.5f, 0.25f}, kDown, 0.125f, 0});
     return {.candidate = candidateOf(std::move(patches)),
             .body = body,
-            .direct = {0.2f, 0.0f, 0.1f, 0.0f},
+            .direct = LampSight(std::vector<AreaSample>{{0.2f, 0.2f}, {}, {0.1f, 0.1f}, {}}),
             .radiance = glm::vec3(radiance)};
 }
 
@@ -71,7 +71,7 @@ TEST(Pieces, ThatTouchAndAreAboutEquallyBrightAreOneLamp)
     ASSERT_EQ(pieces.size(), 3u); // the third touches, and is too bright; the fourth is far away
     EXPECT_FLOAT_EQ(pieces[0].candidate.area, 0.5f);
     EXPECT_FLOAT_EQ(pieces[0].candidate.centre.x, 0.5f);
-    EXPECT_FLOAT_EQ(pieces[0].direct[0], 0.4f);
+    EXPECT_FLOAT_EQ(pieces[0].direct[0].visible, 0.4f);
     EXPECT_TRUE(pieces[0].isGiven);
     EXPECT_FLOAT_EQ(pieces[1].radiance.g, 100.0f);
 }

@@ -42,9 +42,8 @@ Rooms roomsOfParts(const FittedLight& house, std::span<const uint8_t> roomOfPlac
     std::vector<double> byPiece(rooms.count * model.pieces, 0.0);
     std::vector<double> byOutside(rooms.count * model.outsides, 0.0);
     for (size_t i = 0; i < rooms.ofPlace.size(); ++i) {
-        for (size_t f = 0; f < model.pieces; ++f)
-            byPiece[rooms.ofPlace[i] * model.pieces + f] +=
-                static_cast<double>(model.directAt(i)[f]);
+        for (const auto [f, direct] : model.direct[i])
+            byPiece[rooms.ofPlace[i] * model.pieces + f] += static_cast<double>(direct);
         for (size_t o = 0; o < model.outsides; ++o)
             byOutside[rooms.ofPlace[i] * model.outsides + o] +=
                 static_cast<double>(model.missedAt(i)[o]);
@@ -73,18 +72,24 @@ std::vector<Value> picked(const std::vector<Value>& all, std::span<const uint32_
     return some;
 }
 
-/// A place of the house, or the place of a piece, as one of the room.
-void addPlace(const FittedLight& house, size_t place, std::span<const uint32_t> pieces,
+constexpr uint32_t kOfAnother = ~0u; // room's piece
+
+/// A place of the house, or the place of a piece, as one of the room. `numbers`: its own of pieces
+/// of the house; `sent`: what these send.
+void addPlace(const FittedLight& house, size_t place, std::span<const uint32_t> numbers,
               std::span<const double> sent, LightModel& model)
 {
-    const std::span<const float> direct = house.model.directAt(place);
+    std::vector<DirectLight>& own = model.direct.emplace_back();
     double elsewhere = 0.0; // by pieces that are not the room's
-    for (size_t f = 0; f < sent.size(); ++f) elsewhere += sent[f] * static_cast<double>(direct[f]);
+    for (const auto [f, direct] : house.model.direct[place])
+        if (numbers[f] != kOfAnother)
+            own.push_back({numbers[f], direct});
+        else
+            elsewhere += sent[f] * static_cast<double>(direct);
     model.shown.push_back(house.model.shown[place]);
     model.gathered.push_back(house.model.gathered[place] +
                              glm::vec3(static_cast<float>(elsewhere)));
     for (const float missed : house.model.missedAt(place)) model.missed.push_back(missed);
-    for (const uint32_t f : pieces) model.direct.push_back(direct[f]);
 }
 
 LightModel modelOf(const FittedLight& house, const RoomLight& room)
@@ -99,14 +104,12 @@ LightModel modelOf(const FittedLight& house, const RoomLight& room)
                      .coloured = picked(whole.coloured, room.pieces),
                      .rooms = std::max(1.0, share * whole.rooms),
                      .isBurntOut = picked(whole.isBurntOut, room.places)};
+    std::vector<uint32_t> numbers(whole.pieces, kOfAnother);
+    for (uint32_t f = 0; f < room.pieces.size(); ++f) numbers[room.pieces[f]] = f;
     std::vector<double> sent;
-    if (room.pieces.size() < whole.pieces) {
-        for (size_t f = 0; f < whole.pieces; ++f) sent.push_back(std::exp(house.log[f]));
-        for (const uint32_t f : room.pieces) sent[f] = 0.0;
-    }
-    for (const uint32_t place : room.places) addPlace(house, place, room.pieces, sent, model);
-    for (const uint32_t f : room.pieces)
-        addPlace(house, whole.placeOf(f), room.pieces, sent, model);
+    for (size_t f = 0; f < whole.pieces; ++f) sent.push_back(std::exp(house.log[f]));
+    for (const uint32_t place : room.places) addPlace(house, place, numbers, sent, model);
+    for (const uint32_t f : room.pieces) addPlace(house, whole.placeOf(f), numbers, sent, model);
     return model;
 }
 
@@ -175,8 +178,8 @@ std::vector<double> RoomLight::shares() const
     PackedLight(model).add(radiance, 0, light);
     std::vector<double> shares(model.pieces, 0.0);
     for (size_t i = 0; i < model.places(); ++i)
-        for (size_t f = 0; f < shares.size(); ++f)
-            shares[f] += static_cast<double>(model.directAt(i)[f]) * radiance[f] / light[i];
+        for (const auto [f, direct] : model.direct[i])
+            shares[f] += static_cast<double>(direct) * radiance[f] / light[i];
     for (double& share : shares) share /= static_cast<double>(std::max<size_t>(model.places(), 1));
     return shares;
 }

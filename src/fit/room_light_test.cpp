@@ -39,12 +39,13 @@ struct House
             const float through = room == kFar && x < 0.5f ? 0.05f : 0.0f;
             roomOfPlace.push_back(room);
             position.emplace_back(x + (room == kFar ? 5.0f : 0.0f), 0.0f, 0.0f);
-            model.direct.push_back(room == 0 ? own : through);
-            model.direct.push_back(room == 0 ? 0.0f : own);
+            const float ofFirst = room == 0 ? own : through;
+            const float ofSecond = room == 0 ? 0.0f : own;
+            model.direct.push_back({{0, ofFirst}, {1, ofSecond}});
             model.gathered.emplace_back(0.4f);
             model.missed.push_back(room == 0 ? 0.2f : 0.1f);
-            const float light = 0.4f + std::exp(-1.0f) * model.missed.back() +
-                                30.0f * model.direct[2 * i] + 50.0f * model.direct[2 * i + 1];
+            const float light =
+                0.4f + std::exp(-1.0f) * model.missed.back() + 30.0f * ofFirst + 50.0f * ofSecond;
             model.shown.emplace_back(0.5f / kPi * light);
         }
         texture = model.shown;
@@ -93,9 +94,9 @@ TEST(RoomLight, WhatOtherRoomsSendIsGathered)
         for (size_t i = 0; i < room.places.size(); ++i) {
             const size_t place = room.places[i];
             const float sent =
-                std::exp(static_cast<float>(room.log[0])) * room.model.directAt(i)[0];
-            const float all = 0.4f + 30.0f * house.model.directAt(place)[0] +
-                              50.0f * house.model.directAt(place)[1];
+                std::exp(static_cast<float>(room.log[0])) * room.model.directAt(i, 0);
+            const float all = 0.4f + 30.0f * house.model.directAt(place, 0) +
+                              50.0f * house.model.directAt(place, 1);
             EXPECT_NEAR(room.model.gathered[i].g + sent, all, 1e-4f);
             EXPECT_EQ(room.position[i], house.position[place]);
         }
@@ -131,7 +132,7 @@ TEST(RoomLight, SharesAreOfAllLightThatPlacesGet)
     ASSERT_EQ(rooms.size(), 1u);
     double expected = 0.0;
     for (size_t i = 0; i < 2 * House::kPlaces; ++i) {
-        const float own = 30.0f * house.model.directAt(i)[0];
+        const float own = 30.0f * house.model.directAt(i, 0);
         expected += static_cast<double>(own / (kPi / 0.5f * house.texture[i].g));
     }
     const std::vector<double> shares = rooms.front().shares();

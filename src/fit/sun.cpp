@@ -39,7 +39,7 @@ std::optional<Ray> rayToSun(glm::vec3 place, glm::vec3 normal, glm::vec3 towards
 }
 
 TexelMarks markShade(const Sun& sun, const Texels& texels, const SurfelRadiance& radiance,
-                     const LitSides& sides, std::span<AreaSample> onSides)
+                     const LitSides& sides, LampSight& onSides)
 {
     const float brightness = luminance(sunRadiance(sun));
     std::vector<uint8_t> isPlainShaded(radiance.plain.size(), 0);
@@ -48,11 +48,13 @@ TexelMarks markShade(const Sun& sun, const Texels& texels, const SurfelRadiance&
         if (plain <= 0.0f) continue;
         const float sent = kPi * luminance(radiance.plain[s]);
         const float without = luminance(sides.direct[s] + sides.gathered.irradiance[s]);
-        const float with = without + brightness * onSides[s].open;
+        AreaSample seen = onSides[s];
+        const float with = without + brightness * seen.open;
         const bool isPaintWithout = sent >= kBlackest * without && sent < without;
         if (sent >= kBlackest * with || !isPaintWithout) continue; // black paint is black anyway
         isPlainShaded[s] = 1;
-        onSides[s].visible *= 1.0f - plain / (plain + radiance.clippedArea[s]);
+        seen.visible *= 1.0f - plain / (plain + radiance.clippedArea[s]);
+        if (seen.open > 0.0f) onSides.set(s, seen);
     }
     TexelMarks marks;
     for (size_t p = 0; p < texels.pages.size(); ++p) {

@@ -34,6 +34,6 @@ std::optional<Ray> rayToSun(glm::vec3 place, glm::vec3 normal, glm::vec3 towards
 /// little wider than it was, and what stands outside is not in the scan. `sides` is the light
 /// without the sun; `onSides`, what each hit list sees of the sun, loses as much.
 TexelMarks markShade(const Sun& sun, const Texels& texels, const SurfelRadiance& radiance,
-                     const LitSides& sides, std::span<AreaSample> onSides);
+                     const LitSides& sides, LampSight& onSides);
 
 } // namespace relamp

@@ -43,8 +43,7 @@ std::vector<uint32_t> aroundOf(const Cells& cells, const Cell& cell)
 
 } // namespace
 
-SunRim::SunRim(const Texels& texels, const SurfelRadiance& radiance,
-               std::span<const AreaSample> onSides)
+SunRim::SunRim(const Texels& texels, const SurfelRadiance& radiance, const LampSight& onSides)
 {
     const Surfels& surfels = texels.surfels;
     Cells lit;

@@ -3,7 +3,7 @@
 #include "fit/light_model.h"
 #include "lights/surfel_radiance.h"
 #include "scan/texels.h"
-#include "shading/area_direct.h"
+#include "shading/lamp_sight.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,8 +19,7 @@ class SunRim
 {
 public:
     /// `onSides`: what each hit list sees of the sun, those of fronts first.
-    SunRim(const Texels& texels, const SurfelRadiance& radiance,
-           std::span<const AreaSample> onSides);
+    SunRim(const Texels& texels, const SurfelRadiance& radiance, const LampSight& onSides);
 
     /// Surfels of the rim, each once.
     [[nodiscard]] std::span<const uint32_t> surfels() const { return surfels_; }

@@ -261,7 +261,7 @@ TEST(Sun, TextureTellsWhatLiesInShade)
 {
     const Sun sun{.direction = {0, 1, 0}, .irradiance = glm::vec3(20.0f)};
     const float open = 1.0f / luminance(sunRadiance(sun)); // of which it sends an irradiance of 1
-    std::vector<AreaSample> onSides(4, {.open = 20.0f * open, .visible = 20.0f * open});
+    LampSight onSides(std::vector<AreaSample>(4, {.open = 20.0f * open, .visible = 20.0f * open}));
     SurfelRadiance radiance;
     for (const float irradiance : {0.5f, 0.5f * 21.0f, 0.05f, 0.5f})
         radiance.plain.emplace_back(irradiance / kPi);
@@ -272,7 +272,8 @@ TEST(Sun, TextureTellsWhatLiesInShade)
     sides.gathered.irradiance.assign(4, glm::vec3(0.0f));
     markShade(sun, Texels{}, radiance, sides, onSides);
     std::vector<float> shares;
-    for (const AreaSample& sample : onSides) shares.push_back(sample.visible / sample.open);
+    for (size_t s = 0; s < onSides.size(); ++s)
+        shares.push_back(onSides[s].visible / onSides[s].open);
     EXPECT_THAT(shares, testing::ElementsAre(0.0f, 1.0f, 1.0f, 0.25f));
 }
 

@@ -47,39 +47,39 @@ std::vector<glm::vec3> shownOf(const SurfelRadiance& radiance)
 }
 
 SunTrial::SunTrial(const Texels& texels, const SurfelRadiance& radiance, const LightSoFar& light,
-                   glm::vec3 direction, std::vector<AreaSample> seen)
+                   glm::vec3 direction, LampSight seen)
     : towards(direction), onSides(std::move(seen)), rim(texels, radiance, onSides)
 {
     addRows(radiance, texels.surfels, light);
     setChannel(without, -1);
     findPatches(light);
     with = without;
+    std::vector<uint8_t> isPatch(with.pieces, 0);
     for (const SunPatch& patch : patches) {
         with.area[patch.piece] = 0.0f;
-        for (size_t i = 0; i < with.shown.size(); ++i)
-            with.direct[i * with.pieces + patch.piece] = 0.0f;
+        isPatch[patch.piece] = 1;
     }
+    for (std::vector<DirectLight>& ofPlace : with.direct)
+        std::erase_if(ofPlace, [&](DirectLight sent) { return isPatch[sent.piece] != 0; });
     setChannel(with, -1);
 }
 
 /// Without light from outside.
-std::span<float> SunTrial::addRow(glm::vec3 shown, glm::vec3 gathered, float ofSun)
+std::vector<DirectLight>& SunTrial::addRow(glm::vec3 shown, glm::vec3 gathered, float ofSun)
 {
     without.shown.push_back(shown);
     without.gathered.push_back(gathered);
     without.missed.resize(without.shown.size() * without.outsides, 0.0f);
-    without.direct.resize(without.shown.size() * without.pieces, 0.0f);
     straight_.push_back(ofSun);
-    return std::span(without.direct).last(without.pieces);
+    return without.direct.emplace_back();
 }
 
 void SunTrial::copyRow(const LightModel& before, size_t row, float ofSun)
 {
-    const std::span<float> copy = addRow(before.shown[row], before.gathered[row], ofSun);
+    addRow(before.shown[row], before.gathered[row], ofSun) = before.direct[row];
     std::copy_n(before.missed.end() -
                     static_cast<ptrdiff_t>((before.shown.size() - row) * before.outsides),
                 before.outsides, without.missed.end() - static_cast<ptrdiff_t>(before.outsides));
-    std::copy_n(before.directAt(row).begin(), before.pieces, copy.begin());
 }
 
 /// Rows of the rim come behind the places, a column and a row for the sun come last.
@@ -113,14 +113,16 @@ void SunTrial::addRim(const SurfelRadiance& radiance, const Surfels& surfels,
     const std::vector<glm::vec3> shown = shownOf(radiance);
     firstOfRim_ = light.model.places();
     for (const uint32_t s : rim.surfels()) {
-        const std::span<float> row = addRow(
+        std::vector<DirectLight>& row = addRow(
             shown[s],
             meanAround<glm::vec3>(surfels, s, [&](uint32_t n) { return gathered.irradiance[n]; }),
             onSides[s].visible);
-        for (size_t f = 0; f < light.pieces.size(); ++f)
-            if (light.emits[f] != 0)
-                row[f] = meanAround<float>(
-                    surfels, s, [&](uint32_t n) { return light.pieces[f].onSides[n].visible; });
+        for (uint32_t f = 0; f < light.pieces.size(); ++f) {
+            if (light.emits[f] == 0) continue;
+            const auto mean = meanAround<float>(
+                surfels, s, [&](uint32_t n) { return light.pieces[f].onSides[n].visible; });
+            if (mean > 0.0f) row.push_back({f, mean});
+        }
     }
 }
 
@@ -164,10 +166,12 @@ void SunTrial::setChannel(LightModel& model, int channel) const
     for (size_t i = firstOfRim_; i < model.places(); ++i)
         model.isBurntOut[i] = pick(model.shown[i]) >= kSafelyBelow ? 1 : 0;
     for (size_t i = 0; i < model.shown.size(); ++i) {
-        float& ofSun = model.direct[i * model.pieces + sun()];
-        ofSun = straight_[i];
+        float ofSun = straight_[i];
         for (const SunPatch& patch : patches)
-            ofSun += pick(patch.perRadiance) * without.directAt(i)[patch.piece];
+            ofSun += pick(patch.perRadiance) * without.directAt(i, patch.piece);
+        std::vector<DirectLight>& ofPlace = model.direct[i];
+        if (!ofPlace.empty() && ofPlace.back().piece == sun()) ofPlace.pop_back();
+        if (ofSun > 0.0f) ofPlace.push_back({static_cast<uint32_t>(sun()), ofSun});
     }
 }
 

@@ -51,14 +51,14 @@ struct SunPatch
 struct SunTrial
 {
     glm::vec3 towards{0.0f}; // unit
-    std::vector<AreaSample> onSides;
+    LampSight onSides;
     SunRim rim;
     std::vector<SunPatch> patches;
     LightModel without; // as `with`, but the sun's column is all there is of it: patches are pieces
     LightModel with;    // what is a patch of sun does nothing by itself
 
     SunTrial(const Texels& texels, const SurfelRadiance& radiance, const LightSoFar& light,
-             glm::vec3 direction, std::vector<AreaSample> seen);
+             glm::vec3 direction, LampSight seen);
 
     /// Pairs across the rim, each cell of it as much as one of the independent ones that all
     /// `drawn` pairs are worth.
@@ -68,7 +68,7 @@ struct SunTrial
     [[nodiscard]] size_t sun() const { return without.pieces - 1; }
 
 private:
-    std::span<float> addRow(glm::vec3 shown, glm::vec3 gathered, float ofSun);
+    std::vector<DirectLight>& addRow(glm::vec3 shown, glm::vec3 gathered, float ofSun);
     void copyRow(const LightModel& before, size_t row, float ofSun);
     void addRows(const SurfelRadiance& radiance, const Surfels& surfels, const LightSoFar& light);
     void addRim(const SurfelRadiance& radiance, const Surfels& surfels, const LightSoFar& light);

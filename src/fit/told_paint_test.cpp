@@ -44,8 +44,9 @@ struct MisleadingFloor
         constexpr float kLit = 0.1f;
         model.gathered.emplace_back(kGathered);
         model.missed.push_back(0.0f);
-        model.direct.push_back(isLit ? kLit : 0.0f);
-        model.shown.emplace_back(albedo / kPi * (kGathered + kLamp * model.direct.back()));
+        const float direct = isLit ? kLit : 0.0f;
+        model.direct.push_back({{0, direct}});
+        model.shown.emplace_back(albedo / kPi * (kGathered + kLamp * direct));
     }
 
     /// Log albedo of what is lit less that of what is in shade, of one paint, when so many of such

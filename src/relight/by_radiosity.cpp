@@ -18,7 +18,7 @@ constexpr size_t kRaysToGlow = 2; // of a surfel; the neighbours have as many
 
 /// Share of a light that is seen from the middle of surfels. A few rays tell it, those of the
 /// neighbours with them.
-std::vector<float> smoothShares(const Surfels& surfels, std::span<const AreaSample> onFronts)
+std::vector<float> smoothShares(const Surfels& surfels, const LampSight& onFronts)
 {
     std::vector<float> shares(surfels.count());
     forEachChunk(surfels.count(), 1024, [&](size_t begin, size_t end) {
@@ -26,8 +26,9 @@ std::vector<float> smoothShares(const Surfels& surfels, std::span<const AreaSamp
             float all = 0.0f;
             float seen = 0.0f;
             for (const uint32_t n : surfels.neighborsOf(s)) {
-                all += onFronts[n].open;
-                seen += onFronts[n].visible;
+                const AreaSample sample = onFronts[n];
+                all += sample.open;
+                seen += sample.visible;
             }
             shares[s] = all > 0.0f ? seen / all : 0.0f;
         }
@@ -38,7 +39,7 @@ std::vector<float> smoothShares(const Surfels& surfels, std::span<const AreaSamp
 /// Irradiance at emission 1 in the middle of surfels: how much there is to be seen is known
 /// exactly.
 std::vector<float> smoothOnFronts(const Surfels& surfels, const LightSource& source,
-                                  std::span<const AreaSample> onSides)
+                                  const LampSight& onSides)
 {
     std::vector<float> irradiance = smoothShares(surfels, onSides);
     forEachChunk(surfels.count(), TexelBlock::kCapacity, [&](size_t begin, size_t end) {
@@ -81,9 +82,7 @@ RadiosityLight::shadowed(const ActiveLight& light, std::shared_ptr<const Shadowe
         result.onFronts = smoothOnFronts(texels_.surfels, *light.source, result.onSides);
     }
     if (detail == ShadowDetail::texels)
-        result.shadows.emplace(texels_, obstacles, *light.source,
-                               std::span(result.onSides).first(texels_.surfels.count()),
-                               shadowRays_);
+        result.shadows.emplace(texels_, obstacles, *light.source, result.onSides, shadowRays_);
     return std::make_shared<const ShadowedLight>(std::move(result));
 }
 

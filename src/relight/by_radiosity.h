@@ -9,6 +9,7 @@
 #include "relight/shadows.h"
 #include "relight/transport.h"
 #include "scan/texels.h"
+#include "shading/lamp_sight.h"
 #include "shading/texel_shading.h"
 
 #include <memory>
@@ -26,9 +27,9 @@ namespace relamp
 struct ShadowedLight
 {
     ActiveLight light;
-    std::vector<AreaSample> onSides; // one a side of the transport
-    std::vector<float> onFronts;     // irradiance on fronts of surfels, without the rays' noise
-    std::optional<Shadows> shadows;  // on texels; none where only sides were asked for
+    LampSight onSides;              // by sides of the transport
+    std::vector<float> onFronts;    // irradiance on fronts of surfels, without the rays' noise
+    std::optional<Shadows> shadows; // on texels; none where only sides were asked for
 };
 
 /// A glow with what it does to the room at emission 1.

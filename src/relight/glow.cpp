@@ -111,7 +111,7 @@ SentLight sentDirectly(const Transport& transport, const Surfels& surfels,
 }
 
 std::optional<Glow> findGlow(const Transport& transport, const Texels& texels,
-                             std::span<const glm::vec3> albedo, std::span<const AreaSample> ofLight,
+                             std::span<const glm::vec3> albedo, const LampSight& ofLight,
                              glm::vec3 emission, const SentLight& all)
 {
     if (all.flux <= 0.0) return {};

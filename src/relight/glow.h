@@ -3,7 +3,7 @@
 #include "lights/surfel_radiance.h"
 #include "relight/transport.h"
 #include "scan/texels.h"
-#include "shading/area_direct.h"
+#include "shading/lamp_sight.h"
 
 #include <cstdint>
 #include <optional>
@@ -39,7 +39,7 @@ struct Glow
 /// Nothing where a light makes no small part bright, or none that matters among all that is sent.
 /// `ofLight` is what sides receive at emission 1. The patches do not depend on the emission.
 std::optional<Glow> findGlow(const Transport& transport, const Texels& texels,
-                             std::span<const glm::vec3> albedo, std::span<const AreaSample> ofLight,
+                             std::span<const glm::vec3> albedo, const LampSight& ofLight,
                              glm::vec3 emission, const SentLight& all);
 
 /// Irradiance from a glow at emission 1 on fronts of surfels, each of which sees a share of it.

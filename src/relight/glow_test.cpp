@@ -30,7 +30,7 @@ struct SpottedRoom
             const uint32_t s = transport.sides[i].surfel();
             const glm::vec3 off = glm::abs(surfels.position[s] - glm::vec3(1.5f, 0.0f, 1.5f));
             if (surfels.normal[s].y < 0.9f || std::max(off.x, off.z) > halfWidth) continue;
-            ofLight[i] = {.open = kPi, .visible = kPi};
+            ofLight.set(i, {.open = kPi, .visible = kPi});
             direct[i] = glm::vec3(kPi);
             area += surfels.area[s];
             middle += surfels.area[s] * surfels.position[s];
@@ -46,7 +46,7 @@ struct SpottedRoom
     scenes::Surfaces surfaces;
     Transport transport;
     std::vector<glm::vec3> albedo;
-    std::vector<AreaSample> ofLight;
+    LampSight ofLight;
     std::vector<glm::vec3> direct;
     float area = 0.0f;      // m^2 that is lit
     glm::vec3 middle{0.0f}; // of that, times its area

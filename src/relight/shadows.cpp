@@ -118,9 +118,8 @@ float varianceOf(float share, size_t rays)
 
 } // namespace
 
-std::vector<AreaSample> directOfSides(const Texels& texels, const Obstacles& obstacles,
-                                      const LightSource& light, std::span<const Side> sides,
-                                      size_t origins)
+LampSight directOfSides(const Texels& texels, const Obstacles& obstacles, const LightSource& light,
+                        std::span<const Side> sides, size_t origins)
 {
     const SurfelSites sites(texels);
     const auto perSide = static_cast<float>(origins);
@@ -155,11 +154,11 @@ std::vector<AreaSample> directOfSides(const Texels& texels, const Obstacles& obs
             if (blocked[i] == 0) direct[owner[i]].visible += gains[i];
         scaleToOpen(light, block, origins, std::span(direct).subspan(begin, end - begin));
     });
-    return direct;
+    return LampSight(direct);
 }
 
 Shadows::Shadows(const Texels& texels, const Obstacles& obstacles, const LightSource& light,
-                 std::span<const AreaSample> coarse, size_t rays)
+                 const LampSight& coarse, size_t rays)
     : texels_(texels)
 {
     std::vector<Seen> states = seenBySurfels(texels_.surfels, coarse);

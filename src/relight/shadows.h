@@ -3,8 +3,8 @@
 #include "relight/light_source.h"
 #include "relight/obstacles.h"
 #include "scan/texels.h"
-#include "shading/area_direct.h"
 #include "shading/hit_lists.h"
+#include "shading/lamp_sight.h"
 #include "shading/seen.h"
 
 #include <cstdint>
@@ -16,9 +16,8 @@ namespace relamp
 
 /// Irradiance from one light at emission 1 on the sides that `sides` name: a few rays each, from
 /// `origins` places all over a side.
-std::vector<AreaSample> directOfSides(const Texels& texels, const Obstacles& obstacles,
-                                      const LightSource& light, std::span<const Side> sides,
-                                      size_t origins = 4);
+LampSight directOfSides(const Texels& texels, const Obstacles& obstacles, const LightSource& light,
+                        std::span<const Side> sides, size_t origins = 4);
 
 /// What share of a light every texel sees.
 ///
@@ -32,7 +31,7 @@ class Shadows
 public:
     /// `coarse[surfel]` is what directOfSides found for its front.
     Shadows(const Texels& texels, const Obstacles& obstacles, const LightSource& light,
-            std::span<const AreaSample> coarse, size_t rays);
+            const LampSight& coarse, size_t rays);
 
     /// Share, 0..1, that texels [begin, begin + count) of a page see. False: none sees anything.
     bool at(size_t page, size_t begin, size_t count, float* share) const;

@@ -3,7 +3,7 @@
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "scan/texels.h"
-#include "shading/area_direct.h"
+#include "shading/lamp_sight.h"
 
 #include <algorithm>
 #include <span>
@@ -18,10 +18,13 @@ namespace relamp
 // Its twin of a GPU is in lamp_terms.gpu.h.
 
 /// Adds a lamp's light on places by what they see of it.
-inline void addDirect(std::span<const AreaSample> seen, glm::vec3 radiance,
-                      std::span<glm::vec3> irradiance)
+inline void addDirect(const LampSight& seen, glm::vec3 radiance, std::span<glm::vec3> irradiance)
 {
-    forEach(irradiance.size(), [&](size_t i) { irradiance[i] += seen[i].visible * radiance; });
+    forEach(seen.blocks(), [&](size_t block) {
+        seen.forEachOf(block, [&](size_t i, AreaSample sample) {
+            irradiance[i] += sample.visible * radiance;
+        });
+    });
 }
 
 /// The same where nothing else is kept of that.

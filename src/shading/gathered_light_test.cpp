@@ -40,7 +40,7 @@ void forEachShaded(const std::vector<AreaLight>& lamps, glm::vec3 indirect, cons
     HitLists fronts;
     for (uint32_t s = 0; s < floor.texels.surfels.count(); ++s)
         fronts.sideOfList.push_back(Side::front(s));
-    std::vector<std::vector<AreaSample>> coarse;
+    std::vector<LampSight> coarse;
     std::vector<LampPatches> patches;
     for (const AreaLight& light : lamps) {
         coarse.push_back(directOfLists(floor.texels, floor.rays, fronts, {light}));

@@ -38,7 +38,7 @@ std::vector<glm::vec3> meanOfNeighbors(const Surfels& surfels, std::span<const g
 class Lookouts
 {
 public:
-    static constexpr size_t kMost = 64;
+    static constexpr size_t kMost = LampSight::kBlock;
 
     explicit Lookouts(const SurfelSites& sites) : sites_(sites) {}
 
@@ -178,16 +178,15 @@ void guessBurntOut(const Texels& texels, const SurfelRadiance& radiance,
     });
 }
 
-std::vector<std::vector<AreaSample>> directOfLists(const Texels& texels, const RayScene& scene,
-                                                   const HitLists& hits,
-                                                   std::span<const SoughtLamp> lamps,
-                                                   std::span<const uint32_t> lists, size_t perScout)
+std::vector<LampSight> directOfLists(const Texels& texels, const RayScene& scene,
+                                     const HitLists& hits, std::span<const SoughtLamp> lamps,
+                                     std::span<const uint32_t> lists, size_t perScout)
 {
     const SurfelSites sites(texels);
     const size_t count = lists.empty() ? hits.sideOfList.size() : lists.size();
     std::vector<LampPatches> patches;
     for (const SoughtLamp& lamp : lamps) patches.emplace_back(lamp.light);
-    std::vector<std::vector<AreaSample>> direct(lamps.size(), std::vector<AreaSample>(count));
+    std::vector<LampSight> direct(lamps.size(), LampSight(count));
     const auto lookoutsOf = [&](size_t begin, size_t end, size_t step) {
         Lookouts lookouts(sites);
         for (size_t i = begin; i < end; i += step)
@@ -211,17 +210,19 @@ std::vector<std::vector<AreaSample>> directOfLists(const Texels& texels, const R
         for (size_t first = begin; first < end; first += Lookouts::kMost) {
             const size_t last = std::min(first + Lookouts::kMost, end);
             const Lookouts lookouts = lookoutsOf(first, last, 1);
-            for (size_t l = 0; l < lamps.size(); ++l)
-                if (isSeen[l] != 0)
-                    lookouts.look(scene, lamps[l], patches[l],
-                                  std::span(direct[l]).subspan(first, last - first));
+            for (size_t l = 0; l < lamps.size(); ++l) {
+                if (isSeen[l] == 0) continue;
+                AreaSample seen[Lookouts::kMost];
+                lookouts.look(scene, lamps[l], patches[l], seen);
+                direct[l].put(first, std::span(seen).first(last - first));
+            }
         }
     });
     return direct;
 }
 
-std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scene,
-                                      const HitLists& hits, const SoughtLamp& lamp)
+LampSight directOfLists(const Texels& texels, const RayScene& scene, const HitLists& hits,
+                        const SoughtLamp& lamp)
 {
     return std::move(directOfLists(texels, scene, hits, {&lamp, 1}, {}).front());
 }

@@ -4,6 +4,7 @@
 #include "shading/area_direct.h"
 #include "shading/gather.h"
 #include "shading/hit_lists.h"
+#include "shading/lamp_sight.h"
 
 #include <optional>
 #include <span>
@@ -33,15 +34,13 @@ struct SoughtLamp
 /// lamp is seen from none of 64 sides, each the first of `perScout` that follow each other, it is
 /// from none of these, nor from any room that sees nothing of its own: light that does not reach a
 /// room costs little there.
-std::vector<std::vector<AreaSample>> directOfLists(const Texels& texels, const RayScene& scene,
-                                                   const HitLists& hits,
-                                                   std::span<const SoughtLamp> lamps,
-                                                   std::span<const uint32_t> lists = {},
-                                                   size_t perScout = 1);
+std::vector<LampSight> directOfLists(const Texels& texels, const RayScene& scene,
+                                     const HitLists& hits, std::span<const SoughtLamp> lamps,
+                                     std::span<const uint32_t> lists = {}, size_t perScout = 1);
 
 /// From one lamp on all sides.
-std::vector<AreaSample> directOfLists(const Texels& texels, const RayScene& scene,
-                                      const HitLists& hits, const SoughtLamp& lamp);
+LampSight directOfLists(const Texels& texels, const RayScene& scene, const HitLists& hits,
+                        const SoughtLamp& lamp);
 
 /// Standard errors of the surfels around each, itself among them: the root of their mean square.
 /// For values that few rays tell, of places of much the same light: a surfel's own is a guess then,

@@ -128,7 +128,7 @@ TEST(LitSides, ScoutsFindALampWhereverItIsSeen)
     std::vector<uint32_t> names(two.texels.surfels.count());
     std::iota(names.begin(), names.end(), 0u);
     const auto named = directOfLists(two.texels, two.rays, hits, {&lamp, 1}, names).front();
-    const std::vector<AreaSample> all = directOfLists(two.texels, two.rays, hits, lamp);
+    const LampSight all = directOfLists(two.texels, two.rays, hits, lamp);
     size_t lit = 0;
     for (const uint32_t s : names) {
         EXPECT_EQ(all[s].visible, named[s].visible);
@@ -153,7 +153,7 @@ TEST(LitSides, DirectOfListsIsThePanelsFormFactor)
         const float v = (static_cast<float>(i / 8) + 0.5f) / 8.0f;
         patches.push_back({panel.at(u, v), -kUp, 0.0025f, 0});
     }
-    const std::vector<AreaSample> direct =
+    const LampSight direct =
         directOfLists(box.texels, box.rays, hits, {AreaLight(std::move(patches)), 4});
     float sum = 0.0f;
     float expected = 0.0f;

@@ -13,13 +13,12 @@ bool seesAll(const AreaSample& sample)
     return sample.visible >= kAllOfIt * sample.open;
 }
 
-std::vector<Seen> seenBySurfels(const Surfels& surfels, std::span<const AreaSample> coarse)
+std::vector<Seen> seenBySurfels(const Surfels& surfels, const LampSight& coarse)
 {
-    std::vector<Seen> own(surfels.count());
+    std::vector<Seen> own(surfels.count(), Seen::none);
     for (size_t s = 0; s < own.size(); ++s)
-        own[s] = coarse[s].visible <= 0.0f ? Seen::none
-                 : seesAll(coarse[s])      ? Seen::all
-                                           : Seen::some;
+        if (const AreaSample seen = coarse[s]; seen.visible > 0.0f)
+            own[s] = seesAll(seen) ? Seen::all : Seen::some;
     std::vector<Seen> seen = own;
     forEachChunk(own.size(), 1024, [&](size_t begin, size_t end) {
         for (size_t s = begin; s < end; ++s)

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "scan/surfels.h"
-#include "shading/area_direct.h"
+#include "shading/lamp_sight.h"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace relamp
@@ -18,6 +17,6 @@ bool seesAll(const AreaSample& sample);
 
 /// `coarse[surfel]` is what a few rays of each surfel's front saw. It is all or none only where
 /// the ring of neighbours says the same, for else an edge may lie between them: that is some.
-std::vector<Seen> seenBySurfels(const Surfels& surfels, std::span<const AreaSample> coarse);
+std::vector<Seen> seenBySurfels(const Surfels& surfels, const LampSight& coarse);
 
 } // namespace relamp

@@ -63,7 +63,7 @@ void shareKernel(const ShareArgs& args)
 }
 
 /// Standard deviation of whether a ray from a surfel or from those around it reaches a lamp.
-float deviationAround(const Surfels& surfels, size_t s, std::span<const AreaSample> coarse)
+float deviationAround(const Surfels& surfels, size_t s, const LampSight& coarse)
 {
     float open = 0.0f;
     float visible = 0.0f;
@@ -80,8 +80,7 @@ float deviationAround(const Surfels& surfels, size_t s, std::span<const AreaSamp
 /// Rays to a lamp from each probe of every surfel: by what one of them errs by beside all light
 /// there, so that the sum of squared errors is least for so many.
 std::vector<uint32_t> raysOfSurfels(const Surfels& surfels, size_t raysPerProbe,
-                                    std::span<const AreaSample> coarse,
-                                    std::span<const float> openShare)
+                                    const LampSight& coarse, std::span<const float> openShare)
 {
     std::vector<uint32_t> rays(surfels.count(), static_cast<uint32_t>(raysPerProbe));
     forEach(openShare.size(), [&](size_t s) {
@@ -95,8 +94,7 @@ std::vector<uint32_t> raysOfSurfels(const Surfels& surfels, size_t raysPerProbe,
 } // namespace
 
 Visibility::Visibility(const Texels& texels, const RayScene& scene,
-                       std::span<const AreaLight> lamps,
-                       std::span<const std::vector<AreaSample>> coarse,
+                       std::span<const AreaLight> lamps, std::span<const LampSight> coarse,
                        const VisibilityOptions& options)
     : texels_(texels), sites_(texels), set_(options.set)
 {
@@ -105,9 +103,9 @@ Visibility::Visibility(const Texels& texels, const RayScene& scene,
         add(scene, lamps[lamp], coarse[lamp], options.raysPerProbe);
 }
 
-void Visibility::add(const RayScene& scene, const AreaLight& lamp,
-                     std::span<const AreaSample> coarse, size_t raysPerProbe,
-                     std::span<const float> openShare, const TexelMarks& inShade)
+void Visibility::add(const RayScene& scene, const AreaLight& lamp, const LampSight& coarse,
+                     size_t raysPerProbe, std::span<const float> openShare,
+                     const TexelMarks& inShade)
 {
     const std::vector<uint32_t> rays =
         raysOfSurfels(texels_.surfels, raysPerProbe, coarse, openShare);
@@ -185,7 +183,10 @@ void Visibility::drawTogether(std::span<const Seen> states, std::span<const uint
     const Surfels& surfels = texels_.surfels;
     std::vector<float> mean(states.size(), -1.0f);
     for (size_t s = 0; s < states.size(); ++s) {
-        if (states[s] != Seen::some) mean[s] = states[s] == Seen::all ? 1.0f : 0.0f;
+        if (states[s] != Seen::some) { // and none of its probes looked
+            mean[s] = states[s] == Seen::all ? 1.0f : 0.0f;
+            continue;
+        }
         float sum = 0.0f;
         float count = 0.0f;
         for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {

@@ -4,7 +4,7 @@
 #include "scan/rays.h"
 #include "scan/split_surfels.h"
 #include "scan/texels.h"
-#include "shading/area_direct.h"
+#include "shading/lamp_sight.h"
 #include "shading/seen.h"
 #include "shading/visibility.shared.h"
 
@@ -32,13 +32,13 @@ public:
     /// `coarse[lamp][surfel]` is what a few rays of each surfel's front saw. The arguments must
     /// outlive this.
     Visibility(const Texels& texels, const RayScene& scene, std::span<const AreaLight> lamps,
-               std::span<const std::vector<AreaSample>> coarse, const VisibilityOptions& options);
+               std::span<const LampSight> coarse, const VisibilityOptions& options);
 
     /// One more lamp, which comes last; `scene` is what stands before it. `openShare[surfel]`,
     /// where it is known: what the lamp would bring with nothing in the way, of all the light
     /// there; the more that is, and the less surfels around agree in `coarse`, the more rays.
     /// Texels that `inShade` marks, if there are such marks, see nothing of it.
-    void add(const RayScene& scene, const AreaLight& lamp, std::span<const AreaSample> coarse,
+    void add(const RayScene& scene, const AreaLight& lamp, const LampSight& coarse,
              size_t raysPerProbe, std::span<const float> openShare = {},
              const TexelMarks& inShade = {});
 

@@ -72,7 +72,7 @@ public:
     [[nodiscard]] std::vector<Place> floor() const;
 
 private:
-    [[nodiscard]] std::vector<AreaSample> coarse() const
+    [[nodiscard]] LampSight coarse() const
     {
         HitLists fronts;
         for (uint32_t s = 0; s < surfaces_.texels.surfels.count(); ++s)
@@ -82,7 +82,7 @@ private:
 
     scenes::Surfaces surfaces_;
     std::vector<AreaLight> lamps_;
-    std::vector<std::vector<AreaSample>> coarse_;
+    std::vector<LampSight> coarse_;
     Visibility visibility_;
 };
 
@@ -145,12 +145,12 @@ TEST(Visibility, MarkedTexelsSeeNothing)
     HitLists fronts;
     for (uint32_t s = 0; s < surfels.count(); ++s) fronts.sideOfList.push_back(Side::front(s));
     const AreaLight lamp = lampOver(2, 2);
-    std::vector<AreaSample> coarse = directOfLists(floor.texels, floor.rays, fronts, {lamp});
+    LampSight coarse = directOfLists(floor.texels, floor.rays, fronts, {lamp});
     TexelMarks inShade{std::vector<uint8_t>(floor.texels.pages[0].count(), 0)};
     for (size_t i = 0; i < inShade[0].size(); ++i)
         inShade[0][i] = floor.texels.siteOf(0, i).position.x < 2.0f ? 1 : 0;
     for (uint32_t s = 0; s < surfels.count(); ++s)
-        if (surfels.position[s].x < 2.0f) coarse[s].visible = 0.0f;
+        if (surfels.position[s].x < 2.0f) coarse.set(s, {.open = coarse[s].open});
     Visibility visibility(floor.texels, floor.rays, {}, {}, {});
     visibility.add(floor.rays, lamp, coarse, 16, {}, inShade);
     float before = 0.0f; // mean shares beside the edge
@@ -173,7 +173,7 @@ TEST(Visibility, RaysGoWhereALampBringsMuchOfTheLight)
     for (uint32_t s = 0; s < room.texels.surfels.count(); ++s)
         fronts.sideOfList.push_back(Side::front(s));
     const AreaLight lamp = lampOver(2, 2);
-    const std::vector<AreaSample> coarse = directOfLists(room.texels, room.rays, fronts, {lamp});
+    const LampSight coarse = directOfLists(room.texels, room.rays, fronts, {lamp});
     const auto errorAt = [&](float openShare) {
         const std::vector<float> shares(room.texels.surfels.count(), openShare);
         Visibility visibility(room.texels, room.rays, {}, {}, {});

@@ -390,7 +390,7 @@ std::vector<int32_t> fixturesOfSurfels(const FoundRoom& room)
     return fixtureOf;
 }
 
-std::span<const AreaSample> onSidesOf(const FoundRoom& room, size_t lamp)
+const LampSight& onSidesOf(const FoundRoom& room, size_t lamp)
 {
     const std::vector<FoundLamp>& lamps = room.found.lamps;
     return lamp < lamps.size() ? lamps[lamp].onSides : room.found.sun->onSides;

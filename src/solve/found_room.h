@@ -60,7 +60,7 @@ Lights beforeScale(Lights lights);
 std::vector<Opening> openingsOf(const FoundRoom& room);
 
 /// What a lamp does at radiance 1, one a hit list; the sun comes behind all lamps.
-std::span<const AreaSample> onSidesOf(const FoundRoom& room, size_t lamp);
+const LampSight& onSidesOf(const FoundRoom& room, size_t lamp);
 
 /// Irradiance from lamps and sun, one a hit list.
 std::vector<glm::vec3> directOf(const FoundRoom& room);

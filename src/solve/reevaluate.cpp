@@ -28,7 +28,7 @@ std::vector<glm::vec3> indirectOf(const Texels& texels, const SolvedRoom& room)
 std::vector<float> openShares(const FoundRoom& room, std::span<const glm::vec3> indirect,
                               size_t lamp)
 {
-    const std::span<const AreaSample> onSides = onSidesOf(room, lamp);
+    const LampSight& onSides = onSidesOf(room, lamp);
     const float brightness = luminance(room.found.powers.lamps[lamp]);
     std::vector<float> shares(indirect.size());
     forEach(shares.size(), [&](size_t s) {

@@ -26,8 +26,8 @@ std::vector<float> scalesOf(const SolvedRoom& room)
     std::vector<float> scales;
     for (size_t l = 0; l < room.light->lamps->count(); ++l) {
         float most = 0.0f;
-        for (const AreaSample& sample : onSidesOf(room.found, l))
-            most = std::max(most, sample.open);
+        const LampSight& onSides = onSidesOf(room.found, l);
+        for (size_t i = 0; i < onSides.size(); ++i) most = std::max(most, onSides[i].open);
         scales.push_back(most > 0.0f ? 1.0f / most : 1.0f);
     }
     return scales;
@@ -38,7 +38,8 @@ std::vector<std::vector<float>> onListsOf(const SolvedRoom& room)
     std::vector<std::vector<float>> onLists;
     for (size_t l = 0; l < room.light->lamps->count(); ++l) {
         std::vector<float>& ofLamp = onLists.emplace_back();
-        for (const AreaSample& sample : onSidesOf(room.found, l)) ofLamp.push_back(sample.visible);
+        const LampSight& onSides = onSidesOf(room.found, l);
+        for (size_t i = 0; i < onSides.size(); ++i) ofLamp.push_back(onSides[i].visible);
     }
     return onLists;
 }

@@ -178,7 +178,7 @@ def names(case):
     for name in [os.fsdecode(name) for name in case.files] + [arg for arg in case.args if arg]:
         words |= {name[:40], pathlib.PurePath(name).name[:40] or name, pathlib.PurePath(name).stem[:40] or name}
     words |= {part for word in words for part in re.split(r"[^ -~]", word)}  # what is not printable is not printed
-    return {word for word in words if word} | {"standard output", "memory", "GPU", "Vulkan"}
+    return {word for word in words if word} | {"standard output", "memory", "GPU", "Vulkan", "Node.js"}
 
 
 def judge_result(case, outcome, folder):
