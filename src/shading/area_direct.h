@@ -27,6 +27,14 @@ struct AreaSample
 {
     float open = 0.0f;    // without anything in the way
     float visible = 0.0f; // with shadows
+
+    bool operator==(const AreaSample&) const = default;
+    AreaSample& operator+=(AreaSample other)
+    {
+        open += other.open;
+        visible += other.visible;
+        return *this;
+    }
 };
 
 /// Looks for one lamp from many places. Several places look, and their shadow rays are traced,

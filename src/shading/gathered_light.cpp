@@ -103,10 +103,13 @@ void shadeDirect(const GatheredLight& light, const PageTexels& page, size_t begi
     const CastLamps& lamps = *light.lamps;
     for (size_t l = 0; l < lamps.count(); ++l) {
         bool isSeen = false;
-        forEachRunOf(page, begin, block, [&](uint32_t surfel, size_t first, size_t end) {
-            isSeen |= lamps.visibility.at(l, surfel, block, first, end, on.share);
+        forEachRunOf(page, begin, block, [&](uint32_t surfel, size_t, size_t) {
+            isSeen |= lamps.visibility.seen(l, surfel) != Seen::none;
         });
-        if (!isSeen) continue;
+        if (!isSeen) continue; // as of most lamps of a house
+        forEachRunOf(page, begin, block, [&](uint32_t surfel, size_t first, size_t end) {
+            lamps.visibility.at(l, surfel, block, first, end, on.share);
+        });
         openIrradiance(block, lamps.patches[l], Geometry::scanned, on.open);
         addDirect(on, light.radiance[l], block.count, out);
     }
@@ -148,10 +151,10 @@ float varianceAround(const Surfels& surfels, size_t s, std::span<const float> va
 
 LampOnSurfels lampOnSurfels(const Surfels& surfels, const CastLamps& lamps, size_t lamp)
 {
-    LampOnSurfels on{std::vector<float>(surfels.count()), std::vector<float>(surfels.count())};
-    std::vector<float> shares(surfels.count());
-    std::vector<float>& open = on.deviation; // until all shares are known
+    std::vector<float> shares(surfels.count(), 0.0f);
+    std::vector<float> open(surfels.count(), 0.0f); // where a share of it is seen
     forEachChunk(surfels.count(), TexelBlock::kCapacity, [&](size_t begin, size_t end) {
+        if (!lamps.visibility.isSeen(lamp, begin, end)) return;
         TexelBlock block;
         loadSurfels(surfels, begin, end, block);
         float share[TexelBlock::kPadded];
@@ -161,13 +164,20 @@ LampOnSurfels lampOnSurfels(const Surfels& surfels, const CastLamps& lamps, size
             lamps.visibility.at(lamp, static_cast<uint32_t>(begin + i), block, i, i + 1, share);
             shares[begin + i] = share[i];
             open[begin + i] = ofBlock[i];
-            on.visible[begin + i] = ofBlock[i] * share[i];
         }
     });
-    forEach(surfels.count(), [&](size_t s) {
-        const bool isPartial = lamps.visibility.isPartial(lamp, static_cast<uint32_t>(s));
-        on.deviation[s] =
-            isPartial ? open[s] * std::sqrt(varianceAround(surfels, s, shares)) : 0.0f;
+    LampOnSurfels on(surfels.count());
+    forEachChunk(surfels.count(), LampOnSurfels::kBlock, [&](size_t begin, size_t end) {
+        if (!lamps.visibility.isSeen(lamp, begin, end)) return;
+        LampOnSurfel block[LampOnSurfels::kBlock];
+        for (size_t s = begin; s < end; ++s) {
+            const bool isPartial =
+                lamps.visibility.seen(lamp, static_cast<uint32_t>(s)) == Seen::some;
+            block[s - begin] = {open[s] * shares[s],
+                                isPartial ? open[s] * std::sqrt(varianceAround(surfels, s, shares))
+                                          : 0.0f};
+        }
+        on.put(begin, std::span(block).first(end - begin));
     });
     return on;
 }
@@ -186,10 +196,12 @@ SurfelLighting lightOnSurfels(const Surfels& surfels, const GatheredLight& light
     for (size_t l = 0; l < light.lamps->count(); ++l) {
         const LampOnSurfels& on = light.lamps->onSurfels[l];
         const glm::vec3 radiance = light.radiance[l];
-        addDirect(on.visible, radiance, result.irradiance);
-        forEach(surfels.count(), [&](size_t s) {
-            const float deviation = on.deviation[s] * luminance(radiance);
-            result.spread[s] += deviation * deviation;
+        forEach(on.blocks(), [&](size_t block) {
+            on.forEachOf(block, [&](size_t s, LampOnSurfel lamp) {
+                const float deviation = lamp.deviation * luminance(radiance);
+                result.irradiance[s] += lamp.visible * radiance;
+                result.spread[s] += deviation * deviation;
+            });
         });
     }
     for (float& spread : result.spread) spread = std::sqrt(spread);

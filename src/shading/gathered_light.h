@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/sparse_blocks.h"
 #include "shading/lamp_patches.h"
 #include "shading/texel_shading.h"
 #include "shading/visibility.h"
@@ -12,13 +13,16 @@
 namespace relamp
 {
 
-/// What surfels' middles get of a lamp at radiance 1, one entry a surfel.
-struct LampOnSurfels
+/// What a surfel's middle gets of a lamp at radiance 1.
+struct LampOnSurfel
 {
-    std::vector<float> visible;   // irradiance
-    std::vector<float> deviation; // standard, of irradiance over the surfels around, as far as they
-                                  // see other shares of it
+    float visible = 0.0f;   // irradiance
+    float deviation = 0.0f; // standard, of irradiance over the surfels around, as far as they see
+                            // other shares of it
+
+    bool operator==(const LampOnSurfel&) const = default;
 };
+using LampOnSurfels = SparseBlocks<LampOnSurfel>;
 
 /// What is fixed of the lamps of a room once rays are cast, whatever their power.
 struct CastLamps

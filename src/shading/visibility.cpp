@@ -18,6 +18,9 @@ constexpr float kUsualError =
     0.1f; // of a ray, of all light there: such a place gets the usual rays
 constexpr float kFewestRays = 0.25f; // of these
 constexpr float kMostRays = 2.0f;
+// Numerics.
+constexpr size_t kSurfelsOfBlock = 64; // that look together
+
 constexpr auto kAll = static_cast<uint8_t>(kShareOfAll);
 constexpr auto kUnknown = static_cast<uint8_t>(kShareUnknown);
 
@@ -79,11 +82,13 @@ float deviationAround(const Surfels& surfels, size_t s, const LampSight& coarse)
 
 /// Rays to a lamp from each probe of every surfel: by what one of them errs by beside all light
 /// there, so that the sum of squared errors is least for so many.
-std::vector<uint32_t> raysOfSurfels(const Surfels& surfels, size_t raysPerProbe,
-                                    const LampSight& coarse, std::span<const float> openShare)
+std::vector<uint32_t> raysOfSurfels(const Surfels& surfels, std::span<const Seen> states,
+                                    size_t raysPerProbe, const LampSight& coarse,
+                                    std::span<const float> openShare)
 {
     std::vector<uint32_t> rays(surfels.count(), static_cast<uint32_t>(raysPerProbe));
     forEach(openShare.size(), [&](size_t s) {
+        if (states[s] != Seen::some) return; // none is needed
         const float error = openShare[s] * deviationAround(surfels, s, coarse);
         const float factor = std::clamp(error / kUsualError, kFewestRays, kMostRays);
         rays[s] = static_cast<uint32_t>(std::ceil(factor * static_cast<float>(raysPerProbe)));
@@ -107,12 +112,13 @@ void Visibility::add(const RayScene& scene, const AreaLight& lamp, const LampSig
                      size_t raysPerProbe, std::span<const float> openShare,
                      const TexelMarks& inShade)
 {
+    const std::vector<Seen> states = seenBySurfels(texels_.surfels, coarse);
     const std::vector<uint32_t> rays =
-        raysOfSurfels(texels_.surfels, raysPerProbe, coarse, openShare);
-    states_.push_back(seenBySurfels(texels_.surfels, coarse));
-    shares_.push_back(look(lamp, states_.back(), scene, rays));
+        raysOfSurfels(texels_.surfels, states, raysPerProbe, coarse, openShare);
+    states_.emplace_back(states);
+    shares_.push_back(look(lamp, states, scene, rays));
     if (!inShade.empty()) darken(inShade, shares_.back());
-    drawTogether(states_.back(), rays, shares_.back());
+    drawTogether(states, rays, shares_.back());
 }
 
 void Visibility::placeProbes()
@@ -138,13 +144,49 @@ void Visibility::placeProbes()
     });
 }
 
-std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const Seen> states,
-                                      const RayScene& scene, std::span<const uint32_t> rays) const
+std::span<const uint8_t> Visibility::ofSurfel(const Shares& shares, uint32_t surfel) const
 {
-    std::vector<uint8_t> shares(x_.size(), kUnknown);
-    forEachChunk(states.size(), 64, [&](size_t begin, size_t end) {
+    const size_t block = surfel / kSurfelsOfBlock;
+    if (shares[block].empty()) return {};
+    return std::span(shares[block])
+        .subspan(firstProbe_[surfel] - firstProbe_[block * kSurfelsOfBlock],
+                 firstProbe_[surfel + 1] - firstProbe_[surfel]);
+}
+
+std::span<uint8_t> Visibility::ofSurfel(Shares& shares, uint32_t surfel) const
+{
+    const std::span<const uint8_t> of = ofSurfel(std::as_const(shares), surfel);
+    return {const_cast<uint8_t*>(of.data()), of.size()};
+}
+
+std::vector<uint8_t> Visibility::sharesOf(size_t lamp) const
+{
+    std::vector<uint8_t> all(x_.size(), kUnknown);
+    for (uint32_t s = 0; s + 1 < firstProbe_.size(); ++s)
+        std::ranges::copy(ofSurfel(shares_[lamp], s), all.begin() + firstProbe_[s]);
+    return all;
+}
+
+bool Visibility::isSeen(size_t lamp, size_t begin, size_t end) const
+{
+    for (size_t s = begin; s < end; ++s)
+        if (states_[lamp][s] != Seen::none) return true;
+    return false;
+}
+
+Visibility::Shares Visibility::look(const AreaLight& lamp, std::span<const Seen> states,
+                                    const RayScene& scene, std::span<const uint32_t> rays) const
+{
+    Shares all((states.size() + kSurfelsOfBlock - 1) / kSurfelsOfBlock);
+    forEachChunk(states.size(), kSurfelsOfBlock, [&](size_t begin, size_t end) {
+        if (std::none_of(states.begin() + static_cast<ptrdiff_t>(begin),
+                         states.begin() + static_cast<ptrdiff_t>(end),
+                         [](Seen state) { return state == Seen::some; }))
+            return;
         const uint32_t firstProbe = firstProbe_[begin];
         std::vector<AreaSample> samples(firstProbe_[end] - firstProbe);
+        std::vector<uint8_t>& shares = all[begin / kSurfelsOfBlock];
+        shares.assign(samples.size(), kUnknown);
         AreaSampler sampler(scene, lamp, Geometry::scanned);
         for (auto s = static_cast<uint32_t>(begin); s < end; ++s) {
             if (states[s] != Seen::some) continue;
@@ -159,45 +201,46 @@ std::vector<uint8_t> Visibility::look(const AreaLight& lamp, std::span<const See
         sampler.finish();
         for (size_t i = 0; i < samples.size(); ++i)
             if (samples[i].open > 0.0f)
-                shares[firstProbe + i] =
+                shares[i] =
                     static_cast<uint8_t>(std::lround(kAll * samples[i].visible / samples[i].open));
     });
-    return shares;
+    return all;
 }
 
-void Visibility::darken(const TexelMarks& inShade, std::vector<uint8_t>& shares) const
+void Visibility::darken(const TexelMarks& inShade, Shares& shares) const
 {
-    for (uint32_t s = 0; s + 1 < firstProbe_.size(); ++s)
-        for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {
-            if (shares[probe] == kUnknown) continue;
-            const TexelIndex at = sites_.texelOf(s, probe - firstProbe_[s]);
-            if (inShade[at.page][at.texel] != 0) shares[probe] = 0;
+    for (uint32_t s = 0; s + 1 < firstProbe_.size(); ++s) {
+        uint32_t probe = 0;
+        for (uint8_t& share : ofSurfel(shares, s)) {
+            const TexelIndex at = sites_.texelOf(s, probe++);
+            if (share != kUnknown && inShade[at.page][at.texel] != 0) share = 0;
         }
+    }
 }
 
 /// Draws every probe towards the mean around it, all the way where their difference may be the
 /// noise of few rays: a wide penumbra becomes smooth, an edge stays.
 void Visibility::drawTogether(std::span<const Seen> states, std::span<const uint32_t> rays,
-                              std::vector<uint8_t>& shares) const
+                              Shares& shares) const
 {
     const Surfels& surfels = texels_.surfels;
     std::vector<float> mean(states.size(), -1.0f);
-    for (size_t s = 0; s < states.size(); ++s) {
+    for (uint32_t s = 0; s < states.size(); ++s) {
         if (states[s] != Seen::some) { // and none of its probes looked
             mean[s] = states[s] == Seen::all ? 1.0f : 0.0f;
             continue;
         }
         float sum = 0.0f;
         float count = 0.0f;
-        for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {
-            if (shares[probe] == kUnknown) continue;
-            sum += static_cast<float>(shares[probe]) / kAll;
+        for (const uint8_t share : ofSurfel(shares, s)) {
+            if (share == kUnknown) continue;
+            sum += static_cast<float>(share) / kAll;
             count += 1.0f;
         }
         if (count > 0.0f) mean[s] = sum / count;
     }
     forEachChunk(states.size(), 256, [&](size_t begin, size_t end) {
-        for (size_t s = begin; s < end; ++s) {
+        for (auto s = static_cast<uint32_t>(begin); s < end; ++s) {
             if (states[s] != Seen::some) continue;
             const auto n = static_cast<float>(rays[s]);
             float around = 0.0f;
@@ -207,47 +250,47 @@ void Visibility::drawTogether(std::span<const Seen> states, std::span<const uint
                 around += mean[other];
                 count += 1.0f;
             }
-            for (uint32_t probe = firstProbe_[s]; probe < firstProbe_[s + 1]; ++probe) {
-                if (shares[probe] == kUnknown || count == 0.0f) continue;
-                const float share = static_cast<float>(shares[probe]) / kAll;
+            for (uint8_t& ofProbe : ofSurfel(shares, s)) {
+                if (ofProbe == kUnknown || count == 0.0f) continue;
+                const float share = static_cast<float>(ofProbe) / kAll;
                 const float likely = (n * share + 0.5f) / (n + 1.0f); // 0 and 1 are not sure either
                 const float variance = likely * (1.0f - likely) / n;
                 const float step = around / count - share;
                 const float drawn = share + step * variance / std::max(step * step, variance);
-                shares[probe] = static_cast<uint8_t>(std::lround(kAll * drawn));
+                ofProbe = static_cast<uint8_t>(std::lround(kAll * drawn));
             }
         }
     });
 }
 
-bool Visibility::at(size_t lamp, uint32_t surfel, const TexelBlock& block, size_t first, size_t end,
+void Visibility::at(size_t lamp, uint32_t surfel, const TexelBlock& block, size_t first, size_t end,
                     float* share) const
 {
     const Seen state = states_[lamp][surfel];
     std::fill(share + first, share + end, state == Seen::all ? 1.0f : 0.0f);
-    if (state != Seen::some) return state == Seen::all;
+    if (state != Seen::some) return;
     const Surfels& surfels = texels_.surfels;
-    const std::vector<uint8_t>& shares = shares_[lamp];
     ShareTaps taps;
     const float far = surfels.size + reach_[surfel];
     for (const uint32_t n : surfels.neighborsOf(surfel)) {
         if (states_[lamp][n] != Seen::some) continue;
-        for (uint32_t probe = firstProbe_[n]; probe < firstProbe_[n + 1]; ++probe) {
-            if (shares[probe] == kUnknown || taps.count == ShareTaps::kMost) continue;
+        uint32_t probe = firstProbe_[n] - 1;
+        for (const uint8_t ofProbe : ofSurfel(shares_[lamp], n)) {
+            ++probe;
+            if (ofProbe == kUnknown || taps.count == ShareTaps::kMost) continue;
             const glm::vec3 position(x_[probe], y_[probe], z_[probe]);
             const glm::vec3 way = position - surfels.position[surfel];
             if (n != surfel && glm::dot(way, way) > far * far) continue;
             taps.x[taps.count] = position.x;
             taps.y[taps.count] = position.y;
             taps.z[taps.count] = position.z;
-            taps.share[taps.count++] = static_cast<float>(shares[probe]) / kAll;
+            taps.share[taps.count++] = static_cast<float>(ofProbe) / kAll;
         }
     }
-    if (taps.count == 0) return false;
+    if (taps.count == 0) return;
     const float reach = reach_[surfel];
     const ShareArgs args{&block, &taps, first, end, 1.0f / (reach * reach), share};
     runKernel<shareKernel>(set_, args);
-    return true;
 }
 
 } // namespace relamp

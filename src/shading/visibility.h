@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/instruction_set.h"
+#include "base/sparse_blocks.h"
 #include "scan/rays.h"
 #include "scan/split_surfels.h"
 #include "scan/texels.h"
@@ -42,16 +43,13 @@ public:
              size_t raysPerProbe, std::span<const float> openShare = {},
              const TexelMarks& inShade = {});
 
-    /// Share, 0..1, of a lamp that texels [first, end) of a block see, all of one surfel. False
-    /// where they see nothing of it. May write up to a group of lanes behind `end`.
-    bool at(size_t lamp, uint32_t surfel, const TexelBlock& block, size_t first, size_t end,
+    /// Share, 0..1, of a lamp that texels [first, end) of a block see, all of one surfel. May write
+    /// up to a group of lanes behind `end`.
+    void at(size_t lamp, uint32_t surfel, const TexelBlock& block, size_t first, size_t end,
             float* share) const;
 
-    /// Whether a surfel or one around it sees a part of a lamp and not all.
-    [[nodiscard]] bool isPartial(size_t lamp, uint32_t surfel) const
-    {
-        return states_[lamp][surfel] == Seen::some;
-    }
+    /// Whether any of the surfels [begin, end), or one around these, sees something of a lamp.
+    [[nodiscard]] bool isSeen(size_t lamp, size_t begin, size_t end) const;
 
     /// Where probes are, and how far the word of each surfel's goes.
     struct Probes
@@ -64,26 +62,30 @@ public:
     /// What a surfel and those around it see of a lamp.
     [[nodiscard]] Seen seen(size_t lamp, uint32_t surfel) const { return states_[lamp][surfel]; }
     /// What each probe sees of a lamp, of kShareOfAll; or kShareUnknown.
-    [[nodiscard]] std::span<const uint8_t> sharesOf(size_t lamp) const { return shares_[lamp]; }
+    [[nodiscard]] std::vector<uint8_t> sharesOf(size_t lamp) const;
 
 private:
-    void placeProbes();
-    [[nodiscard]] std::vector<uint8_t> look(const AreaLight& lamp, std::span<const Seen> states,
-                                            const RayScene& scene,
-                                            std::span<const uint32_t> rays) const;
-    void darken(const TexelMarks& inShade, std::vector<uint8_t>& shares) const;
+    /// What probes see of a lamp: by blocks of surfels, which hold nothing where none looked.
+    using Shares = std::vector<std::vector<uint8_t>>;
 
+    void placeProbes();
+    [[nodiscard]] Shares look(const AreaLight& lamp, std::span<const Seen> states,
+                              const RayScene& scene, std::span<const uint32_t> rays) const;
+    void darken(const TexelMarks& inShade, Shares& shares) const;
     void drawTogether(std::span<const Seen> states, std::span<const uint32_t> rays,
-                      std::vector<uint8_t>& shares) const;
+                      Shares& shares) const;
+    /// Of a surfel's probes; empty where its block holds nothing.
+    [[nodiscard]] std::span<const uint8_t> ofSurfel(const Shares& shares, uint32_t surfel) const;
+    [[nodiscard]] std::span<uint8_t> ofSurfel(Shares& shares, uint32_t surfel) const;
 
     const Texels& texels_;
     SurfelSites sites_;
     InstructionSet set_;
-    std::vector<uint32_t> firstProbe_;         // of surfels, and one more
-    std::vector<float> x_, y_, z_;             // of probes
-    std::vector<float> reach_;                 // of surfels, m: how far a probe's word goes
-    std::vector<std::vector<Seen>> states_;    // [lamp][surfel]
-    std::vector<std::vector<uint8_t>> shares_; // [lamp][probe], of kAll; kUnknown: faces away
+    std::vector<uint32_t> firstProbe_;       // of surfels, and one more
+    std::vector<float> x_, y_, z_;           // of probes
+    std::vector<float> reach_;               // of surfels, m: how far a probe's word goes
+    std::vector<SparseBlocks<Seen>> states_; // [lamp][surfel]
+    std::vector<Shares> shares_;             // of lamps, of kAll; kUnknown: faces away
 };
 
 } // namespace relamp

@@ -1,3 +1,5 @@
+#include "base/sparse_blocks.h"
+
 #include "shading/lamp_sight.h"
 
 #include <gmock/gmock.h>
@@ -28,7 +30,7 @@ size_t placesKept(const LampSight& sight)
 
 } // namespace
 
-TEST(LampSight, KeepsBlocksThatSeeSomething)
+TEST(SparseBlocks, KeepThoseThatHoldSomething)
 {
     const LampSight sight = sightOfMiddle();
     EXPECT_EQ(sight.size(), kSightPlaces);
@@ -39,7 +41,7 @@ TEST(LampSight, KeepsBlocksThatSeeSomething)
     EXPECT_EQ(sight[kSightPlaces - 1].open, 0.0f);
 }
 
-TEST(LampSight, ChangesNoCopyOfIt)
+TEST(SparseBlocks, ChangeNoCopyOfThem)
 {
     LampSight sight = sightOfMiddle();
     const LampSight copy = sight;
@@ -52,7 +54,7 @@ TEST(LampSight, ChangesNoCopyOfIt)
     EXPECT_EQ(copy[kSightPlaces - 1].open, 0.0f);
 }
 
-TEST(LampSight, OfTwoLampsIsTheSum)
+TEST(SparseBlocks, OfTwoLampsAreTheSum)
 {
     LampSight both = sightOfMiddle();
     LampSight other(kSightPlaces);
