@@ -1,30 +1,29 @@
 #include "base/sparse_blocks.h"
 
-#include "shading/lamp_sight.h"
-
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 namespace relamp
 {
 namespace
 {
 
-constexpr size_t kSightPlaces = 3 * LampSight::kBlock - 10; // the last block is not full
+using Sparse = SparseBlocks<float>;
 
-/// Places of the middle block alone, each as much as its number.
-LampSight sightOfMiddle()
+constexpr size_t kSparseValues = 3 * Sparse::kBlock - 10; // the last block is not full
+
+/// Of the middle block alone, each as much as its number.
+Sparse middleBlock()
 {
-    std::vector<AreaSample> seen(kSightPlaces);
-    for (size_t i = LampSight::kBlock; i < 2 * LampSight::kBlock; ++i)
-        seen[i] = {.open = static_cast<float>(i), .visible = 0.5f * static_cast<float>(i)};
-    return LampSight(seen);
+    std::vector<float> values(kSparseValues, 0.0f);
+    for (size_t i = Sparse::kBlock; i < 2 * Sparse::kBlock; ++i) values[i] = static_cast<float>(i);
+    return Sparse(values);
 }
 
-size_t placesKept(const LampSight& sight)
+size_t valuesKept(const Sparse& values)
 {
     size_t kept = 0;
-    for (size_t b = 0; b < sight.blocks(); ++b)
-        sight.forEachOf(b, [&](size_t, AreaSample) { ++kept; });
+    for (size_t b = 0; b < values.blocks(); ++b)
+        values.forEachOf(b, [&](size_t, float) { ++kept; });
     return kept;
 }
 
@@ -32,40 +31,38 @@ size_t placesKept(const LampSight& sight)
 
 TEST(SparseBlocks, KeepThoseThatHoldSomething)
 {
-    const LampSight sight = sightOfMiddle();
-    EXPECT_EQ(sight.size(), kSightPlaces);
-    EXPECT_EQ(placesKept(sight), LampSight::kBlock);
-    EXPECT_EQ(sight[LampSight::kBlock - 1].open, 0.0f);
-    EXPECT_EQ(sight[LampSight::kBlock + 3].open, 67.0f);
-    EXPECT_EQ(sight[LampSight::kBlock + 3].visible, 33.5f);
-    EXPECT_EQ(sight[kSightPlaces - 1].open, 0.0f);
+    const Sparse middle = middleBlock();
+    EXPECT_EQ(middle.size(), kSparseValues);
+    EXPECT_EQ(valuesKept(middle), Sparse::kBlock);
+    EXPECT_EQ(middle[Sparse::kBlock - 1], 0.0f);
+    EXPECT_EQ(middle[Sparse::kBlock + 3], 67.0f);
+    EXPECT_EQ(middle[kSparseValues - 1], 0.0f);
 }
 
 TEST(SparseBlocks, ChangeNoCopyOfThem)
 {
-    LampSight sight = sightOfMiddle();
-    const LampSight copy = sight;
-    sight.set(LampSight::kBlock, {.open = 1.0f, .visible = 1.0f});
-    sight.set(kSightPlaces - 1, {.open = 2.0f, .visible = 1.0f}); // of a block that saw nothing
-    EXPECT_EQ(sight[LampSight::kBlock].open, 1.0f);
-    EXPECT_EQ(sight[kSightPlaces - 1].open, 2.0f);
-    EXPECT_EQ(placesKept(sight), 2 * LampSight::kBlock - 10);
-    EXPECT_EQ(copy[LampSight::kBlock].open, 64.0f);
-    EXPECT_EQ(copy[kSightPlaces - 1].open, 0.0f);
+    Sparse values = middleBlock();
+    const Sparse copy = values;
+    values.set(Sparse::kBlock, 1.0f);
+    values.set(kSparseValues - 1, 2.0f); // of a block that held nothing
+    EXPECT_EQ(values[Sparse::kBlock], 1.0f);
+    EXPECT_EQ(values[kSparseValues - 1], 2.0f);
+    EXPECT_EQ(valuesKept(values), 2 * Sparse::kBlock - 10);
+    EXPECT_EQ(copy[Sparse::kBlock], 64.0f);
+    EXPECT_EQ(copy[kSparseValues - 1], 0.0f);
 }
 
-TEST(SparseBlocks, OfTwoLampsAreTheSum)
+TEST(SparseBlocks, AddValueByValue)
 {
-    LampSight both = sightOfMiddle();
-    LampSight other(kSightPlaces);
-    other.set(0, {.open = 3.0f, .visible = 2.0f});
-    other.set(LampSight::kBlock, {.open = 6.0f, .visible = 1.0f});
-    both.add(other);
-    EXPECT_EQ(both[0].open, 3.0f);
-    EXPECT_EQ(both[LampSight::kBlock].open, 70.0f);
-    EXPECT_EQ(both[LampSight::kBlock].visible, 33.0f);
-    EXPECT_EQ(both[LampSight::kBlock + 1].open, 65.0f);
-    EXPECT_EQ(other[0].open, 3.0f);
+    Sparse both = middleBlock();
+    Sparse others(kSparseValues);
+    others.set(0, 3.0f);
+    others.set(Sparse::kBlock, 6.0f);
+    both.add(others);
+    EXPECT_EQ(both[0], 3.0f);
+    EXPECT_EQ(both[Sparse::kBlock], 70.0f);
+    EXPECT_EQ(both[Sparse::kBlock + 1], 65.0f);
+    EXPECT_EQ(others[Sparse::kBlock], 6.0f);
 }
 
 } // namespace relamp

@@ -1,6 +1,7 @@
 #include "fit/pieces.h"
 
 #include "base/disjoint_sets.h"
+#include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "fit/lamp_groups.h"
 #include "scan/one_room.h"
@@ -75,11 +76,43 @@ bool areInOneRoom(const RayScene& scene, const Candidate& a, const Candidate& b)
         const ClippedPatch& patch = of.patches[k * of.patches.size() / kParts];
         return FacingPlace{patch.position, patch.normal};
     };
+    constexpr size_t kHalf = kParts * kParts / 2;
     size_t together = 0;
-    for (size_t i = 0; i < kParts; ++i)
-        for (size_t j = 0; j < kParts; ++j)
-            together += areInOneRoom(scene, part(a, i), part(b, j)) ? size_t{1} : size_t{0};
-    return 2 * together > kParts * kParts;
+    size_t apart = 0;
+    for (size_t k = 0; k < kParts * kParts && together <= kHalf && apart < kHalf; ++k)
+        (areInOneRoom(scene, part(a, k / kParts), part(b, k % kParts)) ? together : apart) += 1;
+    return together > kHalf;
+}
+
+/// What two pieces are to each other.
+struct Kin
+{
+    uint32_t a;
+    uint32_t b;
+    bool areOneBody;
+    bool isModel;
+    bool lean;
+};
+
+/// What piece `a` is to those behind it, where it is anything.
+std::vector<Kin> kinBehind(const std::vector<Piece>& pieces, uint32_t a, const RayScene& scene)
+{
+    std::vector<Kin> kin;
+    for (uint32_t b = a + 1; b < pieces.size(); ++b) {
+        const Candidate& p = pieces[a].candidate;
+        const Candidate& q = pieces[b].candidate;
+        if (pieces[a].isOpening || pieces[b].isOpening) {
+            if (pieces[a].isOpening == pieces[b].isOpening && areTouching(p, q))
+                kin.push_back({a, b, false, true, false});
+            continue;
+        }
+        const bool areOneBody = pieces[a].body == pieces[b].body;
+        const bool lean = areOneBody || areInOnePlane(p, q);
+        const bool isModel = !areOneBody && !pieces[a].isUnseen && !pieces[b].isUnseen &&
+                             areOneModel(pieces[a], pieces[b]) && areInOneRoom(scene, p, q);
+        if (lean || isModel) kin.push_back({a, b, areOneBody, isModel, lean});
+    }
+    return kin;
 }
 
 } // namespace
@@ -94,22 +127,12 @@ Kinship kinshipOf(const std::vector<Piece>& pieces, const RayScene& scene)
 {
     Kinship kin{.model = std::vector<std::vector<uint32_t>>(pieces.size()),
                 .leansOn = std::vector<std::vector<uint32_t>>(pieces.size())};
-    for (uint32_t a = 0; a < pieces.size(); ++a)
-        for (uint32_t b = a + 1; b < pieces.size(); ++b) {
-            if (pieces[a].isOpening || pieces[b].isOpening) {
-                if (pieces[a].isOpening != pieces[b].isOpening ||
-                    !areTouching(pieces[a].candidate, pieces[b].candidate))
-                    continue;
-                kin.model[a].push_back(b);
-                kin.model[b].push_back(a);
-                continue;
-            }
-            const bool areOneBody = pieces[a].body == pieces[b].body;
-            const bool lean = areOneBody || areInOnePlane(pieces[a].candidate, pieces[b].candidate);
-            const bool isModel = !areOneBody && !pieces[a].isUnseen && !pieces[b].isUnseen &&
-                                 areOneModel(pieces[a], pieces[b]) &&
-                                 areInOneRoom(scene, pieces[a].candidate, pieces[b].candidate);
-            if (areOneBody || isModel) kin.alike.push_back({a, b});
+    std::vector<std::vector<Kin>> all(pieces.size());
+    forEach(pieces.size(),
+            [&](size_t a) { all[a] = kinBehind(pieces, static_cast<uint32_t>(a), scene); });
+    for (const std::vector<Kin>& ofPiece : all)
+        for (const auto& [a, b, areOneBody, isModel, lean] : ofPiece) {
+            if (!pieces[a].isOpening && (areOneBody || isModel)) kin.alike.push_back({a, b});
             if (lean && pieces[a].candidate.area >= pieces[b].candidate.area)
                 kin.leansOn[b].push_back(a);
             else if (lean)
