@@ -70,13 +70,13 @@ bool areOneModel(const Piece& a, const Piece& b)
 bool areInOneRoom(const RayScene& scene, const Candidate& a, const Candidate& b)
 {
     // Numerics.
-    constexpr size_t kParts = 4; // of each, evenly
+    constexpr size_t kParts = 4;                  // of each, evenly
+    constexpr size_t kHalf = kParts * kParts / 2; // of all looks
 
     const auto part = [](const Candidate& of, size_t k) {
         const ClippedPatch& patch = of.patches[k * of.patches.size() / kParts];
         return FacingPlace{patch.position, patch.normal};
     };
-    constexpr size_t kHalf = kParts * kParts / 2;
     size_t together = 0;
     size_t apart = 0;
     for (size_t k = 0; k < kParts * kParts && together <= kHalf && apart < kHalf; ++k)

@@ -72,6 +72,7 @@ std::vector<Value> picked(const std::vector<Value>& all, std::span<const uint32_
     return some;
 }
 
+// Numerics.
 constexpr uint32_t kOfAnother = ~0u; // room's piece
 
 /// A place of the house, or the place of a piece, as one of the room. `numbers`: its own of pieces

@@ -18,6 +18,7 @@ constexpr float kUsualError =
     0.1f; // of a ray, of all light there: such a place gets the usual rays
 constexpr float kFewestRays = 0.25f; // of these
 constexpr float kMostRays = 2.0f;
+
 // Numerics.
 constexpr size_t kSurfelsOfBlock = 64; // that look together
 
