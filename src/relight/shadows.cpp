@@ -167,7 +167,7 @@ Shadows::Shadows(const Texels& texels, const Obstacles& obstacles, const LightSo
         pages_.push_back(look(p, states, obstacles, light, rays));
     // The shadow of a point has no penumbra: what varies in it is where its edge lies.
     if (!light.isPoint()) smooth(states);
-    for (OfPage& page : pages_) page.moments = {};
+    for (OfPage& page : pages_) page.moments = std::vector<Moments>(); // = {} would keep its memory
 }
 
 void Shadows::Moments::add(float share, float varianceOfIt)
@@ -197,6 +197,8 @@ Shadows::OfPage Shadows::look(size_t p, std::span<const Seen> states, const Obst
         found.firstShare.push_back(state == Seen::some ? count : state == Seen::all ? kAll : kNone);
         if (state == Seen::some) count += page.runs[run + 1].begin - page.runs[run].begin;
     }
+    if (std::ranges::all_of(found.firstShare, [](uint32_t first) { return first == kNone; }))
+        return {}; // as most pages of a house
     found.shares.resize(count);
     found.moments.resize(found.firstShare.size());
     const Footprints prints(texels_, p);
@@ -275,6 +277,10 @@ bool Shadows::at(size_t p, size_t begin, size_t count, float* share) const
 {
     const PageTexels& page = texels_.pages[p];
     const OfPage& found = pages_[p];
+    if (found.firstShare.empty()) {
+        std::fill_n(share, count, 0.0f);
+        return false;
+    }
     bool isSeen = false;
     size_t run = page.runOf(begin);
     for (size_t at = begin; at < begin + count; ++run) {

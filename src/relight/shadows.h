@@ -50,7 +50,7 @@ private:
     };
     struct OfPage
     {
-        std::vector<uint32_t> firstShare; // of runs; kNone or kAll without shares
+        std::vector<uint32_t> firstShare; // of runs; kNone or kAll without shares; empty: all kNone
         std::vector<uint8_t> shares;      // of 255
         std::vector<Moments> moments;     // of runs, until they are smoothed
     };
