@@ -166,7 +166,7 @@ def judge_refusal(case, outcome, folder, before):
         if not any(name in line for name in names(case) for line in said):
             return "no file named"
     if re.search(r"\d of \d+ scans are done", outcome.err):  # the others' results stay, and must be whole
-        return judge_result(case, outcome, folder)
+        return judge_result(case, outcome, folder) if (folder / case.output).exists() else ""
     if everything(folder).keys() - before.keys():
         return "something left"
     return ""
