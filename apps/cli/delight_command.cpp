@@ -293,15 +293,21 @@ relamp::PageOptions pageOptions(const DelightArguments& arguments)
     return page;
 }
 
-/// The page of what was written, for browsers, in a folder of its own.
-void writePage(const DelightArguments& arguments, relamp::Progress& progress)
+std::filesystem::path folderOfPage(const DelightArguments& arguments)
+{
+    return arguments.folder / "page";
+}
+
+/// The page of what was written, for browsers, in a folder of its own. Returns what it lacks.
+std::vector<std::string> writePage(const DelightArguments& arguments, relamp::Progress& progress)
 {
     const relamp::PageOptions page = pageOptions(arguments);
     const relamp::DelitRoom room = relamp::readDelitRoom(arguments.folder, page.scan, progress);
     relamp::RelightOptions options{.engine = arguments.options.engine};
     relamp::Relighter relighter(room, options, progress);
-    relamp::writePage(relighter, relamp::asCaptured(room.captured), arguments.folder / "page", page,
-                      progress);
+    return relamp::writePage(relighter, relamp::asCaptured(room.captured), folderOfPage(arguments),
+                             page, progress)
+        .notes;
 }
 
 int runOne(DelightArguments& arguments)
@@ -316,7 +322,7 @@ int runOne(DelightArguments& arguments)
     const auto replacing = arguments.force ? relamp::Replacing::any : relamp::Replacing::unchanged;
     relamp::checkOutput(arguments.scan.file, arguments.folder, replacing, arguments.files);
     relamp::checkDevice(arguments.options.engine);
-    if (arguments.page) pageOptions(arguments); // before anything takes long
+    if (arguments.page) relamp::checkPage(folderOfPage(arguments), pageOptions(arguments));
     std::vector<std::string> notes;
     if (!arguments.lights.empty())
         arguments.options.lights = relamp::readLights(arguments.lights, notes);
@@ -331,6 +337,7 @@ int runOne(DelightArguments& arguments)
     if (arguments.options.gather.quality == relamp::Quality::draft)
         arguments.scan.options.longestSide = relamp::kDraftSide;
     relamp::Scan scan = relamp::readScan(arguments.scan.file, arguments.scan.options, progress);
+    if (arguments.page) relamp::checkPage(scan);
     scan.warnings.insert(scan.warnings.end(), notes.begin(), notes.end());
     if (arguments.options.lights)
         arguments.options.fixtures =
@@ -339,11 +346,14 @@ int runOne(DelightArguments& arguments)
         relamp::delight(std::move(scan), arguments.options, progress);
     const std::string report = relamp::writeResult(result, arguments.scan.file, arguments.folder,
                                                    progress, replacing, arguments.files);
-    if (arguments.page) writePage(arguments, progress);
+    const std::vector<std::string> lacking =
+        arguments.page ? writePage(arguments, progress) : std::vector<std::string>();
     endProgressDisplay(talk);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (arguments.json) printExactly(report); // endOutput tells whether it came
-    if (!isSilent) printSummary(arguments, result, elapsed.count());
+    if (isSilent) return 0;
+    printSummary(arguments, result, elapsed.count());
+    for (const std::string& note : lacking) printProblem("note: " + note);
     return 0;
 }
 

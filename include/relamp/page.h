@@ -35,11 +35,14 @@ struct WrittenPage
 /// takes long.
 RELAMP_API void checkPage(const std::filesystem::path& folder, const PageOptions& options);
 
+/// Throws Error(unsupported) where a page cannot show such a scan: one of colours of vertices.
+RELAMP_API void checkPage(const Scan& scan);
+
 /// Writes a page for browsers that shows the room, described in docs/guide/page.md, into `folder`:
 /// whole or not at all. It has the room as it was scanned, its albedo, and a lightmap of each light
 /// of `lighting` (partsOf), which the browser adds up. Leaves the relighter under the last of them.
 /// Throws Error(cannotWrite | cannotRead | cancelled), and Error(unsupported) where no light is on
-/// or the room has colours of vertices in place of textures.
+/// or checkPage() refuses the scan.
 RELAMP_API WrittenPage writePage(Relighter& relighter, const Relighting& lighting,
                                  const std::filesystem::path& folder, const PageOptions& options,
                                  Progress& progress = unwatched());

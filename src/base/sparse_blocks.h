@@ -48,7 +48,8 @@ public:
     void set(size_t i, Value value)
     {
         std::shared_ptr<Block>& block = blocks_[i / kBlock];
-        block = block ? std::make_shared<Block>(*block) : std::make_shared<Block>();
+        if (!block) block = std::make_shared<Block>();
+        if (block.use_count() > 1) block = std::make_shared<Block>(*block);
         (*block)[i % kBlock] = value;
     }
     /// Adds as many others, value by value.

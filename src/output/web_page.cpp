@@ -277,16 +277,16 @@ private:
     WrittenPage written_;
 };
 
-void checkCanBeShown(const DelitRoom& room)
+} // namespace
+
+void checkPage(const Scan& scan)
 {
-    for (const Page& page : room.scan->pages)
+    for (const Page& page : scan.pages)
         if (page.ofVertices)
-            fail(ErrorCode::unsupported, room.scan->title(),
+            fail(ErrorCode::unsupported, scan.title(),
                  "has colours of vertices, and a page shows textures alone; bake them into a "
                  "texture first");
 }
-
-} // namespace
 
 void checkPage(const std::filesystem::path& folder, const PageOptions& options)
 {
@@ -299,7 +299,7 @@ WrittenPage writePage(Relighter& relighter, const Relighting& lighting,
                       Progress& progress)
 {
     checkViewer(options.viewer);
-    checkCanBeShown(relighter.room());
+    checkPage(*relighter.room().scan);
     const std::vector<LightPart> parts = partsOf(lighting, relighter);
     if (parts.empty())
         fail(ErrorCode::unsupported, relighter.room().scan->title(),

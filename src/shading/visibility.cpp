@@ -145,19 +145,14 @@ void Visibility::placeProbes()
     });
 }
 
-std::span<const uint8_t> Visibility::ofSurfel(const Shares& shares, uint32_t surfel) const
+template<class AnyShares>
+auto Visibility::ofSurfel(AnyShares& shares, uint32_t surfel) const
 {
     const size_t block = surfel / kSurfelsOfBlock;
-    if (shares[block].empty()) return {};
-    return std::span(shares[block])
-        .subspan(firstProbe_[surfel] - firstProbe_[block * kSurfelsOfBlock],
-                 firstProbe_[surfel + 1] - firstProbe_[surfel]);
-}
-
-std::span<uint8_t> Visibility::ofSurfel(Shares& shares, uint32_t surfel) const
-{
-    const std::span<const uint8_t> of = ofSurfel(std::as_const(shares), surfel);
-    return {const_cast<uint8_t*>(of.data()), of.size()};
+    const std::span ofBlock(shares[block]);
+    if (ofBlock.empty()) return ofBlock;
+    return ofBlock.subspan(firstProbe_[surfel] - firstProbe_[block * kSurfelsOfBlock],
+                           firstProbe_[surfel + 1] - firstProbe_[surfel]);
 }
 
 std::vector<uint8_t> Visibility::sharesOf(size_t lamp) const
@@ -275,17 +270,17 @@ void Visibility::at(size_t lamp, uint32_t surfel, const TexelBlock& block, size_
     const float far = surfels.size + reach_[surfel];
     for (const uint32_t n : surfels.neighborsOf(surfel)) {
         if (states_[lamp][n] != Seen::some) continue;
-        uint32_t probe = firstProbe_[n] - 1;
-        for (const uint8_t ofProbe : ofSurfel(shares_[lamp], n)) {
-            ++probe;
-            if (ofProbe == kUnknown || taps.count == ShareTaps::kMost) continue;
+        const std::span<const uint8_t> shares = ofSurfel(shares_[lamp], n);
+        for (size_t k = 0; k < shares.size(); ++k) {
+            if (shares[k] == kUnknown || taps.count == ShareTaps::kMost) continue;
+            const size_t probe = firstProbe_[n] + k;
             const glm::vec3 position(x_[probe], y_[probe], z_[probe]);
             const glm::vec3 way = position - surfels.position[surfel];
             if (n != surfel && glm::dot(way, way) > far * far) continue;
             taps.x[taps.count] = position.x;
             taps.y[taps.count] = position.y;
             taps.z[taps.count] = position.z;
-            taps.share[taps.count++] = static_cast<float>(ofProbe) / kAll;
+            taps.share[taps.count++] = static_cast<float>(shares[k]) / kAll;
         }
     }
     if (taps.count == 0) return;

@@ -75,8 +75,8 @@ private:
     void drawTogether(std::span<const Seen> states, std::span<const uint32_t> rays,
                       Shares& shares) const;
     /// Of a surfel's probes; empty where its block holds nothing.
-    [[nodiscard]] std::span<const uint8_t> ofSurfel(const Shares& shares, uint32_t surfel) const;
-    [[nodiscard]] std::span<uint8_t> ofSurfel(Shares& shares, uint32_t surfel) const;
+    template<class AnyShares>
+    [[nodiscard]] auto ofSurfel(AnyShares& shares, uint32_t surfel) const;
 
     const Texels& texels_;
     SurfelSites sites_;
