@@ -125,7 +125,7 @@ FixtureMap Decomposition::fixtures(size_t page) const
 {
     const GlowMarks& glowing = state_->solution.glowing;
     return fixtureMapOf(*state_->texels, page, state_->solution.fixtureOf,
-                        glowing.areNone() ? std::span<const uint8_t>() : glowing.isGlowing[page]);
+                        glowing.areNone() ? std::vector<bool>() : glowing.isGlowing[page]);
 }
 
 PageLayers Decomposition::layers(size_t page, Progress& progress) const

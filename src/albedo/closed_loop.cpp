@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 namespace relamp
 {
@@ -38,8 +39,8 @@ struct AlbedoSum
 };
 
 /// Sums of the runs of a page over texels that are not burnt out.
-std::vector<AlbedoSum> sumRuns(const Texels& texels, size_t p,
-                               const std::vector<uint8_t>& isClipped, const Image& image)
+std::vector<AlbedoSum> sumRuns(const Texels& texels, size_t p, const std::vector<bool>& isClipped,
+                               const Image& image)
 {
     const PageTexels& page = texels.pages[p];
     const TexelLoader loader(texels, p);
@@ -50,7 +51,7 @@ std::vector<AlbedoSum> sumRuns(const Texels& texels, size_t p,
             loader.loadArea(begin, count, block);
             for (size_t i = 0; i < count; ++i) {
                 const uint32_t pixel = page.pixel[begin + i];
-                if (isClipped[pixel] != 0) continue;
+                if (isClipped[pixel]) continue;
                 sums[run].albedo += block.area[i] * glm::min(albedo[pixel], 1.0f);
                 sums[run].area += block.area[i];
             }
@@ -163,7 +164,7 @@ std::vector<RenderedPlace> renderAgain(const Texels& texels, const PathTracer& t
                                        const Linearization& linearization,
                                        const VerifyOptions& options, Progress& progress)
 {
-    std::vector<TexelLoader> loaders;
+    std::deque<TexelLoader> loaders;
     std::vector<Radiance> albedoOf;
     for (size_t p = 0; p < texels.pages.size(); ++p) {
         loaders.emplace_back(texels, p, &linearization);
@@ -180,7 +181,7 @@ std::vector<RenderedPlace> renderAgain(const Texels& texels, const PathTracer& t
             loaders[page].load(texel, 1, block);
             loaders[page].loadArea(texel, 1, block);
             const uint32_t pixel = texels.pages[page].pixel[texel];
-            if (tracer.room().isClipped[page][pixel] != 0) continue;
+            if (tracer.room().isClipped[page][pixel]) continue;
             const TexelSite site = texels.siteOf(page, texel);
             const glm::vec3 rho = albedoOf[page][pixel];
             const auto render = [&](uint64_t sequence) {

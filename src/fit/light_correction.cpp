@@ -367,7 +367,7 @@ SurfelLighting foundLight(const Texels& texels, const SurfelRadiance& radiance,
                 shade(p, begin, block, shading);
                 for (size_t i = 0; i < count; ++i) {
                     const uint32_t s = block.surfel[i];
-                    const bool isPlain = radiance.isClipped[p][page.pixel[begin + i]] == 0;
+                    const bool isPlain = !radiance.isClipped[p][page.pixel[begin + i]];
                     const float weight = isPlain || radiance.plainArea[s] == 0.0f ? 1.0f : 0.0f;
                     counts[s] += weight;
                     light.irradiance[s] += weight * kPi *

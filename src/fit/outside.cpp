@@ -35,9 +35,10 @@ std::vector<uint8_t> trianglesOfPanes(const Texels& texels, const SurfelRadiance
         for (size_t run = 0; run + 1 < page.runs.size(); ++run)
             for (size_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i) {
                 const bool isOfPane = isPaneSurfel[page.runs[run].surfel] != 0 &&
-                                      radiance.isClipped[p][page.pixel[i]] != 0;
+                                      radiance.isClipped[p][page.pixel[i]];
                 excess[page.facet[i]] += isOfPane ? 1 : -1;
             }
+        texels.letGo(p);
     }
     std::vector<uint8_t> isOfPane(texels.facets.triangles, 0);
     for (size_t t = 0; t < isOfPane.size(); ++t) isOfPane[t] = excess[t] > 0 ? 1 : 0;

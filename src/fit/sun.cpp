@@ -63,8 +63,9 @@ TexelMarks markShade(const Sun& sun, const Texels& texels, const SurfelRadiance&
         for (size_t run = 0; run + 1 < page.runs.size(); ++run)
             for (size_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i)
                 if (isPlainShaded[page.runs[run].surfel] != 0 &&
-                    radiance.isClipped[p][page.pixel[i]] == 0)
+                    !radiance.isClipped[p][page.pixel[i]])
                     ofPage[i] = 1;
+        texels.letGo(p);
     }
     return marks;
 }

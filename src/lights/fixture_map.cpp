@@ -44,7 +44,7 @@ private:
 };
 
 void addVotes(const FixtureMap& map, const Texels& texels, size_t p,
-              const std::vector<uint8_t>& isClipped, std::vector<Vote>& votes)
+              const std::vector<bool>& isClipped, std::vector<Vote>& votes)
 {
     const MapOfPage fixtures(map, texels.scan->pages[p].image);
     const PageTexels& page = texels.pages[p];
@@ -53,7 +53,7 @@ void addVotes(const FixtureMap& map, const Texels& texels, size_t p,
         const size_t first = votes.size();
         for (size_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i) {
             const uint32_t pixel = page.pixel[i];
-            if (isClipped[pixel] == 0) continue;
+            if (!isClipped[pixel]) continue;
             const int32_t fixture = fixtures.at(pixel);
             const auto same =
                 std::find_if(votes.begin() + static_cast<std::ptrdiff_t>(first), votes.end(),
@@ -93,7 +93,7 @@ std::vector<std::pair<uint32_t, int32_t>> winnersOf(std::vector<Vote> votes)
 } // namespace
 
 FixtureMap fixtureMapOf(const Texels& texels, size_t page, std::span<const int32_t> fixtureOf,
-                        std::span<const uint8_t> isGlowing)
+                        const std::vector<bool>& isGlowing)
 {
     const Image& image = texels.scan->pages[page].image;
     const float burntOut = image.clipsAtWhite ? kBurntOut : 1.0f;
@@ -108,7 +108,7 @@ FixtureMap fixtureMapOf(const Texels& texels, size_t page, std::span<const int32
             for (size_t i = 0; i < count; ++i) {
                 const uint32_t pixel = texelsOfPage.pixel[begin + i];
                 if (brightestChannel({block.r[i], block.g[i], block.b[i]}) >= burntOut ||
-                    (!isGlowing.empty() && isGlowing[pixel] != 0))
+                    (!isGlowing.empty() && isGlowing[pixel]))
                     map.id[pixel] = fixture;
             }
         });
@@ -116,14 +116,13 @@ FixtureMap fixtureMapOf(const Texels& texels, size_t page, std::span<const int32
     return map;
 }
 
-std::vector<std::vector<uint8_t>> burntOutBy(std::span<const FixtureMap> maps)
+PixelMarks burntOutBy(std::span<const FixtureMap> maps)
 {
-    std::vector<std::vector<uint8_t>> isBurntOut;
+    PixelMarks isBurntOut;
     for (const FixtureMap& map : maps) {
-        std::vector<uint8_t>& page = isBurntOut.emplace_back(map.id.size());
-        std::transform(map.id.begin(), map.id.end(), page.begin(), [](int32_t fixture) {
-            return static_cast<uint8_t>(fixture != FixtureMap::kNone);
-        });
+        std::vector<bool>& page = isBurntOut.emplace_back(map.id.size());
+        std::transform(map.id.begin(), map.id.end(), page.begin(),
+                       [](int32_t fixture) { return fixture != FixtureMap::kNone; });
     }
     return isBurntOut;
 }

@@ -18,10 +18,10 @@ using SurfacesOfFixtures = std::map<int, std::vector<ClippedPatch>>;
 /// Whose the texels of a page are. `fixtureOf` is one a surfel: whose its burnt-out texels are, a
 /// number or FixtureMap::kWall. `isGlowing`, of pixels: what counts as burnt out besides.
 FixtureMap fixtureMapOf(const Texels& texels, size_t page, std::span<const int32_t> fixtureOf,
-                        std::span<const uint8_t> isGlowing = {});
+                        const std::vector<bool>& isGlowing = {});
 
 /// SurfelRadiance::isClipped as maps of pages tell it.
-std::vector<std::vector<uint8_t>> burntOutBy(std::span<const FixtureMap> maps);
+PixelMarks burntOutBy(std::span<const FixtureMap> maps);
 
 /// The surfaces that maps of all pages tell. Where a map has another size than its page, the texels
 /// of the page look up what lies at their place. A surfel is of the fixture that most of its

@@ -39,39 +39,37 @@ GlowMarks glowingFrom(const Texels& texels, std::span<const float> from,
 {
     GlowMarks marks;
     for (size_t p = 0; p < texels.pages.size(); ++p) {
-        std::vector<uint8_t>& page =
-            marks.isGlowing.emplace_back(texels.scan->pages[p].image.pixels(), uint8_t{0});
+        std::vector<uint8_t> page(texels.scan->pages[p].image.pixels(), 0);
         forEachTexel(
             texels, p, linearization, [&](uint32_t surfel) { return from[surfel] < kNone; },
             [&](uint32_t surfel, uint32_t pixel, float shown) {
                 page[pixel] = shown >= from[surfel] ? 1 : 0;
             });
+        marks.isGlowing.push_back(marksFrom(page));
     }
     return marks;
 }
 
-GlowMarks glowingBy(std::span<const FixtureMap> maps,
-                    std::span<const std::vector<uint8_t>> isBurntOut)
+GlowMarks glowingBy(std::span<const FixtureMap> maps, std::span<const std::vector<bool>> isBurntOut)
 {
     GlowMarks marks;
     bool isAny = false;
     for (size_t p = 0; p < std::min(maps.size(), isBurntOut.size()); ++p) {
-        std::vector<uint8_t>& page = marks.isGlowing.emplace_back(isBurntOut[p].size(), uint8_t{0});
+        std::vector<bool>& page = marks.isGlowing.emplace_back(isBurntOut[p].size());
         if (maps[p].id.size() != page.size()) continue;
         for (size_t pixel = 0; pixel < page.size(); ++pixel) {
-            page[pixel] = maps[p].id[pixel] >= 0 && isBurntOut[p][pixel] == 0 ? 1 : 0;
-            isAny |= page[pixel] != 0;
+            page[pixel] = maps[p].id[pixel] >= 0 && !isBurntOut[p][pixel];
+            isAny = isAny || page[pixel];
         }
     }
     return isAny ? marks : GlowMarks{};
 }
 
-std::vector<std::vector<uint8_t>> withGlowing(std::vector<std::vector<uint8_t>> isBurntOut,
-                                              const GlowMarks& marks)
+PixelMarks withGlowing(PixelMarks isBurntOut, const GlowMarks& marks)
 {
     for (size_t p = 0; p < marks.isGlowing.size(); ++p)
         for (size_t pixel = 0; pixel < isBurntOut[p].size(); ++pixel)
-            isBurntOut[p][pixel] |= marks.isGlowing[p][pixel];
+            isBurntOut[p][pixel] = isBurntOut[p][pixel] || marks.isGlowing[p][pixel];
     return isBurntOut;
 }
 
@@ -84,7 +82,7 @@ std::vector<float> leastOfGlowing(const Texels& texels, const GlowMarks& marks,
         forEachTexel( // a surfel has one run a page
             texels, p, linearization, [](uint32_t) { return true; },
             [&](uint32_t surfel, uint32_t pixel, float shown) {
-                if (marks.isGlowing[p][pixel] != 0)
+                if (marks.isGlowing[p][pixel])
                     least[surfel] = std::min(least[surfel], kAsHalves * shown);
             });
     }

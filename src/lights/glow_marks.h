@@ -1,6 +1,7 @@
 #pragma once
 
 #include "relamp/lights.h"
+#include "scan/pixel_marks.h"
 #include "scan/texels.h"
 
 #include <cstdint>
@@ -13,7 +14,7 @@ namespace relamp
 /// Texels that are a lamp's though they are not burnt out.
 struct GlowMarks
 {
-    std::vector<std::vector<uint8_t>> isGlowing; // [page][pixel]; empty: there are none
+    PixelMarks isGlowing; // empty: there are none
 
     [[nodiscard]] bool areNone() const { return isGlowing.empty(); }
 };
@@ -26,11 +27,10 @@ GlowMarks glowingFrom(const Texels& texels, std::span<const float> from,
 /// Those that maps of all pages call a fixture's. A map of another size than its page tells of
 /// none.
 GlowMarks glowingBy(std::span<const FixtureMap> maps,
-                    std::span<const std::vector<uint8_t>> isBurntOut);
+                    std::span<const std::vector<bool>> isBurntOut);
 
 /// What counts as burnt out with them: SurfelRadiance::isClipped.
-std::vector<std::vector<uint8_t>> withGlowing(std::vector<std::vector<uint8_t>> isBurntOut,
-                                              const GlowMarks& marks);
+PixelMarks withGlowing(PixelMarks isBurntOut, const GlowMarks& marks);
 
 /// The other way round: the luminance of each surfel that its marked texels, and none that is
 /// darker, reach; infinity where none is marked. Empty where there are no marks.

@@ -22,7 +22,7 @@ std::vector<int32_t> lampOfSurfels(std::span<const Shiner> lamps, size_t surfels
 }
 
 /// Burnt-out texels of one run of a page.
-void addRun(const Texels& texels, size_t p, size_t run, const std::vector<uint8_t>& isClipped,
+void addRun(const Texels& texels, size_t p, size_t run, const std::vector<bool>& isClipped,
             glm::vec3 radiance, std::vector<LampTexel>& out)
 {
     const PageTexels& page = texels.pages[p];
@@ -32,7 +32,7 @@ void addRun(const Texels& texels, size_t p, size_t run, const std::vector<uint8_
         loader.loadGeometry(begin, count, block);
         loader.loadArea(begin, count, block);
         for (size_t i = 0; i < count; ++i)
-            if (isClipped[page.pixel[begin + i]] != 0)
+            if (isClipped[page.pixel[begin + i]])
                 out.push_back({{block.x[i], block.y[i], block.z[i]},
                                {block.nx[i], block.ny[i], block.nz[i]},
                                block.area[i],

@@ -49,12 +49,12 @@ void addClipped(const TexelBlock& block, size_t i, glm::vec3 facing, RadianceSum
 /// they are, by what the texture shows.
 template<class IsBurntOut>
 std::vector<RadianceSum> sumRuns(const Texels& texels, size_t p, const Linearization* linearization,
-                                 const IsBurntOut& isBurntOut, std::vector<uint8_t>& isClipped)
+                                 const IsBurntOut& isBurntOut, std::vector<bool>& isClipped)
 {
     const PageTexels& page = texels.pages[p];
     const TexelLoader loader(texels, p, linearization);
     std::vector<RadianceSum> sums(page.runs.size() - 1);
-    isClipped.assign(texels.scan->pages[p].image.pixels(), 0);
+    std::vector<uint8_t> clipped(texels.scan->pages[p].image.pixels(), 0);
     forEachRun(page, [&](size_t run, TexelBlock& block) {
         const glm::vec3 white = linearization == nullptr
                                     ? glm::vec3(1.0f)
@@ -68,18 +68,19 @@ std::vector<RadianceSum> sumRuns(const Texels& texels, size_t p, const Lineariza
                     addPlain(block, i, sums[run]);
                     continue;
                 }
-                isClipped[page.pixel[begin + i]] = 1;
+                clipped[page.pixel[begin + i]] = 1;
                 const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
                 addClipped(block, i, facingOf(texels, page.facet[begin + i], normal), sums[run]);
             }
         });
     });
+    isClipped = marksFrom(clipped);
     return sums;
 }
 
 std::vector<RadianceSum> sumRunsByTexture(const Texels& texels, size_t p,
                                           const Linearization* linearization,
-                                          std::vector<uint8_t>& isClipped)
+                                          std::vector<bool>& isClipped)
 {
     const float burntOut = texels.scan->pages[p].image.clipsAtWhite ? kBurntOut : 1.0f;
     return sumRuns(
@@ -90,7 +91,7 @@ std::vector<RadianceSum> sumRunsByTexture(const Texels& texels, size_t p,
 } // namespace
 
 SurfelRadiance collectRadiance(const Texels& texels, Progress& progress,
-                               std::span<const std::vector<uint8_t>> isBurntOut,
+                               std::span<const std::vector<bool>> isBurntOut,
                                const Linearization* linearization)
 {
     const size_t surfels = texels.surfels.count();
@@ -105,7 +106,7 @@ SurfelRadiance collectRadiance(const Texels& texels, Progress& progress,
                 ? sumRunsByTexture(texels, p, linearization, result.isClipped[p])
                 : sumRuns(
                       texels, p, linearization,
-                      [&](uint32_t pixel, glm::vec3) { return isBurntOut[p][pixel] != 0; },
+                      [&](uint32_t pixel, glm::vec3) { return isBurntOut[p][pixel]; },
                       result.isClipped[p]);
         for (size_t run = 0; run < sums.size(); ++run) {
             RadianceSum& sum = total[texels.pages[p].runs[run].surfel];

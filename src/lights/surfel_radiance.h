@@ -1,6 +1,7 @@
 #pragma once
 
 #include "relamp/progress.h"
+#include "scan/pixel_marks.h"
 #include "scan/texels.h"
 
 #include <cstdint>
@@ -29,8 +30,8 @@ struct SurfelRadiance
     std::vector<float> plainArea;      // of these, m^2; where it is 0, `plain` is white
     std::vector<float> clippedArea;    // of the others
     std::vector<ClippedPatch> clipped; // ascending by surfel
-    std::vector<std::vector<uint8_t>> isClipped; // [page][pixel]: not 0 where a texel is burnt out
-    std::vector<glm::vec3> white;                // what white of the texture stands for; empty: 1
+    PixelMarks isClipped;              // where a texel is burnt out
+    std::vector<glm::vec3> white;      // what white of the texture stands for; empty: 1
 
     [[nodiscard]] glm::vec3 whiteOf(size_t surfel) const
     {
@@ -54,7 +55,7 @@ inline bool isHardlyBurntOut(const SurfelRadiance& radiance, size_t surfel)
 /// out from white on. `isBurntOut`, if it is not empty, says instead which texels are, as
 /// SurfelRadiance::isClipped: of a texture that is no photo. `linearization`: null, there is none.
 SurfelRadiance collectRadiance(const Texels& texels, Progress& progress,
-                               std::span<const std::vector<uint8_t>> isBurntOut = {},
+                               std::span<const std::vector<bool>> isBurntOut = {},
                                const Linearization* linearization = nullptr);
 
 } // namespace relamp

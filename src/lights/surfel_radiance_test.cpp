@@ -34,7 +34,7 @@ TEST(SurfelRadiance, EveryTexelIsPlainOrBurntOut)
     EXPECT_NEAR(sumOf(floor.radiance.plainArea), 2.0f * 1.24f, 0.01f);
     EXPECT_NEAR(sumOf(floor.radiance.clippedArea), 2.0f * 0.76f, 0.01f);
     size_t marked = 0;
-    for (const uint8_t clipped : floor.radiance.isClipped[0]) marked += clipped != 0 ? 1 : 0;
+    for (const bool clipped : floor.radiance.isClipped[0]) marked += clipped ? 1 : 0;
     EXPECT_EQ(marked, 200u * 76u);
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -22,11 +23,12 @@ constexpr int kHeight = PreviewPicture::kRowHeight;
 constexpr int kColumns = 3;
 constexpr size_t kRow = size_t{kColumns} * kWidth;
 constexpr size_t kShadingColumn = kColumns - 1;
-constexpr double kWhite = 0.95;    // quantile of the shading that is shown as white
-constexpr int kSamples = 2;        // of a pixel
-constexpr int kLongestSide = 2048; // of a page in a preview
-constexpr float kNothing = 0.02f;  // where no surface is seen
-constexpr float kBackside = 0.08f; // where one is seen from behind
+constexpr double kWhite = 0.95;          // quantile of the shading that is shown as white
+constexpr int kSamples = 2;              // of a pixel
+constexpr int kLongestSide = 2048;       // of a page in a preview
+constexpr double kPagesOfFullSide = 4.0; // of more, each shows less of a room
+constexpr float kNothing = 0.02f;        // where no surface is seen
+constexpr float kBackside = 0.08f;       // where one is seen from behind
 
 glm::vec3 rgbAt(const std::vector<uint16_t>& layer, size_t pixel)
 {
@@ -122,11 +124,14 @@ void develop(std::span<const glm::vec3> linear, float scale, uint8_t* rgb)
 
 } // namespace
 
-PreviewPage previewOf(const Page& page, const PageLayers& layers)
+PreviewPage previewOf(const Page& page, const PageLayers& layers, size_t pages)
 {
     PreviewPage preview;
+    const int side =
+        kLongestSide /
+        static_cast<int>(std::ceil(std::sqrt(static_cast<double>(pages) / kPagesOfFullSide)));
     const int longest = std::max(layers.width, layers.height);
-    preview.shrink = page.ofVertices ? 1 : (longest + kLongestSide - 1) / kLongestSide;
+    preview.shrink = page.ofVertices ? 1 : (longest + side - 1) / side;
     preview.size = {(layers.width + preview.shrink - 1) / preview.shrink,
                     (layers.height + preview.shrink - 1) / preview.shrink};
     const auto width = static_cast<size_t>(preview.size.width);

@@ -25,8 +25,8 @@ struct PreviewPage
     std::vector<uint16_t> samples;
 };
 
-/// Shrinks a page's layers to what a picture needs.
-PreviewPage previewOf(const Page& page, const PageLayers& layers);
+/// Shrinks a page's layers to what a picture needs, of `pages` that show the scan together.
+PreviewPage previewOf(const Page& page, const PageLayers& layers, size_t pages);
 
 struct PreviewPicture
 {

@@ -220,7 +220,7 @@ void ResultWriter::run()
         const PageLayers layers = result_.layers(page, progress_);
         const bool isLast = page + 1 == scan_.pages.size();
         Progress::Stage stage(progress_, "write", 5);
-        previews_.push_back(previewOf(scan_.pages[page], layers));
+        previews_.push_back(previewOf(scan_.pages[page], layers, scan_.pages.size()));
         for (size_t d = 0; d < kDoubts; ++d) area_[d] += layers.area[d];
         const PreviewPicture preview = isLast ? drawPreview() : PreviewPicture{};
         callAll(

@@ -62,7 +62,7 @@ EngineOptions engineOf(const RelightOptions& options)
 
 RadiosityLight::RadiosityLight(const Texels& texels, const RayScene& scene,
                                const Transport& transport,
-                               std::span<const std::vector<uint8_t>> isClipped,
+                               std::span<const std::vector<bool>> isClipped,
                                const RelightOptions& options)
     : texels_(texels), scene_(scene), transport_(transport), isClipped_(isClipped),
       shadowRays_(static_cast<size_t>(options.shadowRays)), engine_(transport, engineOf(options))

@@ -51,7 +51,7 @@ public:
     /// The arguments, but for the options, must outlive this. Throws Error(device) as
     /// RadiosityEngine.
     RadiosityLight(const Texels& texels, const RayScene& scene, const Transport& transport,
-                   std::span<const std::vector<uint8_t>> isClipped, const RelightOptions& options);
+                   std::span<const std::vector<bool>> isClipped, const RelightOptions& options);
 
     /// Takes over the light; `albedo` is that of surfels.
     void set(const ActiveLights& active, std::span<const glm::vec3> albedo, ShadowDetail detail,
@@ -78,7 +78,7 @@ private:
     const Texels& texels_;
     const RayScene& scene_;
     const Transport& transport_;
-    std::span<const std::vector<uint8_t>> isClipped_;
+    std::span<const std::vector<bool>> isClipped_;
     size_t shadowRays_;
     RadiosityEngine engine_;
 

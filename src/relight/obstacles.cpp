@@ -30,7 +30,7 @@ bool Obstacles::isBlocked(Ray ray) const
         const glm::vec3 place = ray.origin + hit.distance * ray.direction;
         const uint32_t surfel = texels_.surfels.find(place, normalAt(texels_, hit));
         const auto [page, pixel] = nearestPixelAt(texels_, hit);
-        if (surfel == Surfels::kNone || isOpening_[surfel] == 0 || isClipped_[page][pixel] == 0)
+        if (surfel == Surfels::kNone || isOpening_[surfel] == 0 || !isClipped_[page][pixel])
             return true;
         ray.nearest = hit.distance + kOffOpening;
     }

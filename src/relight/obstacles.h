@@ -19,7 +19,7 @@ public:
     /// is burnt out in a surfel of an opening goes through. Without openings everything stops
     /// light.
     Obstacles(const Texels& texels, const RayScene& scene, std::span<const uint8_t> isOpening,
-              std::span<const std::vector<uint8_t>> isClipped)
+              std::span<const std::vector<bool>> isClipped)
         : texels_(texels), scene_(scene), isOpening_(isOpening), isClipped_(isClipped)
     {}
 
@@ -32,7 +32,7 @@ private:
     const Texels& texels_;
     const RayScene& scene_;
     std::span<const uint8_t> isOpening_; // empty: none
-    std::span<const std::vector<uint8_t>> isClipped_;
+    std::span<const std::vector<bool>> isClipped_;
 };
 
 } // namespace relamp

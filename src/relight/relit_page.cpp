@@ -99,8 +99,7 @@ Image relitPage(const Relighter::State& state, size_t p, Progress& progress)
     std::vector<uint16_t> rgb(3 * original.pixels());
     std::vector<uint8_t> covered(original.pixels());
     forEachLitTexel(state, p, progress, [&](uint32_t pixel, uint32_t surfel, glm::vec3 shading) {
-        const bool shines =
-            state.active.shines[surfel] != 0 && state.radiance.isClipped[p][pixel] != 0;
+        const bool shines = state.active.shines[surfel] != 0 && state.radiance.isClipped[p][pixel];
         storeHalf(rgb, pixel,
                   shines ? state.active.emission[surfel]
                          : state.albedo.ofTexel(p, pixel, surfel) * shading);

@@ -29,7 +29,7 @@ struct RoomAlbedo::Sum
 
 RoomAlbedo::RoomAlbedo(const Texels& texels, std::span<const Image> albedo,
                        std::span<const Image> confidence,
-                       std::span<const std::vector<uint8_t>> isBurntOut)
+                       std::span<const std::vector<bool>> isBurntOut)
     : isBurntOut_(isBurntOut)
 {
     for (const Image& page : confidence) confidence_.emplace_back(page);
@@ -47,7 +47,7 @@ RoomAlbedo::RoomAlbedo(const Texels& texels, std::span<const Image> albedo,
                     const uint32_t pixel = page.pixel[begin + i];
                     if (isKnown(p, pixel))
                         known[surfel].add(ownOf(p, pixel), block.area[i]);
-                    else if (isBurntOut_[p][pixel] != 0)
+                    else if (isBurntOut_[p][pixel])
                         burntOut[surfel].add(ownOf(p, pixel), block.area[i]);
                 }
             });
@@ -90,7 +90,7 @@ glm::vec3 RoomAlbedo::ofTexel(size_t page, uint32_t pixel, uint32_t surfel) cons
 {
     if (isKnown(page, pixel)) return ownOf(page, pixel);
     // What is burnt out was at least as bright as white: its albedo is the least that it can be.
-    if (isBurntOut_[page][pixel] != 0) return glm::max(ownOf(page, pixel), around_[surfel]);
+    if (isBurntOut_[page][pixel]) return glm::max(ownOf(page, pixel), around_[surfel]);
     return around_[surfel];
 }
 

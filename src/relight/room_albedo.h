@@ -22,7 +22,7 @@ public:
     /// `albedo` and `confidence` as in DelitRoom, `isBurntOut` as SurfelRadiance::isClipped; the
     /// arguments must outlive this.
     RoomAlbedo(const Texels& texels, std::span<const Image> albedo,
-               std::span<const Image> confidence, std::span<const std::vector<uint8_t>> isBurntOut);
+               std::span<const Image> confidence, std::span<const std::vector<bool>> isBurntOut);
 
     /// Of surfels: mean of the texels that can be trusted, or are burnt out; where these are few,
     /// what the surface around has.
@@ -36,7 +36,7 @@ private:
     [[nodiscard]] bool isKnown(size_t page, uint32_t pixel) const;
     [[nodiscard]] glm::vec3 ownOf(size_t page, uint32_t pixel) const;
 
-    std::span<const std::vector<uint8_t>> isBurntOut_;
+    std::span<const std::vector<bool>> isBurntOut_;
     std::vector<Radiance> albedo_;
     std::vector<Radiance> confidence_; // 0: a guess
     std::vector<glm::vec3> around_;    // of surfels, without what is burnt out

@@ -10,6 +10,7 @@
 #include "scan/gltf_material.h"
 #include "scan/gltf_mend.h"
 #include "scan/gltf_unpack.h"
+#include "scan/large_scan.h"
 #include "scan/page_builder.h"
 #include "scan/scan_frame.h"
 #include "scan/scan_limits.h"
@@ -389,10 +390,12 @@ void GltfReader::readPages(Progress& progress)
         Page& page = scan_.pages[static_cast<size_t>(index)];
         page.name = !name.empty() ? name : fmt::format("image {}", image);
         page.image = readImage(bytesOfImage(image), nameOfImage(image), options_.transfer);
-        pixels.add(page.image.pixels());
+        if (pixels.add(page.image.pixels()) > pixelsInMemory()) spillPage(page);
         source_->imageOfPage[static_cast<size_t>(index)] = image;
         stage.advance();
     });
+    if (pixels.all() > pixelsInMemory())
+        std::for_each(scan_.pages.begin(), scan_.pages.end(), spillPage);
 }
 
 void GltfReader::keepSource()

@@ -11,7 +11,7 @@ namespace relamp
 namespace
 {
 
-constexpr uint64_t kMostPagePixels = uint64_t{1} << 29;
+constexpr uint64_t kMostPagePixels = uint64_t{1} << 32; // 64 pages of 8192 x 8192
 // Two textures of 4096 x 4096 in one colour are no burden, however few their bytes. Of photos a
 // byte holds some ten pixels, of a rendered room's flat colours thirty.
 constexpr uint64_t kAnyPagesMayHave = uint64_t{1} << 25;
@@ -29,13 +29,15 @@ PagePixels::PagePixels(size_t pages, uint64_t bytes, const std::string& file)
     if (pages == 1) most_ = kMostPagePixels; // readImage() has an eye on each
 }
 
-void PagePixels::add(size_t pixels)
+uint64_t PagePixels::add(size_t pixels)
 {
-    if ((sum_ += pixels) > most_)
+    const uint64_t sum = sum_ += pixels;
+    if (sum > most_)
         malformed(file_, fmt::format("its textures have more than {} million pixels together, "
                                      "more than relamp works on in files of their size; scale "
                                      "them down",
                                      most_ / 1'000'000));
+    return sum;
 }
 
 void checkCounts(const Scan& scan, const std::string& file)

@@ -38,9 +38,10 @@ public:
     /// there are more pages than relamp works on.
     PagePixels(size_t pages, uint64_t bytes, const std::string& file);
 
-    /// Throws Error(malformed) where all pages so far have more pixels than relamp works on, or far
-    /// more than pictures of their bytes.
-    void add(size_t pixels);
+    /// All pages' so far. Throws Error(malformed) where these are more pixels than relamp works on,
+    /// or far more than pictures of their bytes.
+    uint64_t add(size_t pixels);
+    [[nodiscard]] uint64_t all() const { return sum_; }
 
 private:
     std::string file_;

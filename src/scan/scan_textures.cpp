@@ -2,6 +2,7 @@
 
 #include "base/fail.h"
 #include "base/parallel.h"
+#include "scan/large_scan.h"
 #include "scan/scan_limits.h"
 
 #include <algorithm>
@@ -57,9 +58,10 @@ std::vector<Page> ScanTextures::read(const std::map<std::string, std::vector<std
                             fmt::format("{}: texture \"{}\"", scanFile_.string(), wanted_[i].name),
                             transfer_)
                 : readImage(find(wanted_[i]), transfer_);
-        pixels.add(pages[i].image.pixels());
+        if (pixels.add(pages[i].image.pixels()) > pixelsInMemory()) spillPage(pages[i]);
         stage.advance();
     });
+    if (pixels.all() > pixelsInMemory()) std::for_each(pages.begin(), pages.end(), spillPage);
     return pages;
 }
 

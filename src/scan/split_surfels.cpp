@@ -27,9 +27,11 @@ void forEachRun(const Texels& texels, const Visit& visit)
 {
     for (size_t p = 0; p < texels.pages.size(); ++p) {
         const auto& runs = texels.pages[p].runs;
+        texels.willNeed(p);
         forEachChunk(runs.size() - 1, 256, [&](size_t begin, size_t end) {
             for (size_t run = begin; run < end; ++run) visit(p, runs[run], runs[run + 1].begin);
         });
+        texels.letGo(p);
     }
 }
 
@@ -196,8 +198,10 @@ void splitSurfels(Texels& texels, const TexelMarks& marks, SurfelPart part)
             isNew.push_back(partsOf[s] == kSplit ? 1 : 0);
         }
     }
-    for (size_t p = 0; p < texels.pages.size(); ++p)
+    for (size_t p = 0; p < texels.pages.size(); ++p) {
         splitRuns(texels.pages[p], marks[p], partsOf, first);
+        texels.letGo(p);
+    }
     sumSurfels(texels, isNew);
 }
 

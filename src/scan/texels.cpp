@@ -1,7 +1,9 @@
 #include "scan/texels.h"
 
 #include "base/fail.h"
+#include "base/spill.h"
 #include "scan/atlas_raster.h"
+#include "scan/large_scan.h"
 #include "scan/split_surfels.h"
 
 #include <algorithm>
@@ -20,6 +22,7 @@ namespace
 {
 
 constexpr double kMostSurfels = 1.5e6;
+constexpr uint32_t kMostSites = 32; // of a surfel of a large scan: where rays start, and are even
 constexpr size_t kChunk = size_t{1} << 16;
 constexpr size_t kAhead =
     24; // texels; surface order jumps over the page, and a look ahead hides that
@@ -54,6 +57,33 @@ uint32_t widthOf(const Texels& texels, size_t page)
     return static_cast<uint32_t>(texels.scan->pages[page].image.width);
 }
 
+TexelSite siteOf(const Texels& texels, size_t page, SiteOnPage site)
+{
+    const uint32_t width = widthOf(texels, page);
+    return siteOn(texels.facets.facets[site.facet],
+                  {static_cast<float>(site.pixel % width), static_cast<float>(site.pixel / width)});
+}
+
+std::vector<TexelRange> rangesOf(const Texels& texels)
+{
+    std::vector<TexelRange> ranges(texels.surfels.count());
+    for (uint32_t p = 0; p < texels.pages.size(); ++p) {
+        const auto& runs = texels.pages[p].runs;
+        for (size_t run = 0; run + 1 < runs.size(); ++run) {
+            const uint32_t count = runs[run + 1].begin - runs[run].begin;
+            TexelRange& best = ranges[runs[run].surfel];
+            if (count > best.count) best = {p, runs[run].begin, count};
+        }
+    }
+    return ranges;
+}
+
+/// One of `count` texels that lie evenly in a range.
+uint32_t texelOfSite(TexelRange range, size_t site, size_t count)
+{
+    return range.begin + static_cast<uint32_t>(site * range.count / count);
+}
+
 double areaOf(const Texels& texels, const PageCoverage& coverage)
 {
     std::vector<double> sums((coverage.facet.size() + kChunk - 1) / kChunk, 0.0);
@@ -65,11 +95,8 @@ double areaOf(const Texels& texels, const PageCoverage& coverage)
     return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-double surfelSizeFor(const Texels& texels, const std::vector<PageCoverage>& coverages,
-                     const SurfelOptions& options)
+double surfelSizeFor(const Texels& texels, size_t count, const SurfelOptions& options)
 {
-    size_t count = 0;
-    for (const PageCoverage& coverage : coverages) count += coverage.pixel.size();
     const double texel = std::sqrt(texels.area / static_cast<double>(std::max<size_t>(count, 1)));
     const double size = std::max(
         std::clamp(options.texelsAcross * texel, options.smallest, options.largest), texel);
@@ -127,9 +154,9 @@ PageKeys keysOf(const Texels& texels, const PageCoverage& coverage, size_t page)
     return keys;
 }
 
-/// Sorts a page's texels by surfel; those of one surfel stay in the order of their pixels.
-PageTexels sortBySurfel(const PageCoverage& coverage, const PageKeys& keys,
-                        const std::vector<uint64_t>& surfelKeys)
+/// Sorts a page's texels by surfel; those of one surfel stay in the order of their pixels. Runs
+/// have the place of their key among the page's.
+PageTexels sortBySurfel(const PageCoverage& coverage, const PageKeys& keys)
 {
     const size_t count = coverage.pixel.size();
     std::vector<uint32_t> slot(count); // index into keys.distinct
@@ -150,11 +177,7 @@ PageTexels sortBySurfel(const PageCoverage& coverage, const PageKeys& keys,
 
     PageTexels page;
     page.runs.resize(keys.distinct.size() + 1, {0, static_cast<uint32_t>(count)});
-    forEach(keys.distinct.size(), [&](size_t i) {
-        const auto surfel =
-            std::lower_bound(surfelKeys.begin(), surfelKeys.end(), keys.distinct[i]);
-        page.runs[i] = {static_cast<uint32_t>(surfel - surfelKeys.begin()), next[i]};
-    });
+    for (uint32_t i = 0; i < keys.distinct.size(); ++i) page.runs[i] = {i, next[i]};
     page.pixel.resize(count);
     page.facet.resize(count);
     for (size_t i = 0; i < count; ++i) {
@@ -163,6 +186,16 @@ PageTexels sortBySurfel(const PageCoverage& coverage, const PageKeys& keys,
         page.facet[target] = coverage.facet[i];
     }
     return page;
+}
+
+/// Gives the runs the numbers of their surfels.
+void numberRuns(const std::vector<uint64_t>& keysOfPage, const std::vector<uint64_t>& surfelKeys,
+                PageTexels& page)
+{
+    forEach(keysOfPage.size(), [&](size_t i) {
+        const auto surfel = std::lower_bound(surfelKeys.begin(), surfelKeys.end(), keysOfPage[i]);
+        page.runs[i].surfel = static_cast<uint32_t>(surfel - surfelKeys.begin());
+    });
 }
 
 /// Gathers what pages have of it.
@@ -244,39 +277,50 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions&
     Progress::Stage stage(progress, "texels", 2 * pages + 1);
     Texels texels;
     texels.scan = &scan;
+    texels.isLarge = isLarge(scan);
     texels.facets = buildFacets(scan);
 
     std::vector<PageCoverage> coverages(pages);
+    size_t count = 0;
     OverlapSum overlap;
     for (size_t p = 0; p < pages; ++p) {
         coverages[p] = rasterizePage(scan, texels.facets, static_cast<uint32_t>(p));
         texels.area += areaOf(texels, coverages[p]);
         overlap.add(coverages[p]);
+        count += coverages[p].pixel.size();
+        if (texels.isLarge) coverages[p] = {}; // it comes once more
         stage.advance();
     }
 
-    texels.surfels.size = static_cast<float>(surfelSizeFor(texels, coverages, surfels));
+    texels.surfels.size = static_cast<float>(surfelSizeFor(texels, count, surfels));
     texels.surfels.seed = surfels.seed;
     texels.surfels.grid = gridOver(scan, texels.surfels.size);
-    std::vector<PageKeys> keys(pages);
-    std::vector<uint64_t> surfelKeys;
-    for (size_t p = 0; p < pages; ++p) {
-        keys[p] = keysOf(texels, coverages[p], p);
-        surfelKeys.insert(surfelKeys.end(), keys[p].distinct.begin(), keys[p].distinct.end());
-    }
-    sortUnique(surfelKeys);
-
     texels.pages.resize(pages);
+    std::vector<std::vector<uint64_t>> keys(pages);
     for (size_t p = 0; p < pages; ++p) {
-        texels.pages[p] = sortBySurfel(coverages[p], keys[p], surfelKeys);
+        if (texels.isLarge)
+            coverages[p] = rasterizePage(scan, texels.facets, static_cast<uint32_t>(p));
+        PageKeys ofPage = keysOf(texels, coverages[p], p);
+        texels.pages[p] = sortBySurfel(coverages[p], ofPage);
         texels.pages[p].isShared = sharedPixels(coverages[p], scan.pages[p].image.pixels());
+        keys[p] = std::move(ofPage.distinct);
         coverages[p] = {};
-        keys[p] = {};
+        if (texels.isLarge) {
+            spill(texels.pages[p].pixel);
+            spill(texels.pages[p].facet);
+        }
         stage.advance();
     }
+    std::vector<uint64_t> surfelKeys;
+    for (const auto& ofPage : keys)
+        surfelKeys.insert(surfelKeys.end(), ofPage.begin(), ofPage.end());
+    sortUnique(surfelKeys);
+    for (size_t p = 0; p < pages; ++p) numberRuns(keys[p], surfelKeys, texels.pages[p]);
     texels.surfels.key = std::move(surfelKeys);
     sumSurfels(texels);
     if (surfels.layered) separateLayers(texels);
+    keepSites(texels);
+    if (texels.isLarge) letGoOfFreed();
     if (surfels.connected) findNeighbors(texels.surfels);
 
     texels.overlap = overlap.result(scan, static_cast<double>(texels.count()));
@@ -289,40 +333,81 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions&
 
 TexelSite Texels::siteOf(size_t page, size_t texel) const
 {
-    const uint32_t pixel = pages[page].pixel[texel];
-    const uint32_t width = widthOf(*this, page);
-    return siteOn(facets.facets[pages[page].facet[texel]],
-                  {static_cast<float>(pixel % width), static_cast<float>(pixel / width)});
+    return relamp::siteOf(*this, page, {pages[page].pixel[texel], pages[page].facet[texel]});
 }
 
-SurfelSites::SurfelSites(const Texels& texels) : texels_(texels), ranges_(texels.surfels.count())
+void Texels::willNeed(size_t page) const
 {
+    if (!isLarge) return;
+    relamp::willNeed(pages[page].pixel);
+    relamp::willNeed(pages[page].facet);
+    relamp::willNeed(scan->pages[page]);
+}
+
+void Texels::letGo(size_t page) const
+{
+    if (!isLarge) return;
+    relamp::letGo(pages[page].pixel);
+    relamp::letGo(pages[page].facet);
+    relamp::letGo(scan->pages[page]);
+}
+
+void keepSites(Texels& texels)
+{
+    if (!texels.isLarge) return;
+    const std::vector<TexelRange> ranges = rangesOf(texels);
+    texels.firstSite.assign(ranges.size() + 1, 0);
+    for (size_t s = 0; s < ranges.size(); ++s)
+        texels.firstSite[s + 1] = texels.firstSite[s] + std::min(ranges[s].count, kMostSites);
+    texels.sites.resize(texels.firstSite.back());
     for (uint32_t p = 0; p < texels.pages.size(); ++p) {
-        const auto& runs = texels.pages[p].runs;
-        for (size_t run = 0; run + 1 < runs.size(); ++run) {
-            const uint32_t count = runs[run + 1].begin - runs[run].begin;
-            Range& best = ranges_[runs[run].surfel];
-            if (count > best.count) best = {p, runs[run].begin, count};
-        }
+        const PageTexels& page = texels.pages[p];
+        texels.willNeed(p);
+        forEach(page.runs.size() - 1, [&](size_t run) {
+            const uint32_t s = page.runs[run].surfel;
+            if (ranges[s].page != p) return;
+            const uint32_t count = texels.firstSite[s + 1] - texels.firstSite[s];
+            for (uint32_t i = 0; i < count; ++i) {
+                const size_t at = texelOfSite(ranges[s], i, count);
+                texels.sites[texels.firstSite[s] + i] = {page.pixel[at], page.facet[at]};
+            }
+        });
+        texels.letGo(p);
     }
+}
+
+SurfelSites::SurfelSites(const Texels& texels) : texels_(texels), ranges_(rangesOf(texels)) {}
+
+size_t SurfelSites::countOf(uint32_t surfel) const
+{
+    const uint32_t count = ranges_[surfel].count;
+    return texels_.isLarge ? std::min(count, kMostSites) : count;
+}
+
+size_t SurfelSites::placeOf(uint32_t surfel, size_t i) const
+{
+    constexpr size_t kStride = 7919; // prime: visits all texels before it repeats
+    return (i + texels_.surfels.seed - 1) * kStride % countOf(surfel);
 }
 
 TexelSite SurfelSites::at(uint32_t surfel, size_t i) const
 {
-    const TexelIndex index = texelOf(surfel, i);
-    return texels_.siteOf(index.page, index.texel);
+    if (!texels_.isLarge) {
+        const TexelIndex index = texelOf(surfel, i);
+        return texels_.siteOf(index.page, index.texel);
+    }
+    return siteOf(texels_, ranges_[surfel].page,
+                  texels_.sites[texels_.firstSite[surfel] + placeOf(surfel, i)]);
 }
 
 TexelIndex SurfelSites::texelOf(uint32_t surfel, size_t i) const
 {
-    constexpr size_t kStride = 7919; // prime: visits all texels before it repeats
-    const Range& range = ranges_[surfel];
-    const size_t place = i + texels_.surfels.seed - 1;
-    return {range.page, range.begin + static_cast<uint32_t>(place * kStride % range.count)};
+    const TexelRange& range = ranges_[surfel];
+    return {range.page, texelOfSite(range, placeOf(surfel, i), countOf(surfel))};
 }
 
 TexelLoader::TexelLoader(const Texels& texels, size_t page, const Linearization* linearization)
-    : texels_(texels), page_(texels.pages[page]),
+    : texels_(texels), index_(page), page_(texels.pages[page]),
       radiance_(texels.scan->pages[page].image,
                 linearization != nullptr ? linearization->response : Response{}),
       width_(widthOf(texels, page)),
@@ -330,6 +415,7 @@ TexelLoader::TexelLoader(const Texels& texels, size_t page, const Linearization*
                                                                            : nullptr),
       tinted_(false)
 {
+    texels.willNeed(page);
     for (const Mesh& mesh : texels.scan->meshes)
         if (mesh.page == static_cast<int>(page))
             tinted_ = tinted_ || mesh.factor != glm::vec3(1.0f) || !mesh.colors.empty();

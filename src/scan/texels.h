@@ -38,6 +38,13 @@ struct PageTexels
     [[nodiscard]] size_t runOf(size_t texel) const;
 };
 
+/// A texel, wherever it is stored.
+struct SiteOnPage
+{
+    uint32_t pixel;
+    uint32_t facet;
+};
+
 /// Every place of the scan that shows light, as the stages see it.
 struct Texels
 {
@@ -47,6 +54,14 @@ struct Texels
     Surfels surfels;
     double area = 0.0; // m^2 of all texels
     Overlap overlap;
+    bool isLarge = false;            // texels and pictures lie in files: see large_scan.h
+    std::vector<SiteOnPage> sites;   // if it is: what SurfelSites chooses from
+    std::vector<uint32_t> firstSite; // of surfels, into `sites`, and one more
+
+    /// A page is read soon.
+    void willNeed(size_t page) const;
+    /// A page is not read for a while: its texels and its picture leave RAM if they can.
+    void letGo(size_t page) const;
 
     [[nodiscard]] size_t count() const;
     /// Where texel `texel` of a page lies.
@@ -57,6 +72,13 @@ struct TexelIndex
 {
     uint32_t page;
     uint32_t texel; // of the page's
+};
+
+struct TexelRange
+{
+    uint32_t page = 0;
+    uint32_t begin = 0; // of the page's texels
+    uint32_t count = 0;
 };
 
 /// Texels of surfels, one after the other: where rays of a surfel start so that they average over
@@ -71,21 +93,20 @@ public:
     /// Which it is.
     [[nodiscard]] TexelIndex texelOf(uint32_t surfel, size_t i) const;
     /// How many `at` chooses from; the first that many `i` give each of them once.
-    [[nodiscard]] size_t countOf(uint32_t surfel) const { return ranges_[surfel].count; }
+    [[nodiscard]] size_t countOf(uint32_t surfel) const;
     /// Of the patterns that rays from them follow.
     [[nodiscard]] uint32_t seed() const { return texels_.surfels.seed; }
 
 private:
-    struct Range
-    {
-        uint32_t page = 0;
-        uint32_t begin = 0; // of the page's texels
-        uint32_t count = 0;
-    };
+    /// Which of those that it chooses from.
+    [[nodiscard]] size_t placeOf(uint32_t surfel, size_t i) const;
 
     const Texels& texels_;
-    std::vector<Range> ranges_; // on the page where a surfel has most of its texels
+    std::vector<TexelRange> ranges_; // on the page where a surfel has most of its texels
 };
+
+/// Of a large scan, keeps what SurfelSites needs; to be called whenever texels were sorted anew.
+void keepSites(Texels& texels);
 
 struct SurfelOptions
 {
@@ -140,12 +161,15 @@ struct RgbBlock
 
 /// Fills `block` with texels [begin, begin + count) of a page; count <= kCapacity.
 ///
-/// One loader serves many blocks of one page. Thread safe.
+/// One loader serves many blocks of one page, and lets go of it at its end. Thread safe.
 class TexelLoader
 {
 public:
     /// `linearization`, if not null, must outlive this.
     TexelLoader(const Texels& texels, size_t page, const Linearization* linearization = nullptr);
+    ~TexelLoader() { texels_.letGo(index_); }
+    TexelLoader(const TexelLoader&) = delete;
+    TexelLoader& operator=(const TexelLoader&) = delete;
 
     void load(size_t begin, size_t count, TexelBlock& block) const;         // geometry and radiance
     void loadGeometry(size_t begin, size_t count, TexelBlock& block) const; // position and normal
@@ -158,6 +182,7 @@ private:
     void takeGainOut(size_t begin, TexelBlock& block) const;
 
     const Texels& texels_;
+    size_t index_;
     const PageTexels& page_;
     Radiance radiance_;
     uint32_t width_;

@@ -251,4 +251,49 @@ TEST(Texels, AbsurdUvsNeitherHangNorCrash)
     EXPECT_GE(rasterize(scan).overlap.share(), 0.0);
 }
 
+// A large scan keeps where rays start; of few texels, all.
+TEST(Texels, SitesOfALargeScanAreThoseOfAnyOther)
+{
+    const Scan scan = scenes::room({4.0f, 2.5f, 3.0f}, 96, kGreyPaint);
+    const Texels texels = rasterize(scan);
+    setenv("RELAMP_PIXELS_IN_MEMORY", "0", 1);
+    const Texels large = rasterize(scan);
+    unsetenv("RELAMP_PIXELS_IN_MEMORY");
+    ASSERT_FALSE(texels.isLarge);
+    ASSERT_TRUE(large.isLarge);
+    ASSERT_EQ(large.surfels.key, texels.surfels.key);
+    const SurfelSites sites(texels);
+    const SurfelSites sitesOfLarge(large);
+    for (uint32_t s = 0; s < texels.surfels.count(); ++s) {
+        ASSERT_EQ(sitesOfLarge.countOf(s), sites.countOf(s));
+        for (size_t i = 0; i < sites.countOf(s); ++i) {
+            EXPECT_EQ(sitesOfLarge.at(s, i).position, sites.at(s, i).position);
+            EXPECT_EQ(sitesOfLarge.texelOf(s, i).texel, sites.texelOf(s, i).texel);
+        }
+    }
+}
+
+TEST(Texels, SitesOfALargeSurfelAreFewAndItsOwn)
+{
+    const Scan scan = scenes::square(2.0f, 512, kGreyPaint);
+    setenv("RELAMP_PIXELS_IN_MEMORY", "0", 1);
+    Progress progress;
+    const Texels large = rasterizeAtlas(scan, progress, {.smallest = 0.1});
+    unsetenv("RELAMP_PIXELS_IN_MEMORY");
+    const SurfelSites sites(large);
+    for (uint32_t s = 0; s < large.surfels.count(); ++s) {
+        ASSERT_LE(sites.countOf(s), 32u);
+        std::set<std::pair<float, float>> places;
+        for (size_t i = 0; i < sites.countOf(s); ++i) {
+            const TexelSite site = sites.at(s, i);
+            const TexelIndex at = sites.texelOf(s, i);
+            EXPECT_EQ(site.position, large.siteOf(at.page, at.texel).position);
+            EXPECT_EQ(large.surfels.find(site.position, site.normal), s);
+            places.emplace(site.position.x + site.position.y, site.position.z);
+        }
+        EXPECT_EQ(places.size(), sites.countOf(s));
+    }
+    EXPECT_EQ(sites.countOf(large.surfels.find({0.0f, 0.0f, 0.0f}, large.surfels.normal[0])), 32u);
+}
+
 } // namespace relamp

@@ -142,6 +142,7 @@ std::vector<uint8_t> marksOf(const Texels& texels, size_t p, uint8_t otherwise,
 {
     const PageTexels& page = texels.pages[p];
     const Footprints prints(texels, p);
+    texels.willNeed(p);
     std::vector<uint8_t> marks(page.count(), otherwise);
     forEachChunk(page.runs.size() - 1, 64, [&](size_t begin, size_t end) {
         for (size_t run = begin; run < end; ++run) {
@@ -155,6 +156,7 @@ std::vector<uint8_t> marksOf(const Texels& texels, size_t p, uint8_t otherwise,
             }
         }
     });
+    texels.letGo(p);
     return marks;
 }
 
@@ -183,6 +185,7 @@ void separateEnclosed(Texels& texels, const RayScene& scene, Progress& progress)
     Progress::Stage stage(progress, "enclosed texels", texels.pages.size() + 2);
     const TexelMarks enclosed = findEnclosed(texels, scene, stage);
     if (!enclosed.empty()) splitSurfels(texels, enclosed, SurfelPart::enclosed);
+    keepSites(texels);
     findNeighbors(texels.surfels);
     stage.advance();
 }

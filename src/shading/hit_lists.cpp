@@ -4,6 +4,7 @@
 #include "base/radiometry.shared.h"
 #include "base/sampling.shared.h"
 #include "scan/surface_point.h"
+#include "shading/front_map.h"
 #include "shading/openings.h"
 
 #include <algorithm>
@@ -24,7 +25,8 @@ constexpr size_t kFewerOfBacks = 5;    // few rays meet a back, and their mean i
 constexpr int kGenerationsOfBacks = 2; // backs seen by backs seen by fronts; beyond is dark anyway
 
 // Numerics.
-constexpr size_t kBatch = 64; // rays, of as many sides as it takes
+constexpr size_t kBatch = 64;               // rays, of as many sides as it takes
+constexpr double kSquaresOfPages = 1 << 26; // 256 MB; of 8192 x 8192 pages, 32 have squares of 1 cm
 
 /// Luminance that the rays of a side met.
 struct Met
@@ -32,6 +34,15 @@ struct Met
     float mean = 0.0f;
     float variance = 0.0f; // of a ray
 };
+
+/// Pixels of a square of the maps of all pages; 1 but for a large scan.
+uint32_t sideOfSquares(const Texels& texels)
+{
+    if (!texels.isLarge) return 1;
+    double pixels = 0.0;
+    for (const Page& page : texels.scan->pages) pixels += static_cast<double>(page.image.pixels());
+    return static_cast<uint32_t>(std::max(1.0, std::ceil(std::sqrt(pixels / kSquaresOfPages))));
+}
 
 class Caster
 {
@@ -54,23 +65,27 @@ private:
     const SurfelRadiance& radiance_;
     SurfelSites sites_;
     NearestPixels pixels_;
-    std::vector<std::vector<HitTarget>> frontAt_; // [page][pixel]; nothing where there is no texel
+    std::vector<FrontMap> frontOf_; // of pages
 };
 
 Caster::Caster(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance)
     : texels_(texels), scene_(scene), radiance_(radiance), sites_(texels), pixels_(texels)
 {
+    const uint32_t side = sideOfSquares(texels);
     for (size_t p = 0; p < texels.pages.size(); ++p) {
         const PageTexels& page = texels.pages[p];
-        const std::vector<uint8_t>& isClipped = radiance.isClipped[p];
-        std::vector<HitTarget>& frontAt =
-            frontAt_.emplace_back(texels.scan->pages[p].image.pixels(), HitTarget::nothing());
+        const std::vector<bool>& isClipped = radiance.isClipped[p];
+        const Page& picture = texels.scan->pages[p];
+        FrontMap& fronts = frontOf_.emplace_back(static_cast<uint32_t>(picture.image.width),
+                                                 static_cast<uint32_t>(picture.image.height),
+                                                 picture.ofVertices ? 1 : side);
         forEachChunk(page.runs.size() - 1, 256, [&](size_t begin, size_t end) {
             for (size_t run = begin; run < end; ++run)
                 for (size_t i = page.runs[run].begin; i < page.runs[run + 1].begin; ++i)
-                    frontAt[page.pixel[i]] = HitTarget::of(Side::front(page.runs[run].surfel),
-                                                           isClipped[page.pixel[i]] != 0);
+                    fronts.put(page.pixel[i], HitTarget::of(Side::front(page.runs[run].surfel),
+                                                            isClipped[page.pixel[i]]));
         });
+        texels.letGo(p);
     }
 }
 
@@ -79,12 +94,12 @@ Caster::Caster(const Texels& texels, const RayScene& scene, const SurfelRadiance
 HitTarget Caster::targetNear(const Hit& hit) const
 {
     const PixelAt nearest = pixels_.at(hit);
-    HitTarget target = frontAt_[nearest.page][nearest.pixel];
+    HitTarget target = frontOf_[nearest.page].at(nearest.pixel);
     if (!target.isNothing()) return target;
     const PixelMix mix = pixelsAt(texels_, hit);
     float most = 0.0f;
     for (size_t i = 0; i < mix.pixel.size(); ++i) {
-        const HitTarget mixed = frontAt_[mix.page][mix.pixel[i]];
+        const HitTarget mixed = frontOf_[mix.page].at(mix.pixel[i]);
         if (mix.weight[i] <= most || mixed.isNothing()) continue;
         most = mix.weight[i];
         target = mixed;
@@ -101,7 +116,7 @@ HitTarget Caster::targetOf(const Ray& ray, const Hit& hit) const
             texels_.surfels.find(ray.origin + hit.distance * ray.direction, normalAt(texels_, hit));
         if (surfel == Surfels::kNone) return HitTarget::nothing();
         const PixelAt at = pixels_.at(hit);
-        target = HitTarget::of(Side::front(surfel), radiance_.isClipped[at.page][at.pixel] != 0);
+        target = HitTarget::of(Side::front(surfel), radiance_.isClipped[at.page][at.pixel]);
     }
     return hit.front ? target : HitTarget::of(Side::back(target.side().surfel()), false);
 }

@@ -45,7 +45,7 @@ PathTracer::Surface PathTracer::surfaceAt(const Ray& ray) const
     const TexelSite site{position, hit.front ? normal : -normal};
     if (hit.front && room_.shines[surfel] != 0) {
         const auto [page, pixel] = nearestPixelAt(texels_, hit);
-        if (room_.isClipped[page][pixel] != 0) return {Surface::lamp, site, surfel};
+        if (room_.isClipped[page][pixel]) return {Surface::lamp, site, surfel};
     }
     return {Surface::wall, site, surfel};
 }

@@ -2,6 +2,7 @@
 
 #include "base/random.h"
 #include "lights/lamp_surface.h"
+#include "scan/pixel_marks.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
 
@@ -17,10 +18,10 @@ namespace relamp
 /// All that light needs to know of a room to go about in it.
 struct TracedRoom
 {
-    std::vector<glm::vec3> albedo;               // of surfels, both sides; 0..1
-    std::vector<uint8_t> shines;                 // of surfels; not 0: burnt-out texels are a lamp's
-    std::vector<glm::vec3> emission;             // of surfels: radiance of these texels
-    std::vector<std::vector<uint8_t>> isClipped; // [page][pixel]: not 0 where burnt out
+    std::vector<glm::vec3> albedo;   // of surfels, both sides; 0..1
+    std::vector<uint8_t> shines;     // of surfels; not 0: burnt-out texels are a lamp's
+    std::vector<glm::vec3> emission; // of surfels: radiance of these texels
+    PixelMarks isClipped;            // what is burnt out
     LampSurface lamps;
     glm::vec3 ambient{0.0f}; // radiance of what lies outside the scan
     // Share of `ambient` that comes from a direction; all of it where there is no such function.

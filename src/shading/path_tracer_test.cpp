@@ -27,7 +27,7 @@ struct Stage
         room.albedo.assign(surfels, glm::vec3(albedo));
         room.shines.assign(surfels, 0);
         room.emission.assign(surfels, glm::vec3(0.0f));
-        room.isClipped.emplace_back(scan.pages[0].image.pixels(), uint8_t{0});
+        room.isClipped.emplace_back(scan.pages[0].image.pixels());
     }
 
     [[nodiscard]] TracedShading shade(glm::vec3 position, glm::vec3 normal, size_t paths) const
@@ -57,7 +57,7 @@ std::vector<LampTexel> lightUp(Stage& stage, glm::vec3 radiance, const IsLamp& i
             if (!isLamp(site)) continue;
             loader.loadArea(i, 1, block);
             lamps.push_back({site.position, site.normal, block.area[0], radiance});
-            stage.room.isClipped[0][page.pixel[i]] = 1;
+            stage.room.isClipped[0][page.pixel[i]] = true;
             stage.room.shines[page.runs[run].surfel] = 1;
             stage.room.emission[page.runs[run].surfel] = radiance;
         }

@@ -40,7 +40,7 @@ struct PaperRoom
         std::vector<uint16_t>& half = scan.pages[0].image.half();
         forEachChunk(page.count(), 64, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
-                if (room.isClipped[0][page.pixel[i]] != 0) continue;
+                if (room.isClipped[0][page.pixel[i]]) continue;
                 const glm::vec3 shading =
                     tracer.shade(texels.siteOf(0, i), 128, Random(7, 7, i)).total();
                 for (int c = 0; c < 3; ++c) {

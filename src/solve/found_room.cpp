@@ -151,7 +151,7 @@ void linearize(const Texels& texels, FoundRoom& room)
     room.linearization = linearizationOf(room.found.camera, texels.surfels, room.hits.roomOfSurfel);
     if (room.linearization.isNeutral()) return;
     room.texture = std::move(room.radiance.plain);
-    std::vector<std::vector<uint8_t>> asBefore;
+    PixelMarks asBefore;
     if (!room.glowing.areNone()) asBefore = std::move(room.radiance.isClipped);
     room.radiance = collectRadiance(texels, unwatched(), asBefore, &room.linearization);
 }

@@ -54,6 +54,19 @@ protected:
 
 } // namespace
 
+// Whose pages lie in files as far as nobody reads them.
+TEST_F(DelightProgram, MakesTheSameOfALargeScan)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path large = folder / "large";
+    const Outcome outcome = runInShell("RELAMP_PIXELS_IN_MEMORY=0 $RELAMP delight --quiet " +
+                                       kSampleScan + " -o " + large.string());
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    for (const std::string& name : namesIn(out()))
+        if (name != "report.json") // which has the seconds
+            EXPECT_TRUE(contentOf(large / name) == contentOf(out() / name)) << name;
+}
+
 TEST_F(DelightProgram, WritesAllThatTheGuidePromises)
 {
     EXPECT_THAT(namesIn(out()),
