@@ -7,6 +7,7 @@
 #include "output/lightmap_bytes.h"
 #include "output/web_files.h"
 #include "output/web_geometry.h"
+#include "output/web_transport.h"
 #include "relamp/lightmaps.h"
 #include "relamp/picture.h"
 #include "relight/relighter_state.h"
@@ -140,6 +141,7 @@ public:
         json["fixtures"] = room_.captured.fixtures.size();
         writePreview(lighting, json);
         json["lights"] = lights(parts);
+        writeBounces(json);
         copyViewer(options_.viewer, folder_);
         writeRoomScript(folder_, json);
         written_.bytes = bytesOfFiles();
@@ -214,6 +216,15 @@ private:
                           {"fieldOfView", camera.fieldOfView},
                           {"across", camera.across == Across::width ? "width" : "height"}};
         json["box"] = {{"low", arrayOf(box.low)}, {"high", arrayOf(box.high)}};
+    }
+
+    /// What light that a visitor brings needs to bounce.
+    void writeBounces(ordered_json& json)
+    {
+        const WebTransport transport = webTransport(relighter_);
+        json["bounces"] =
+            writeWebPart(folder_, "bounces", "application/octet-stream", transport.bytes);
+        json["bounces"].update(transport.json);
     }
 
     ordered_json lights(const std::vector<LightPart>& parts)

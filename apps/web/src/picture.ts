@@ -2,6 +2,7 @@
 
 import * as THREE from "three";
 
+import type { AddedLight } from "./added_light";
 import { place, verticalView } from "./camera";
 import { weightOf } from "./light_mix";
 import type { Rgb, Room } from "./room";
@@ -28,6 +29,8 @@ function rendererOn(canvas: HTMLCanvasElement): THREE.WebGLRenderer {
 export class Picture {
     readonly renderer: THREE.WebGLRenderer;
     readonly camera = new THREE.PerspectiveCamera(60, 1, 0.01, 200);
+    added: AddedLight | null = null;
+    onDrawn: () => void = () => undefined;
     private room: RoomScene | null = null;
     private shown: Rgb[] = []; // weights on the screen
     private isLightOld = true;
@@ -114,7 +117,9 @@ export class Picture {
             if (this.isLightOld) this.ask();
         }
         this.frame = now;
+        this.added?.update(this.renderer, this.state().added);
         this.drawViews(this.room);
+        this.onDrawn();
         this.canvas.dataset["drawn"] = String(Number(this.canvas.dataset["drawn"] ?? 0) + 1);
     }
 

@@ -59,6 +59,16 @@ export interface Light {
     maps: Lightmap[];
 }
 
+/** WebTransport of src/output/web_transport.h. */
+export interface BouncesOfRoom extends Part {
+    clusters: number;
+    fronts: number;
+    size: number; // m
+    points: number;
+    rays: number;
+    box: Box;
+}
+
 export interface RoomCamera {
     position: Rgb;
     forward: Rgb;
@@ -78,6 +88,7 @@ export interface Room {
     camera: RoomCamera;
     box: { low: Rgb; high: Rgb };
     lights: Light[];
+    bounces?: BouncesOfRoom;
 }
 
 const FORMAT = "relamp page 1";
@@ -113,5 +124,6 @@ export function partsOf(room: Room): Part[] {
         if (page.shining) parts.push(page.shining);
         if (page.scan) parts.push(page.scan);
     }
+    if (room.bounces) parts.push(room.bounces);
     return parts;
 }
