@@ -38,6 +38,7 @@ float seenShare(int lamp, vec3 way, float turn) {
         spoke = kGolden * spoke;
     }
     if (count == 0.0) return 1.0;
+    if (count == float(kLooks)) return 0.0;
     float blocker = sum / count;
     float width = clamp(kLampRadius * (1.0 - blocker) / blocker, 2.0 * reach / float(shadowSide), 2.5 * kLampRadius);
     float seen = 0.0;

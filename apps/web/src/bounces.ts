@@ -10,7 +10,9 @@ import type { BouncesOfRoom, Rgb } from "./room";
 import { ScreenPass, floatTexture, lightTarget } from "./screen_pass";
 import { siteFrom } from "./sites";
 
-const BOUNCES = 16; // what is left after them is some thousandths
+// Of their rays, one that clusters ask in each bounce, as src/relight/follow_bounces.h has it: what is to come is ever less, and ever
+// more even. What is left after them is some thousandths.
+const STEPS = [1, 2, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4];
 const COLUMNS = 64; // of textures of clusters
 
 export interface Cluster {
@@ -104,18 +106,18 @@ uniform sampler2D albedo;
 uniform sampler2D sent;
 uniform usampler2D rays;
 uniform int clusters;
-uniform bool isFirst;
+uniform int stride;    // of rays, one that is asked; 0: none
 uniform bool isLast;
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     int cluster = at.y * kColumns + at.x;
     if (cluster >= clusters) { result = vec4(0.0); return; } // nothing is there, and rays that met nothing read it
     vec3 received = vec3(0.0);
-    if (!isFirst) {
+    if (stride > 0) {
         int count = textureSize(rays, 0).x;
-        for (int ray = 0; ray < count; ++ray)
+        for (int ray = cluster % stride; ray < count; ray += stride)
             received += of(sent, int(texelFetch(rays, ivec2(ray, cluster), 0).r)).rgb;
-        received /= float(count);
+        received *= float(stride) / float(count);
     }
     result = vec4(isLast ? received : of(albedo, cluster).rgb * (of(direct, cluster).rgb + received), 1.0);
 }`;
@@ -155,7 +157,7 @@ export class Bounces {
             sent: { value: null },
             rays: { value: raysTexture(transport.rays, count) },
             clusters: { value: count },
-            isFirst: { value: true },
+            stride: { value: 0 },
             isLast: { value: false },
         });
     }
@@ -165,11 +167,11 @@ export class Bounces {
         this.atPoints.run(renderer, this.points);
         this.start.run(renderer, this.direct);
         let [from, to] = this.sent;
-        for (let i = 0; i <= BOUNCES; ++i) {
-            this.bounceOnce(renderer, from, to, i === 0, false);
+        for (const stride of [0, ...STEPS]) {
+            this.bounceOnce(renderer, from, to, stride, false);
             [from, to] = [to, from];
         }
-        this.bounceOnce(renderer, from, this.received, false, true);
+        this.bounceOnce(renderer, from, this.received, 1, true);
         this.sending = from.texture;
     }
 
@@ -180,12 +182,12 @@ export class Bounces {
         renderer: THREE.WebGLRenderer,
         from: THREE.WebGLRenderTarget,
         to: THREE.WebGLRenderTarget,
-        isFirst: boolean,
+        stride: number,
         isLast: boolean,
     ): void {
         const { uniforms } = this.bounce;
         uniforms["sent"]!.value = from.texture;
-        uniforms["isFirst"]!.value = isFirst;
+        uniforms["stride"]!.value = stride;
         uniforms["isLast"]!.value = isLast;
         this.bounce.run(renderer, to);
     }
