@@ -8,6 +8,8 @@ namespace relamp
 namespace
 {
 
+constexpr size_t kMostClusters = 2048;
+
 struct Key
 {
     bool isBack;
@@ -58,12 +60,12 @@ std::vector<float> weightsOf(const Transport& transport, const WebClusters& clus
 
 } // namespace
 
-WebClusters webClusters(const Transport& transport, const Surfels& surfels, size_t most)
+WebClusters webClusters(const Transport& transport, const Surfels& surfels)
 {
     int cells = 1;
     std::vector<Key> keys = keysOf(transport, surfels, cells);
     std::vector<Key> distinct = distinctOf(keys);
-    while (distinct.size() > most) {
+    while (distinct.size() > kMostClusters) {
         ++cells;
         keys = keysOf(transport, surfels, cells);
         distinct = distinctOf(keys);

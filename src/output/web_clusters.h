@@ -22,7 +22,7 @@ struct WebClusters
     std::vector<uint32_t> members; // sides
 };
 
-/// As many as `most` allows.
-WebClusters webClusters(const Transport& transport, const Surfels& surfels, size_t most);
+/// As many as a page can take, or fewer: 2048.
+WebClusters webClusters(const Transport& transport, const Surfels& surfels);
 
 } // namespace relamp

@@ -16,7 +16,6 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kMostClusters = 2048;
 constexpr size_t kRays = 256; // of a cluster
 constexpr size_t kPoints = 8; // of a cluster
 
@@ -38,8 +37,8 @@ class TransportWriter
 public:
     explicit TransportWriter(const Relighter::State& room)
         : surfels_(room.texels.surfels), transport_(room.transport),
-          albedo_(room.albedo.ofSurfels()),
-          clusters_(webClusters(transport_, surfels_, kMostClusters)), box_(room.scene.bounds())
+          albedo_(room.albedo.ofSurfels()), clusters_(webClusters(transport_, surfels_)),
+          box_(room.scene.bounds())
     {}
 
     WebTransport write()

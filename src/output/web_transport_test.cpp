@@ -150,7 +150,7 @@ TEST_F(WebTransportOfARoom, BouncesLightAsTheRelighterDoes)
     const Relighter::State& state = relighter.state();
     const Surfels& surfels = state.texels.surfels;
     const std::vector<glm::vec3> found = page.bounced(lamp, intensity);
-    const WebClusters clusters = webClusters(state.transport, surfels, 2048);
+    const WebClusters clusters = webClusters(state.transport, surfels);
     ASSERT_EQ(clusters.count, page.count);
     double squares = 0.0;
     double all = 0.0;

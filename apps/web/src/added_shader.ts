@@ -19,7 +19,12 @@ const float kLampRadius = ${LAMP_RADIUS.toFixed(3)};
 // Noise whose neighbours differ most: J. Jimenez, "Next generation post processing in Call of Duty", 2014.
 float turnOf(vec2 pixel) { return 6.2831853 * fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))); }
 
-float seenShare(int lamp, vec3 way, float turn) {
+// Where a way beside that to a place ends on the place's own plane, as a share of it.
+float endOf(vec3 way, vec3 beside, vec3 normal) {
+    return clamp(dot(way, normal) / min(dot(beside, normal), -1e-4), 0.8, 1.25);
+}
+
+float seenShare(int lamp, vec3 way, vec3 normal, float turn) {
     const int kLooks = 8;
     const int kSamples = 16;
     const mat2 kGolden = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
@@ -33,18 +38,20 @@ float seenShare(int lamp, vec3 way, float turn) {
     float count = 0.0;
     for (int i = 0; i < kLooks; ++i) {
         vec2 at = 2.5 * kLampRadius * sqrt((float(i) + 0.5) / float(kLooks)) * spoke;
-        float share = shareOfWay(lamp, way + at.x * across + at.y * beside);
+        vec3 look = way + at.x * across + at.y * beside;
+        float share = shareOfWay(lamp, look) / endOf(way, look, normal);
         if (share < here) { sum += share; count += 1.0; }
         spoke = kGolden * spoke;
     }
     if (count == 0.0) return 1.0;
-    if (count == float(kLooks)) return 0.0;
+    if (count == float(kLooks) && sum < 0.9 * count) return 0.0;
     float blocker = sum / count;
     float width = clamp(kLampRadius * (1.0 - blocker) / blocker, 2.0 * reach / float(shadowSide), 2.5 * kLampRadius);
     float seen = 0.0;
     for (int i = 0; i < kSamples; ++i) {
         vec2 at = width * sqrt((float(i) + 0.5) / float(kSamples)) * spoke;
-        if (shareOfWay(lamp, way + at.x * across + at.y * beside) >= here) seen += 1.0;
+        vec3 look = way + at.x * across + at.y * beside;
+        if (shareOfWay(lamp, look) >= here * endOf(way, look, normal)) seen += 1.0;
         spoke = kGolden * spoke;
     }
     return seen / float(kSamples);
@@ -58,7 +65,7 @@ vec3 addedLight(vec3 place, vec3 normal, float turn) {
         float cosine = -dot(way, normal) / max(sqrt(squared), 1e-6);
         if (cosine <= 0.0 || lampIntensity[lamp] == vec3(0.0)) continue;
         float off = 0.005 + 1.5 * sqrt(squared) / float(shadowSide); // a texel's width
-        light += seenShare(lamp, way + off * normal, turn) * cosine /
+        light += seenShare(lamp, way + off * normal, normal, turn) * cosine /
             max(squared, kLampRadius * kLampRadius) * lampIntensity[lamp];
     }
     return light / 3.14159265;
