@@ -38,6 +38,7 @@ export class AddedLight {
     private bounces: Bounces | null = null;
     private taps: AtlasTaps[] = [];
     private shown = "";
+    private obstacles: THREE.Mesh[] = [];
 
     constructor(private readonly room: Room, private readonly scene: RoomScene) {
         const ball = new THREE.SphereGeometry(LAMP_RADIUS, 32, 16);
@@ -62,6 +63,13 @@ export class AddedLight {
         this.shown = "";
     }
 
+    /** What stands in the room and casts shadows. */
+    setObstacles(meshes: THREE.Mesh[]): void {
+        this.obstacles = meshes;
+        this.shadows?.setObstacles(meshes);
+        this.shown = "";
+    }
+
     /** Radiance of clusters by the lamps; null before it is known. */
     get sending(): THREE.Texture | null {
         return this.bounces?.sending ?? null;
@@ -78,13 +86,17 @@ export class AddedLight {
         this.bodies.forEach((body, i) => this.place(body, lamps[i]));
         if (lamps.length === 0) {
             for (const [page] of this.taps.entries()) this.scene.setBounced(page, null);
+            this.bounces?.forget();
             return true;
         }
         lamps.forEach((lamp, i) => {
             added.lampPlace.value[i]?.set(...lamp.position);
             added.lampIntensity.value[i]?.set(...intensityOf(lamp));
         });
-        this.shadows ??= new ShadowTiles(isPhone() ? SIDE_OF_PHONE : SIDE, this.scene.meshes);
+        if (!this.shadows) {
+            this.shadows = new ShadowTiles(isPhone() ? SIDE_OF_PHONE : SIDE, this.scene.meshes);
+            this.shadows.setObstacles(this.obstacles);
+        }
         this.shadows.look(renderer, lamps.map(({ position }) => position));
         added.shadowTiles.value = this.shadows.texture;
         added.shadowSide.value = this.shadows.side;

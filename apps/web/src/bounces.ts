@@ -175,8 +175,13 @@ export class Bounces {
         this.sending = from.texture;
     }
 
-    /** Radiance of clusters, laid out as `received`. */
+    /** Radiance of clusters, laid out as `received`; null: they send nothing. */
     sending: THREE.Texture | null = null;
+
+    /** There are no lamps. */
+    forget(): void {
+        this.sending = null;
+    }
 
     private bounceOnce(
         renderer: THREE.WebGLRenderer,

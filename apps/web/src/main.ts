@@ -3,7 +3,9 @@
 import * as THREE from "three";
 
 import { AddedLight } from "./added_light";
+import { DroppedModels } from "./dropped_models";
 import { LampPlacing } from "./lamp_placing";
+import { ModelPlacing } from "./model_placing";
 import { poseOf } from "./camera";
 import { byId } from "./dom";
 import { Panel } from "./panel";
@@ -58,13 +60,20 @@ class App {
         };
         const parts = new Parts("", this.room, showProgress);
         const added = new AddedLight(this.room, scene);
+        const models = new DroppedModels(this.room, scene, added);
         this.picture.added = added;
+        this.picture.models = models;
+        new ModelPlacing(scene, this.picture, models, () => {
+            panel.relit();
+            this.picture.ask();
+        });
         this.picture.setRoom(scene);
         await scene.load(parts, limits, () => {
             byId("preview").hidden = true;
             this.picture.lightChanged();
         });
         await added.load(parts);
+        await models.load(parts);
         this.picture.ask();
         panel.show();
         document.body.dataset["state"] = "ready";

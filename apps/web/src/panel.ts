@@ -50,7 +50,8 @@ export class Panel {
             },
         );
         byId("panel").append(
-            this.views(), this.presets(room), this.lights(), element("section", { id: "added" }), this.exposure(), this.moving());
+            this.views(), this.presets(room), element("section", { id: "added" }), this.lights(),
+            element("section", { id: "models" }), this.exposure(), this.moving());
         this.show();
     }
 

@@ -69,6 +69,15 @@ export interface BouncesOfRoom extends Part {
     box: Box;
 }
 
+/** WebProbes of src/output/web_probes.h. */
+export interface ProbesOfRoom extends Part {
+    low: Rgb;
+    spacing: number; // m
+    count: Rgb; // along x, y, z
+    rays: number;
+    scales: number[]; // of lights
+}
+
 export interface RoomCamera {
     position: Rgb;
     forward: Rgb;
@@ -89,6 +98,7 @@ export interface Room {
     box: { low: Rgb; high: Rgb };
     lights: Light[];
     bounces?: BouncesOfRoom;
+    probes?: ProbesOfRoom;
 }
 
 const FORMAT = "relamp page 1";
@@ -125,5 +135,6 @@ export function partsOf(room: Room): Part[] {
         if (page.scan) parts.push(page.scan);
     }
     if (room.bounces) parts.push(room.bounces);
+    if (room.probes) parts.push(room.probes);
     return parts;
 }

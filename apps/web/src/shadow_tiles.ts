@@ -25,7 +25,9 @@ export class ShadowTiles {
     private readonly target: THREE.WebGLRenderTarget;
     private readonly scene = new THREE.Scene();
     private readonly camera = new THREE.PerspectiveCamera(90, 1, NEAR, FAR);
-    private readonly known: string[] = [];
+    private readonly obstacles = new THREE.Group();
+    private readonly material = new THREE.MeshBasicMaterial({ colorWrite: false, side: THREE.DoubleSide });
+    private known: string[] = [];
 
     constructor(readonly side: number, casters: THREE.Mesh[]) {
         const [width, height] = [6 * side, MOST_LAMPS * side];
@@ -35,14 +37,22 @@ export class ShadowTiles {
             minFilter: THREE.NearestFilter,
             magFilter: THREE.NearestFilter,
         });
-        const material = new THREE.MeshBasicMaterial({ colorWrite: false, side: THREE.DoubleSide });
-        for (const caster of casters) {
-            const mesh = new THREE.Mesh(caster.geometry, material);
-            mesh.matrixAutoUpdate = false;
-            mesh.matrix.copy(caster.matrix);
-            mesh.updateMatrixWorld(true);
-            this.scene.add(mesh);
-        }
+        this.scene.add(...casters.map((caster) => this.copyOf(caster)), this.obstacles);
+    }
+
+    /** What stands in the room beside its own surfaces. */
+    setObstacles(meshes: THREE.Mesh[]): void {
+        this.obstacles.clear();
+        if (meshes.length > 0) this.obstacles.add(...meshes.map((mesh) => this.copyOf(mesh)));
+        this.known = [];
+    }
+
+    private copyOf({ geometry, matrixWorld }: THREE.Mesh): THREE.Mesh {
+        const mesh = new THREE.Mesh(geometry, this.material);
+        mesh.matrixAutoUpdate = false;
+        mesh.matrix.copy(matrixWorld);
+        mesh.updateMatrixWorld(true);
+        return mesh;
     }
 
     /** Looks anew from lamps that are elsewhere than they were. */
