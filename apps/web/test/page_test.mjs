@@ -8,6 +8,7 @@ import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 
 import { testAddedLamps } from "./added_tests.mjs";
+import { testDroppedModels } from "./dropped_tests.mjs";
 import { decibels, drawn, launch, open, place, relamp, serve, settled, show } from "./browser.mjs";
 
 const MOST_BYTES = 8e6; // of the sample's page
@@ -96,6 +97,7 @@ test("a lamp of another colour temperature and brightness is as the program has 
 });
 
 testAddedLamps(() => ({ tab, room, folder, compare }));
+testDroppedModels(() => ({ tab, room }));
 
 test("the shader's view transform gives the numbers of the program's", async () => {
     const numbers = JSON.parse(await readFile(new URL("formulas.json", import.meta.url), "utf8"));

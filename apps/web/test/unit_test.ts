@@ -13,6 +13,9 @@ import { asFound, colourFromHex, presetsFor, weightOf } from "../src/light_mix";
 import { Trouble, asRoom, partsOf } from "../src/room";
 import type { Light, Rgb, RoomCamera } from "../src/room";
 import { directionFrom, siteFrom } from "../src/sites";
+import { directionOfRay, harmonicsOf } from "../src/harmonics";
+import { sensibleScale } from "../src/model_file";
+import { Probes } from "../src/probes";
 import { hashOf, initialState, stateFrom } from "../src/url_state";
 import numbers from "./formulas.json";
 import { Vector3 } from "three";
@@ -164,6 +167,37 @@ test("directions and places are as the program packs them", () => {
     const { place, normal } = siteFrom(view, 0, box);
     place.forEach((value, i) => near(value, [4, 1, 0][i]!, 1e-3));
     near(normal[1], 1, 0.02);
+});
+
+test("rays, harmonics and packed directions are the program's", () => {
+    for (const { i, count, direction, harmonics } of numbers.rays) {
+        directionOfRay(i, count).forEach((value, axis) => near(value, direction[axis]!, 1e-5));
+        harmonicsOf(direction as Rgb).forEach((value, k) => near(value, harmonics[k]!, 1e-5));
+    }
+    for (const { word, direction } of numbers.words)
+        directionFrom(word).forEach((value, axis) => near(value, direction[axis]!, 1e-5));
+});
+
+test("probes add up the lights, each times its weight, and what is cut short is told of", () => {
+    const about = {
+        file: "probes", type: "", bytes: 0, low: [0, 0, 0] as Rgb, spacing: 1, count: [1, 1, 1] as Rgb,
+        rays: 1, scales: [2, 16],
+    };
+    const even = new Array<number>(24).fill(127.5);
+    const bytes = Uint8Array.from([0, 0, 255, 255, 255, ...even, 255, 0, 127.5, 255, ...even.slice(1)]);
+    const light = new Probes(about, bytes).harmonicsAt(0, [[1, 0, 0.5], [1, 1, 0]]);
+    near(light[0]!, 2 + 16, 1e-9);
+    near(light[1]!, 0, 1e-9);
+    near(light[2]!, 1, 1e-9);
+    near(light[3]!, Math.sqrt(3) * (16 - 2 / 255), 0.2); // the second light comes from one side
+    assert.throws(() => new Probes(about, bytes.subarray(1)), Trouble);
+});
+
+test("a model of absurd size is brought to one that can stand in the room", () => {
+    assert.equal(sensibleScale(1.8, 4), 1);
+    near(sensibleScale(180, 4) * 180, 1, 1e-9);
+    near(sensibleScale(0.002, 4) * 0.002, 0.3, 1e-9);
+    assert.equal(sensibleScale(0, 4), 1);
 });
 
 test("rays of clusters are sums of steps, and what is cut short is told of", () => {
