@@ -32,7 +32,7 @@ float seenShare(int lamp, vec3 way, vec3 normal, float turn) {
     vec3 ahead = way / reach;
     vec3 across = normalize(cross(ahead, abs(ahead.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
     vec3 beside = cross(ahead, across);
-    float here = 1.0 - 0.004 / reach;
+    float here = 1.0 - 0.012 / reach;
     vec2 spoke = vec2(cos(turn), sin(turn));
     float sum = 0.0;
     float count = 0.0;
