@@ -127,8 +127,8 @@ std::vector<WebHarmonics> AirProbes::light() const
     const Relighter::State& room = state_->room;
     const std::span<const glm::vec3> irradiance = room.radiosity.onFronts();
     const std::vector<glm::vec3> albedo = reflecting(room);
-    std::vector<glm::vec3> radiance(irradiance.size()); // of fronts, what they reflect; and the sky
-    for (size_t s = 0; s < radiance.size(); ++s) radiance[s] = albedo[s] * irradiance[s] / kPi;
+    std::vector<glm::vec3> radiance(albedo.size()); // of fronts, what they reflect; and the sky
+    for (size_t s = 0; s < irradiance.size(); ++s) radiance[s] = albedo[s] * irradiance[s] / kPi;
     radiance.insert(radiance.end(), room.active.sky.begin(), room.active.sky.end());
     std::vector<WebHarmonics> light(state_->places.size());
     forEachChunk(light.size(), 8, [&](size_t begin, size_t end) {

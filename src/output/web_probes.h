@@ -24,7 +24,7 @@ public:
     AirProbes(const AirProbes&) = delete;
     AirProbes& operator=(const AirProbes&) = delete;
 
-    /// At each place under the light that was set, as fine as a surfel.
+    /// At each place under the light that was set with Solver::gather, as fine as a surfel.
     [[nodiscard]] std::vector<WebHarmonics> light() const;
     /// Of each place: lies in the open, and not in furniture or behind a wall.
     [[nodiscard]] const std::vector<uint8_t>& isOpen() const;

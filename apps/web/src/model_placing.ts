@@ -114,8 +114,9 @@ export class ModelPlacing {
         const normal = hit.face.normal.clone()
             .applyNormalMatrix(new THREE.Matrix3().getNormalMatrix(hit.object.matrixWorld));
         if (normal.y >= LEVEL) return hit.point.toArray() as Rgb;
-        const down = new THREE.Raycaster(
-            hit.point.clone().addScaledVector(normal, OFF_WALL), new THREE.Vector3(0, -1, 0));
+        const beside = hit.point.clone().addScaledVector(normal, OFF_WALL);
+        beside.y = Math.max(beside.y, hit.point.y) + OFF_WALL; // a skirting may lean below the floor
+        const down = new THREE.Raycaster(beside, new THREE.Vector3(0, -1, 0));
         return (this.scene.frontAlong(down)?.point.toArray() as Rgb | undefined) ?? null;
     }
 
