@@ -1,5 +1,5 @@
-// The light of the lamps that a visitor puts up: at once straight from them, and by way of surfaces as soon as the page
-// has what that needs.
+// The light of the lamps that a visitor puts up: at once straight from them, and by way of
+// surfaces as soon as the page has what that needs.
 
 import * as THREE from "three";
 
@@ -40,7 +40,10 @@ export class AddedLight {
     private shown = "";
     private obstacles: THREE.Mesh[] = [];
 
-    constructor(private readonly room: Room, private readonly scene: RoomScene) {
+    constructor(
+        private readonly room: Room,
+        private readonly scene: RoomScene,
+    ) {
         const ball = new THREE.SphereGeometry(LAMP_RADIUS, 32, 16);
         this.bodies = Array.from({ length: MOST_LAMPS }, () => {
             const material = new THREE.ShaderMaterial({
@@ -97,14 +100,20 @@ export class AddedLight {
             this.shadows = new ShadowTiles(isPhone() ? SIDE_OF_PHONE : SIDE, this.scene.meshes);
             this.shadows.setObstacles(this.obstacles);
         }
-        this.shadows.look(renderer, lamps.map(({ position }) => position));
+        this.shadows.look(
+            renderer,
+            lamps.map(({ position }) => position),
+        );
         added.shadowTiles.value = this.shadows.texture;
         added.shadowSide.value = this.shadows.side;
         this.follow(renderer);
         return true;
     }
 
-    private place(body: THREE.Mesh<THREE.SphereGeometry, THREE.ShaderMaterial>, lamp?: AddedLamp): void {
+    private place(
+        body: THREE.Mesh<THREE.SphereGeometry, THREE.ShaderMaterial>,
+        lamp?: AddedLamp,
+    ): void {
         body.visible = lamp?.isOn ?? false;
         if (!lamp) return;
         body.position.set(...lamp.position);
@@ -129,7 +138,10 @@ export class AddedLight {
             const surfaces = this.scene.meshes
                 .map((mesh) => ({ mesh, about: mesh.userData["mesh"] as MeshOfRoom }))
                 .filter(({ about }) => about.page === page)
-                .map(({ mesh, about }) => ({ mesh, uvBox: [...about.uvBox.low, ...about.uvBox.extent] }));
+                .map(({ mesh, about }) => ({
+                    mesh,
+                    uvBox: [...about.uvBox.low, ...about.uvBox.extent],
+                }));
             const { width = 1, height = 1 } = this.room.lights[0]?.maps[page] ?? {};
             const share = Math.min(1, MOST_TEXELS / Math.max(width, height));
             const size = { width: Math.ceil(share * width), height: Math.ceil(share * height) };

@@ -29,33 +29,54 @@ export class AddedRow {
     private readonly kelvin: Slider;
     private readonly height: Slider;
 
-    constructor(i: number, private readonly actions: AddedRowActions) {
+    constructor(
+        i: number,
+        private readonly actions: AddedRowActions,
+    ) {
         const name = `new lamp ${i + 1}`;
         const { low, high } = actions.box;
-        this.isOn.addEventListener("change", () => this.set((lamp) => (lamp.isOn = this.isOn.checked)));
+        this.isOn.addEventListener("change", () =>
+            this.set((lamp) => (lamp.isOn = this.isOn.checked)),
+        );
         this.lumens = slider(
-            `brightness of ${name}`, { min: 0, max: DOUBLINGS, step: 0.05 },
+            `brightness of ${name}`,
+            { min: 0, max: DOUBLINGS, step: 0.05 },
             (value) => `${lumensOf(value)} lumens`,
-            (value) => this.set((lamp) => {
-                lamp.lumens = lumensOf(value);
-                lamp.isOn = true;
-            }));
+            (value) =>
+                this.set((lamp) => {
+                    lamp.lumens = lumensOf(value);
+                    lamp.isOn = true;
+                }),
+        );
         this.kelvin = slider(
-            `colour temperature of ${name}`, { min: 1800, max: 12000, step: 100 },
+            `colour temperature of ${name}`,
+            { min: 1800, max: 12000, step: 100 },
             (value) => `${value} kelvin`,
-            (value) => this.set((lamp) => (lamp.kelvin = value)));
+            (value) => this.set((lamp) => (lamp.kelvin = value)),
+        );
         this.height = slider(
-            `height of ${name}`, { min: low[1], max: high[1], step: 0.01 },
+            `height of ${name}`,
+            { min: low[1], max: high[1], step: 0.01 },
             (value) => `${(value - low[1]).toFixed(2)} metres`,
-            (value) => this.set((lamp) => (lamp.position[1] = value)));
-        const remove = element("button", { type: "button", "aria-label": `remove ${name}` }, "Remove");
+            (value) => this.set((lamp) => (lamp.position[1] = value)),
+        );
+        const remove = element(
+            "button",
+            { type: "button", "aria-label": `remove ${name}` },
+            "Remove",
+        );
         remove.addEventListener("click", () => actions.remove());
         const label = element("label", { class: "name" }, this.isOn, this.dot, name);
         const line = (word: string, { input }: Slider) =>
             element("label", { class: "line" }, element("span", {}, word), input);
         this.root = element(
-            "li", { class: "lamp" }, element("div", { class: "head" }, label, remove),
-            line("bright", this.lumens), line("warm, cold", this.kelvin), line("height", this.height));
+            "li",
+            { class: "lamp" },
+            element("div", { class: "head" }, label, remove),
+            line("bright", this.lumens),
+            line("warm, cold", this.kelvin),
+            line("height", this.height),
+        );
         this.show();
     }
 

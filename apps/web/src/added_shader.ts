@@ -16,8 +16,11 @@ uniform vec3 lampPlace[${MOST_LAMPS}];
 uniform vec3 lampIntensity[${MOST_LAMPS}];
 const float kLampRadius = ${LAMP_RADIUS.toFixed(3)};
 
-// Noise whose neighbours differ most: J. Jimenez, "Next generation post processing in Call of Duty", 2014.
-float turnOf(vec2 pixel) { return 6.2831853 * fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))); }
+// Noise whose neighbours differ most: J. Jimenez, "Next generation post processing in Call of
+// Duty", 2014.
+float turnOf(vec2 pixel) {
+    return 6.2831853 * fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
+}
 
 // Where a way beside that to a place ends on the place's own plane, as a share of it.
 float endOf(vec3 way, vec3 beside, vec3 normal) {
@@ -30,7 +33,8 @@ float seenShare(int lamp, vec3 way, vec3 normal, float turn) {
     const mat2 kGolden = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
     float reach = length(way);
     vec3 ahead = way / reach;
-    vec3 across = normalize(cross(ahead, abs(ahead.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
+    vec3 other = abs(ahead.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
+    vec3 across = normalize(cross(ahead, other));
     vec3 beside = cross(ahead, across);
     float here = 1.0 - 0.012 / reach;
     vec2 spoke = vec2(cos(turn), sin(turn));
@@ -46,7 +50,8 @@ float seenShare(int lamp, vec3 way, vec3 normal, float turn) {
     if (count == 0.0) return 1.0;
     if (count == float(kLooks) && sum < 0.9 * count) return 0.0;
     float blocker = sum / count;
-    float width = clamp(kLampRadius * (1.0 - blocker) / blocker, 2.0 * reach / float(shadowSide), 2.5 * kLampRadius);
+    float width = clamp(kLampRadius * (1.0 - blocker) / blocker,
+                        2.0 * reach / float(shadowSide), 2.5 * kLampRadius);
     float seen = 0.0;
     for (int i = 0; i < kSamples; ++i) {
         vec2 at = width * sqrt((float(i) + 0.5) / float(kSamples)) * spoke;

@@ -21,7 +21,8 @@ void main() {
     gl_Position = vec4(2.0 * (uvBox.xy + uvBox.zw * uv - shift) - 1.0, 0.0, 1.0);
 }`;
 
-// The eight that count most, sixteen bits of its number and sixteen of its weight each. Weights as src/relight/light_probes.cpp has them.
+// The eight that count most, sixteen bits of its number and sixteen of its weight each. Weights
+// as src/relight/light_probes.cpp has them.
 const FIND = `
 precision highp float;
 precision highp int;
@@ -115,12 +116,14 @@ layout(location = 0) out vec4 light;
 vec3 tap(uint word) {
     int cluster = int(word >> 16);
     int columns = textureSize(received, 0).x;
-    return float(word & 65535u) / 65535.0 * texelFetch(received, ivec2(cluster % columns, cluster / columns), 0).rgb;
+    ivec2 at = ivec2(cluster % columns, cluster / columns);
+    return float(word & 65535u) / 65535.0 * texelFetch(received, at, 0).rgb;
 }
 void main() {
     uvec4 a = texelFetch(firstTaps, ivec2(gl_FragCoord.xy), 0);
     uvec4 b = texelFetch(secondTaps, ivec2(gl_FragCoord.xy), 0);
-    light = vec4(tap(a.x) + tap(a.y) + tap(a.z) + tap(a.w) + tap(b.x) + tap(b.y) + tap(b.z) + tap(b.w), 1.0);
+    light = vec4(tap(a.x) + tap(a.y) + tap(a.z) + tap(a.w), 1.0);
+    light.rgb += tap(b.x) + tap(b.y) + tap(b.z) + tap(b.w);
 }`;
 
 function tapTarget(width: number, height: number): THREE.WebGLRenderTarget {
@@ -141,8 +144,16 @@ export function cellUniforms(transport: Transport): Record<string, { value: unkn
     const reach = 1.5 * transport.size;
     const cells = new ClusterCells(transport, reach);
     const count = transport.clusters.length;
-    const list = (pick: "place" | "normal") =>
-        ({ value: floatTexture(rgbaFrom(transport.clusters.map((cluster) => cluster[pick]), count), count, 1) });
+    const list = (pick: "place" | "normal") => ({
+        value: floatTexture(
+            rgbaFrom(
+                transport.clusters.map((cluster) => cluster[pick]),
+                count,
+            ),
+            count,
+            1,
+        ),
+    });
     return {
         clusterPlace: list("place"),
         clusterNormal: list("normal"),
@@ -175,12 +186,21 @@ export class AtlasTaps {
         renderer.setRenderTarget(this.taps);
         renderer.render(scene, new THREE.Camera());
         renderer.setRenderTarget(null);
-        const words = { firstTaps: { value: this.taps.textures[0] }, secondTaps: { value: this.taps.textures[1] } };
-        const others = { firstTaps: { value: other.textures[0] }, secondTaps: { value: other.textures[1] } };
+        const words = {
+            firstTaps: { value: this.taps.textures[0] },
+            secondTaps: { value: this.taps.textures[1] },
+        };
+        const others = {
+            firstTaps: { value: other.textures[0] },
+            secondTaps: { value: other.textures[1] },
+        };
         new ScreenPass(SPREAD, words).run(renderer, other);
         new ScreenPass(SPREAD, others).run(renderer, this.taps);
         other.dispose();
-        this.sum = new ScreenPass(LIGHT, { ...words, received: { value: bounces.received.texture } });
+        this.sum = new ScreenPass(LIGHT, {
+            ...words,
+            received: { value: bounces.received.texture },
+        });
     }
 
     update(renderer: THREE.WebGLRenderer): void {
@@ -200,7 +220,10 @@ function addSurface(
     const places = (low: number, extent: number) => {
         const first = Math.floor(low + 1e-4);
         const last = Math.max(first, Math.ceil(low + extent - 1e-4) - 1);
-        return Array.from({ length: Math.min(last - first + 1, MOST_REPEATS) }, (_, i) => first + i);
+        return Array.from(
+            { length: Math.min(last - first + 1, MOST_REPEATS) },
+            (_, i) => first + i,
+        );
     };
     for (const u of places(lowU, wide))
         for (const v of places(lowV, high)) {

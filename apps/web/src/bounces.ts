@@ -1,5 +1,5 @@
-// How the light of added lamps bounces: between clusters of the room's surface, as src/output/web_transport.h writes
-// them, on the GPU.
+// How the light of added lamps bounces: between clusters of the room's surface, as
+// src/output/web_transport.h writes them, on the GPU.
 
 import * as THREE from "three";
 
@@ -10,8 +10,9 @@ import type { BouncesOfRoom, Rgb } from "./room";
 import { ScreenPass, floatTexture, lightTarget } from "./screen_pass";
 import { siteFrom } from "./sites";
 
-// Of their rays, one that clusters ask in each bounce, as src/relight/follow_bounces.h has it: what is to come is ever less, and ever
-// more even. What is left after them is some thousandths.
+// Of their rays, one that clusters ask in each bounce, as src/relight/follow_bounces.h has it:
+// what is to come is ever less, and ever more even. What is left after them is some
+// thousandths.
 const STEPS = [1, 2, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4];
 const COLUMNS = 64; // of textures of clusters
 
@@ -44,7 +45,8 @@ export function transportFrom(about: BouncesOfRoom, bytes: Uint8Array): Transpor
         return { ...siteFrom(view, at, about.box), albedo };
     });
     const points = Array.from({ length: count * about.points }, (_, i) =>
-        siteFrom(view, begin.points + SITE * i, about.box));
+        siteFrom(view, begin.points + SITE * i, about.box),
+    );
     const rays = new Uint16Array(count * about.rays);
     let at = begin.rays;
     for (let cluster = 0; cluster < count; ++cluster)
@@ -71,7 +73,9 @@ precision highp sampler2D;
 precision highp usampler2D;
 layout(location = 0) out vec4 result;
 const int kColumns = ${COLUMNS};
-vec4 of(sampler2D values, int cluster) { return texelFetch(values, ivec2(cluster % kColumns, cluster / kColumns), 0); }
+vec4 of(sampler2D values, int cluster) {
+    return texelFetch(values, ivec2(cluster % kColumns, cluster / kColumns), 0);
+}
 `;
 
 // A place each: what it receives straight from lamps.
@@ -82,7 +86,8 @@ ${ADDED_LIGHT}
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec3 place = texelFetch(pointPlace, at, 0).xyz;
-    result = vec4(addedLight(place, texelFetch(pointNormal, at, 0).xyz, turnOf(gl_FragCoord.xy)), 1.0);
+    vec3 normal = texelFetch(pointNormal, at, 0).xyz;
+    result = vec4(addedLight(place, normal, turnOf(gl_FragCoord.xy)), 1.0);
 }`;
 
 // A cluster each: the mean of its places.
@@ -99,7 +104,8 @@ void main() {
     result = vec4(sum / float(points), 1.0);
 }`;
 
-// What a cluster sends of what it receives from lamps and from others; or, at last, what it receives from others.
+// What a cluster sends of what it receives from lamps and from others; or, at last, what it
+// receives from others.
 const BOUNCE = `${HEAD}
 uniform sampler2D direct;
 uniform sampler2D albedo;
@@ -111,7 +117,10 @@ uniform bool isLast;
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     int cluster = at.y * kColumns + at.x;
-    if (cluster >= clusters) { result = vec4(0.0); return; } // nothing is there, and rays that met nothing read it
+    if (cluster >= clusters) { // nothing is there, and rays that met nothing read it
+        result = vec4(0.0);
+        return;
+    }
     vec3 received = vec3(0.0);
     if (stride > 0) {
         int count = textureSize(rays, 0).x;
@@ -119,7 +128,8 @@ void main() {
             received += of(sent, int(texelFetch(rays, ivec2(ray, cluster), 0).r)).rgb;
         received *= float(stride) / float(count);
     }
-    result = vec4(isLast ? received : of(albedo, cluster).rgb * (of(direct, cluster).rgb + received), 1.0);
+    vec3 sends = of(albedo, cluster).rgb * (of(direct, cluster).rgb + received);
+    result = vec4(isLast ? received : sends, 1.0);
 }`;
 
 export class Bounces {
@@ -141,16 +151,26 @@ export class Bounces {
         this.direct = lightTarget(COLUMNS, rows);
         this.received = lightTarget(COLUMNS, rows);
         this.sent = [lightTarget(COLUMNS, rows), lightTarget(COLUMNS, rows)];
-        const sites = (pick: (site: { place: Rgb; normal: Rgb }) => Rgb) =>
-            ({ value: floatTexture(rgbaFrom(transport.points.map(pick), perCluster * count), perCluster, count) });
+        const sites = (pick: (site: { place: Rgb; normal: Rgb }) => Rgb) => ({
+            value: floatTexture(
+                rgbaFrom(transport.points.map(pick), perCluster * count),
+                perCluster,
+                count,
+            ),
+        });
         this.atPoints = new ScreenPass(AT_POINTS, {
             ...added,
             pointPlace: sites(({ place }) => place),
             pointNormal: sites(({ normal }) => normal),
         });
         this.start = new ScreenPass(START, {
-            atPoints: { value: this.points.texture }, clusters: { value: count } });
-        const albedo = rgbaFrom(transport.clusters.map((cluster) => cluster.albedo), COLUMNS * rows);
+            atPoints: { value: this.points.texture },
+            clusters: { value: count },
+        });
+        const albedo = rgbaFrom(
+            transport.clusters.map((cluster) => cluster.albedo),
+            COLUMNS * rows,
+        );
         this.bounce = new ScreenPass(BOUNCE, {
             direct: { value: this.direct.texture },
             albedo: { value: floatTexture(albedo, COLUMNS, rows) },
@@ -206,7 +226,12 @@ export function rgbaFrom(values: Rgb[], count: number): Float32Array {
 
 function raysTexture(rays: Uint16Array<ArrayBuffer>, clusters: number): THREE.DataTexture {
     const texture = new THREE.DataTexture(
-        rays, rays.length / clusters, clusters, THREE.RedIntegerFormat, THREE.UnsignedShortType);
+        rays,
+        rays.length / clusters,
+        clusters,
+        THREE.RedIntegerFormat,
+        THREE.UnsignedShortType,
+    );
     texture.internalFormat = "R16UI";
     texture.unpackAlignment = 2;
     texture.needsUpdate = true;

@@ -13,8 +13,12 @@ function table(values: Uint32Array, channels: 1 | 2): THREE.DataTexture {
     const data = new Uint32Array(WIDTH * rows * channels);
     data.set(values);
     const texture = new THREE.DataTexture(
-        data, WIDTH, rows, channels === 1 ? THREE.RedIntegerFormat : THREE.RGIntegerFormat,
-        THREE.UnsignedIntType);
+        data,
+        WIDTH,
+        rows,
+        channels === 1 ? THREE.RedIntegerFormat : THREE.RGIntegerFormat,
+        THREE.UnsignedIntType,
+    );
     texture.internalFormat = channels === 1 ? "R32UI" : "RG32UI";
     texture.needsUpdate = true;
     return texture;
@@ -36,7 +40,12 @@ export class ClusterCells {
         box.expandByScalar(0.01);
         const extent = box.getSize(new THREE.Vector3());
         let size = transport.size;
-        const cells = () => extent.clone().divideScalar(size).ceil().max(new THREE.Vector3(1, 1, 1));
+        const cells = () =>
+            extent
+                .clone()
+                .divideScalar(size)
+                .ceil()
+                .max(new THREE.Vector3(1, 1, 1));
         while (cells().x * cells().y * cells().z > MOST_CELLS) size *= 1.25;
         this.low = box.min;
         this.count = cells();
@@ -66,8 +75,12 @@ export class ClusterCells {
         const at = place.clone().sub(this.low);
         const range = (axis: number) => {
             const last = this.count.getComponent(axis) - 1;
-            const cell = (metres: number) => Math.min(Math.max(Math.floor(metres / this.size), 0), last);
-            return [cell(at.getComponent(axis) - reach), cell(at.getComponent(axis) + reach)] as const;
+            const cell = (metres: number) =>
+                Math.min(Math.max(Math.floor(metres / this.size), 0), last);
+            return [
+                cell(at.getComponent(axis) - reach),
+                cell(at.getComponent(axis) + reach),
+            ] as const;
         };
         const [x, y, z] = [range(0), range(1), range(2)];
         for (let k = z[0]; k <= z[1]; ++k)

@@ -46,8 +46,11 @@ export class DroppedModels {
         const meshes = meshesOf(given);
         for (const mesh of meshes) {
             if (!mesh.geometry.getAttribute("normal")) mesh.geometry.computeVertexNormals();
-            const one = (material: THREE.Material) => modelMaterial(material, uniforms, this.room.exposure);
-            mesh.material = Array.isArray(mesh.material) ? mesh.material.map(one) : one(mesh.material);
+            const one = (material: THREE.Material) =>
+                modelMaterial(material, uniforms, this.room.exposure);
+            mesh.material = Array.isArray(mesh.material)
+                ? mesh.material.map(one)
+                : one(mesh.material);
         }
         const root = new THREE.Group();
         root.add(this.standing(given));

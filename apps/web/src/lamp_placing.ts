@@ -1,4 +1,5 @@
-// How a visitor puts up lamps: by a button, or by dragging it into the picture; rings in the picture move them.
+// How a visitor puts up lamps: by a button, or by dragging it into the picture; rings in the
+// picture move them.
 
 import * as THREE from "three";
 
@@ -53,32 +54,40 @@ export class LampPlacing {
         for (const ring of this.rings) ring.root.remove();
         const lamp = (i: number) => this.actions.state().added[i];
         const indices = Array.from({ length: count }, (_, i) => i);
-        this.rows = indices.map((i) => new AddedRow(i, {
-            lamp: () => lamp(i),
-            box: this.room.box,
-            changed: () => this.changed(),
-            remove: () => {
-                this.actions.state().added.splice(i, 1);
-                this.changed();
-                this.add.focus();
-            },
-        }));
+        this.rows = indices.map(
+            (i) =>
+                new AddedRow(i, {
+                    lamp: () => lamp(i),
+                    box: this.room.box,
+                    changed: () => this.changed(),
+                    remove: () => {
+                        this.actions.state().added.splice(i, 1);
+                        this.changed();
+                        this.add.focus();
+                    },
+                }),
+        );
         this.list.replaceChildren(...this.rows.map((row) => row.root));
-        this.rings = indices.map((i) => new LampRing(i, {
-            place: () => lamp(i)?.position ?? null,
-            move: (position) => {
-                const moved = lamp(i);
-                if (moved) moved.position = position;
-                this.changed();
-            },
-            toggle: () => {
-                const toggled = lamp(i);
-                if (toggled) toggled.isOn = !toggled.isOn;
-                this.changed();
-            },
-            placeAt: (x, y) => this.placeAt(x, y),
-            yaw: () => new THREE.Euler().setFromQuaternion(this.picture.camera.quaternion, "YXZ").y,
-        }));
+        this.rings = indices.map(
+            (i) =>
+                new LampRing(i, {
+                    place: () => lamp(i)?.position ?? null,
+                    move: (position) => {
+                        const moved = lamp(i);
+                        if (moved) moved.position = position;
+                        this.changed();
+                    },
+                    toggle: () => {
+                        const toggled = lamp(i);
+                        if (toggled) toggled.isOn = !toggled.isOn;
+                        this.changed();
+                    },
+                    placeAt: (x, y) => this.placeAt(x, y),
+                    yaw: () =>
+                        new THREE.Euler().setFromQuaternion(this.picture.camera.quaternion, "YXZ")
+                            .y,
+                }),
+        );
         byId("stage").append(...this.rings.map((ring) => ring.root));
     }
 
@@ -92,7 +101,8 @@ export class LampPlacing {
         const ray = this.picture.rayAt(x, y);
         const hit = this.scene.frontAlong(ray);
         if (!hit?.face) return null;
-        const normal = hit.face.normal.clone()
+        const normal = hit.face.normal
+            .clone()
             .applyNormalMatrix(new THREE.Matrix3().getNormalMatrix(hit.object.matrixWorld));
         const up = new THREE.Raycaster(hit.point.clone().addScaledVector(normal, 0.01), normal);
         const over = up.intersectObjects(this.scene.meshes, false)[0]?.distance ?? Infinity;
@@ -106,7 +116,7 @@ export class LampPlacing {
         this.changed();
     }
 
-    /** A click puts a lamp where the visitor looks; a drag where it ends, and the lamp goes along. */
+    /** A click puts a lamp where the visitor looks; a drag where it ends, the lamp goes along. */
     private dragOut(): void {
         let from: { x: number; y: number } | null = null;
         let isOut = false;

@@ -1,4 +1,5 @@
-// A ring around an added lamp in the picture: drag moves the lamp along surfaces, keys move it anywhere.
+// A ring around an added lamp in the picture: drag moves the lamp along surfaces, keys move it
+// anywhere.
 
 import * as THREE from "three";
 
@@ -31,7 +32,10 @@ export class LampRing {
     private readonly from = new THREE.Vector2();
     private isMoved = false;
 
-    constructor(lamp: number, private readonly actions: RingActions) {
+    constructor(
+        lamp: number,
+        private readonly actions: RingActions,
+    ) {
         this.root = element("button", {
             type: "button",
             class: "ring",
@@ -51,7 +55,8 @@ export class LampRing {
     follow(camera: THREE.PerspectiveCamera): void {
         const place = this.actions.place();
         const seen = place && new THREE.Vector3(...place).project(camera);
-        this.root.hidden = !seen || Math.abs(seen.z) > 1 || Math.abs(seen.x) > 1 || Math.abs(seen.y) > 1;
+        this.root.hidden =
+            !seen || Math.abs(seen.z) > 1 || Math.abs(seen.x) > 1 || Math.abs(seen.y) > 1;
         if (!seen || this.root.hidden) return;
         this.root.style.left = `${50 * (seen.x + 1)}%`;
         this.root.style.top = `${50 * (1 - seen.y)}%`;
@@ -87,6 +92,9 @@ export class LampRing {
         const [right, up, ahead] = way.map((value) => STEP * value) as Rgb;
         const [sin, cos] = [Math.sin(this.actions.yaw()), Math.cos(this.actions.yaw())];
         this.actions.move([
-            place[0] + right * cos - ahead * sin, place[1] + up, place[2] - right * sin - ahead * cos]);
+            place[0] + right * cos - ahead * sin,
+            place[1] + up,
+            place[2] - right * sin - ahead * cos,
+        ]);
     }
 }

@@ -30,7 +30,9 @@ export async function readModel(file: File): Promise<THREE.Group> {
     } catch (error) {
         if (error instanceof Trouble) throw refuse(error.message);
         const isDraco = String(error).includes("DRACO");
-        throw refuse(isDraco ? "it is packed by Draco; save it without" : "it is no whole GLB (glTF 2.0)");
+        throw refuse(
+            isDraco ? "it is packed by Draco; save it without" : "it is no whole GLB (glTF 2.0)",
+        );
     }
     if (meshesOf(scene).length === 0) throw refuse("there are no triangles in it");
     return scene;
@@ -39,7 +41,8 @@ export async function readModel(file: File): Promise<THREE.Group> {
 export function meshesOf(scene: THREE.Object3D): THREE.Mesh[] {
     const meshes: THREE.Mesh[] = [];
     scene.traverse((object) => {
-        if (object instanceof THREE.Mesh && object.geometry.getAttribute("position")) meshes.push(object);
+        if (object instanceof THREE.Mesh && object.geometry.getAttribute("position"))
+            meshes.push(object);
     });
     return meshes;
 }

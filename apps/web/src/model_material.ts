@@ -1,4 +1,5 @@
-// How a model that was dropped onto the page looks in the room's light: matte, by the probes, and straight from added lamps.
+// How a model that was dropped onto the page looks in the room's light: matte, by the probes,
+// and straight from added lamps.
 
 import * as THREE from "three";
 
@@ -54,19 +55,27 @@ void main() {
     if (view == 0 || albedo.a < leastAlpha) discard; // a scan does not show it
     vec3 normal = normalize(gl_FrontFacing ? towards : -towards);
     vec3 radiance = albedo.rgb;
-    if (view == 2) radiance = albedo.rgb * (light + addedLight(place, normal, turnOf(gl_FragCoord.xy))) + glow;
+    if (view == 2) {
+        vec3 straight = addedLight(place, normal, turnOf(gl_FragCoord.xy));
+        radiance = albedo.rgb * (light + straight) + glow;
+    }
     pixel = vec4(srgbOf(view == 1 ? radiance : agxOf(exposure * radiance)), albedo.a);
 }`;
 
 type Uniforms = Record<string, { value: unknown }>;
 
 /** `stops` is the room's exposure: what a model sends itself is as bright as its maker saw it. */
-export function modelMaterial(given: THREE.Material, shared: Uniforms, stops: number): THREE.ShaderMaterial {
+export function modelMaterial(
+    given: THREE.Material,
+    shared: Uniforms,
+    stops: number,
+): THREE.ShaderMaterial {
     const from = given as THREE.MeshStandardMaterial; // or a basic one, which has some of that
     const glow = new THREE.Vector3();
     if (from.emissive)
-        glow.set(from.emissive.r, from.emissive.g, from.emissive.b)
-            .multiplyScalar(from.emissiveIntensity / 2 ** stops);
+        glow.set(from.emissive.r, from.emissive.g, from.emissive.b).multiplyScalar(
+            from.emissiveIntensity / 2 ** stops,
+        );
     if (from.emissiveMap) glow.set(0, 0, 0); // where it glows is not looked up
     from.map?.updateMatrix();
     const material = new THREE.ShaderMaterial({
@@ -81,7 +90,9 @@ export function modelMaterial(given: THREE.Material, shared: Uniforms, stops: nu
             map: { value: from.map ?? null },
             mapTurn: { value: from.map?.matrix ?? new THREE.Matrix3() },
             hasMap: { value: Boolean(from.map) },
-            factor: { value: new THREE.Vector4(from.color.r, from.color.g, from.color.b, from.opacity) },
+            factor: {
+                value: new THREE.Vector4(from.color.r, from.color.g, from.color.b, from.opacity),
+            },
             glow: { value: glow },
             leastAlpha: { value: from.alphaTest },
         },

@@ -1,4 +1,5 @@
-// How a visitor brings models and moves them: a file is dropped into the picture or chosen; a drag moves it over what lies level.
+// How a visitor brings models and moves them: a file is dropped into the picture or chosen; a
+// drag moves it over what lies level.
 
 import * as THREE from "three";
 
@@ -44,7 +45,10 @@ export class ModelPlacing {
     /** A file that is dropped on a pixel of the picture. */
     async bring(file: File, x: number, y: number): Promise<void> {
         try {
-            if (!this.models.isReady) throw new Trouble("The page is still loading, or has no light probes: relamp page writes them.");
+            if (!this.models.isReady)
+                throw new Trouble(
+                    "The page is still loading, or has no light probes: relamp page writes them.",
+                );
             if (this.models.models.length >= MOST_MODELS)
                 throw new Trouble(`There are ${MOST_MODELS} models already; remove one.`);
             const place = this.levelAt(x, y);
@@ -53,7 +57,11 @@ export class ModelPlacing {
             this.show();
             this.changed();
         } catch (trouble) {
-            notice(trouble instanceof Trouble ? trouble.message : `${file.name} cannot be shown (${String(trouble)}).`);
+            notice(
+                trouble instanceof Trouble
+                    ? trouble.message
+                    : `${file.name} cannot be shown (${String(trouble)}).`,
+            );
         }
     }
 
@@ -77,32 +85,47 @@ export class ModelPlacing {
             return [event.clientX - box.left, event.clientY - box.top] as const;
         };
         const catching = { capture: true };
-        stage.addEventListener("pointerdown", (event) => {
-            if (event.target !== canvas || !event.isPrimary) return;
-            this.dragged = this.modelAt(...at(event));
-            if (this.dragged) event.stopPropagation();
-        }, catching);
-        stage.addEventListener("pointermove", (event) => {
-            if (!this.dragged) return;
-            event.stopPropagation();
-            const place = this.levelAt(...at(event));
-            if (!place) return;
-            this.dragged.root.position.set(...place);
-            this.models.moved();
-            this.changed();
-        }, catching);
-        for (const name of ["pointerup", "pointercancel"] as const)
-            stage.addEventListener(name, (event) => {
+        stage.addEventListener(
+            "pointerdown",
+            (event) => {
+                if (event.target !== canvas || !event.isPrimary) return;
+                this.dragged = this.modelAt(...at(event));
                 if (this.dragged) event.stopPropagation();
-                this.dragged = null;
-            }, catching);
+            },
+            catching,
+        );
+        stage.addEventListener(
+            "pointermove",
+            (event) => {
+                if (!this.dragged) return;
+                event.stopPropagation();
+                const place = this.levelAt(...at(event));
+                if (!place) return;
+                this.dragged.root.position.set(...place);
+                this.models.moved();
+                this.changed();
+            },
+            catching,
+        );
+        for (const name of ["pointerup", "pointercancel"] as const)
+            stage.addEventListener(
+                name,
+                (event) => {
+                    if (this.dragged) event.stopPropagation();
+                    this.dragged = null;
+                },
+                catching,
+            );
     }
 
     private modelAt(x: number, y: number): Model | null {
         const ray = this.picture.rayAt(x, y);
         const wall = this.scene.frontAlong(ray)?.distance ?? Infinity;
         const found = this.models.models
-            .map((model) => ({ model, distance: ray.intersectObjects(model.meshes, false)[0]?.distance ?? Infinity }))
+            .map((model) => ({
+                model,
+                distance: ray.intersectObjects(model.meshes, false)[0]?.distance ?? Infinity,
+            }))
             .sort((a, b) => a.distance - b.distance)[0];
         return found && found.distance < wall ? found.model : null;
     }
@@ -111,11 +134,13 @@ export class ModelPlacing {
     private levelAt(x: number, y: number): Rgb | null {
         const hit = this.scene.frontAlong(this.picture.rayAt(x, y));
         if (!hit?.face) return null;
-        const normal = hit.face.normal.clone()
+        const normal = hit.face.normal
+            .clone()
             .applyNormalMatrix(new THREE.Matrix3().getNormalMatrix(hit.object.matrixWorld));
         if (normal.y >= LEVEL) return hit.point.toArray() as Rgb;
         const beside = hit.point.clone().addScaledVector(normal, OFF_WALL);
-        beside.y = Math.max(beside.y, hit.point.y) + OFF_WALL; // a skirting may lean below the floor
+        // A skirting may lean below the floor.
+        beside.y = Math.max(beside.y, hit.point.y) + OFF_WALL;
         const down = new THREE.Raycaster(beside, new THREE.Vector3(0, -1, 0));
         return (this.scene.frontAlong(down)?.point.toArray() as Rgb | undefined) ?? null;
     }
@@ -130,26 +155,64 @@ export class ModelPlacing {
             this.models.moved();
             this.changed();
         };
-        const line = (word: string, label: string, range: { min: number; max: number; step: number }, now: number,
-            change: (value: number) => void) => {
-            const made = slider(`${label} ${model.name}`, range, (value) => String(value), set(change));
+        const line = (
+            word: string,
+            label: string,
+            range: { min: number; max: number; step: number },
+            now: number,
+            change: (value: number) => void,
+        ) => {
+            const made = slider(
+                `${label} ${model.name}`,
+                range,
+                (value) => String(value),
+                set(change),
+            );
             made.set(now);
             return element("label", { class: "line" }, element("span", {}, word), made.input);
         };
         const { position, rotation } = model.root;
         const { low, high } = this.picture.box;
-        const remove = element("button", { type: "button", "aria-label": `remove ${model.name}` }, "Remove");
+        const remove = element(
+            "button",
+            { type: "button", "aria-label": `remove ${model.name}` },
+            "Remove",
+        );
         remove.addEventListener("click", () => {
             this.models.remove(model);
             this.show();
             this.changed();
         });
         return element(
-            "li", { class: "lamp" },
-            element("div", { class: "head" }, element("span", { class: "name" }, model.name), remove),
-            line("turn", "turn", { min: -180, max: 180, step: 5 }, 0, (value) =>
-                (rotation.y = THREE.MathUtils.degToRad(value))),
-            line("x", "move along x", { min: low[0], max: high[0], step: 0.05 }, position.x, (value) => (position.x = value)),
-            line("z", "move along z", { min: low[2], max: high[2], step: 0.05 }, position.z, (value) => (position.z = value)));
+            "li",
+            { class: "lamp" },
+            element(
+                "div",
+                { class: "head" },
+                element("span", { class: "name" }, model.name),
+                remove,
+            ),
+            line(
+                "turn",
+                "turn",
+                { min: -180, max: 180, step: 5 },
+                0,
+                (value) => (rotation.y = THREE.MathUtils.degToRad(value)),
+            ),
+            line(
+                "x",
+                "move along x",
+                { min: low[0], max: high[0], step: 0.05 },
+                position.x,
+                (value) => (position.x = value),
+            ),
+            line(
+                "z",
+                "move along z",
+                { min: low[2], max: high[2], step: 0.05 },
+                position.z,
+                (value) => (position.z = value),
+            ),
+        );
     }
 }

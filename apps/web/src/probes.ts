@@ -1,5 +1,5 @@
-// The light in the air of the room: a lattice of probes, of each light by itself, as src/output/web_probes.h writes them, and of
-// added lamps by way of surfaces.
+// The light in the air of the room: a lattice of probes, of each light by itself, as
+// src/output/web_probes.h writes them, and of added lamps by way of surfaces.
 
 import * as THREE from "three";
 
@@ -10,7 +10,8 @@ import { ScreenPass, floatTexture, lightTarget } from "./screen_pass";
 
 const CHANNELS = 3 * HARMONICS;
 
-// What lamps of the room send is summed; added lamps send by way of the clusters that a probe's rays meet.
+// What lamps of the room send is summed; added lamps send by way of the clusters that a probe's
+// rays meet.
 const SUM = `
 precision highp float;
 precision highp int;
@@ -31,7 +32,8 @@ void main() {
     vec3 sum = vec3(0.0);
     for (int ray = 0; ray < rays; ++ray) {
         int cluster = int(texelFetch(met, ivec2(ray, at.y), 0).r);
-        sum += texelFetch(basis, ivec2(at.x, ray), 0).r * texelFetch(sending, ivec2(cluster % columns, cluster / columns), 0).rgb;
+        ivec2 place = ivec2(cluster % columns, cluster / columns);
+        sum += texelFetch(basis, ivec2(at.x, ray), 0).r * texelFetch(sending, place, 0).rgb;
     }
     light.rgb += 12.5663706 / float(rays) * sum;
 }`;
@@ -46,7 +48,10 @@ export class Probes {
     private readonly pass: ScreenPass;
 
     /** Throws Trouble where the bytes are damaged. */
-    constructor(private readonly about: ProbesOfRoom, bytes: Uint8Array) {
+    constructor(
+        private readonly about: ProbesOfRoom,
+        bytes: Uint8Array,
+    ) {
         this.count = about.count[0] * about.count[1] * about.count[2];
         const words = this.count * about.rays;
         if (bytes.length !== 2 * words + this.count * CHANNELS * about.scales.length)
@@ -107,7 +112,12 @@ export class Probes {
 
     private metTexture(): THREE.DataTexture {
         const texture = new THREE.DataTexture(
-            this.met, this.about.rays, this.count, THREE.RedIntegerFormat, THREE.UnsignedShortType);
+            this.met,
+            this.about.rays,
+            this.count,
+            THREE.RedIntegerFormat,
+            THREE.UnsignedShortType,
+        );
         texture.internalFormat = "R16UI";
         texture.unpackAlignment = 2;
         texture.needsUpdate = true;
@@ -119,6 +129,7 @@ function basisTexture(rays: number): THREE.DataTexture {
     const data = new Float32Array(4 * HARMONICS * rays);
     for (let ray = 0; ray < rays; ++ray)
         harmonicsOf(directionOfRay(ray, rays)).forEach(
-            (value, i) => (data[4 * (ray * HARMONICS + i)] = value));
+            (value, i) => (data[4 * (ray * HARMONICS + i)] = value),
+        );
     return floatTexture(data, HARMONICS, rays);
 }

@@ -13,7 +13,8 @@ export class ScreenPass {
         this.uniforms = uniforms;
         const material = new THREE.RawShaderMaterial({
             glslVersion: THREE.GLSL3,
-            vertexShader: "in vec3 position;\nvoid main() { gl_Position = vec4(position.xy, 0.0, 1.0); }",
+            vertexShader:
+                "in vec3 position;\nvoid main() { gl_Position = vec4(position.xy, 0.0, 1.0); }",
             fragmentShader,
             uniforms,
             depthTest: false,
@@ -21,7 +22,9 @@ export class ScreenPass {
         });
         const triangle = new THREE.BufferGeometry();
         triangle.setAttribute(
-            "position", new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3));
+            "position",
+            new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3),
+        );
         const mesh = new THREE.Mesh(triangle, material);
         mesh.frustumCulled = false;
         this.scene.add(mesh);
@@ -35,7 +38,11 @@ export class ScreenPass {
 }
 
 /** Linear light, in half floats; read by texelFetch unless `isSmooth`. */
-export function lightTarget(width: number, height: number, isSmooth = false): THREE.WebGLRenderTarget {
+export function lightTarget(
+    width: number,
+    height: number,
+    isSmooth = false,
+): THREE.WebGLRenderTarget {
     const filter = isSmooth ? THREE.LinearFilter : THREE.NearestFilter;
     return new THREE.WebGLRenderTarget(width, height, {
         type: THREE.HalfFloatType,
@@ -48,7 +55,12 @@ export function lightTarget(width: number, height: number, isSmooth = false): TH
 /** Rows of `width` numbers of four floats. */
 export function floatTexture(data: Float32Array, width: number, height: number): THREE.DataTexture {
     const texture = new THREE.DataTexture(
-        data as Float32Array<ArrayBuffer>, width, height, THREE.RGBAFormat, THREE.FloatType);
+        data as Float32Array<ArrayBuffer>,
+        width,
+        height,
+        THREE.RGBAFormat,
+        THREE.FloatType,
+    );
     texture.needsUpdate = true;
     return texture;
 }

@@ -1,4 +1,5 @@
-// How far light of added lamps goes: for each of them the depth of the room on six faces of a cube, all in one texture.
+// How far light of added lamps goes: for each of them the depth of the room on six faces of a
+// cube, all in one texture.
 
 import * as THREE from "three";
 
@@ -8,13 +9,16 @@ import type { Rgb } from "./room";
 const NEAR = 0.02; // m
 const FAR = 100;
 
-/** A face's axes are those of the shader: `up` is the axis behind its own, `right` the one behind that. */
+/** The shader's axes: `up` of a face is the axis behind its own, `right` the one behind that. */
 function poseFace(camera: THREE.Camera, face: number, place: Rgb): void {
     const axis = face >> 1;
     const sign = face % 2 === 0 ? 1 : -1;
     const unit = (i: number, length: number) => new THREE.Vector3().setComponent(i % 3, length);
     const basis = new THREE.Matrix4().makeBasis(
-        unit(axis + 2, sign), unit(axis + 1, 1), unit(axis, -sign));
+        unit(axis + 2, sign),
+        unit(axis + 1, 1),
+        unit(axis, -sign),
+    );
     camera.position.set(...place);
     camera.quaternion.setFromRotationMatrix(basis);
     camera.updateMatrixWorld();
@@ -26,10 +30,16 @@ export class ShadowTiles {
     private readonly scene = new THREE.Scene();
     private readonly camera = new THREE.PerspectiveCamera(90, 1, NEAR, FAR);
     private readonly obstacles = new THREE.Group();
-    private readonly material = new THREE.MeshBasicMaterial({ colorWrite: false, side: THREE.DoubleSide });
+    private readonly material = new THREE.MeshBasicMaterial({
+        colorWrite: false,
+        side: THREE.DoubleSide,
+    });
     private known: string[] = [];
 
-    constructor(readonly side: number, casters: THREE.Mesh[]) {
+    constructor(
+        readonly side: number,
+        casters: THREE.Mesh[],
+    ) {
         const [width, height] = [6 * side, MOST_LAMPS * side];
         this.texture = new THREE.DepthTexture(width, height, THREE.UnsignedIntType);
         this.target = new THREE.WebGLRenderTarget(width, height, {
@@ -90,10 +100,13 @@ float shareOfWay(int lamp, vec3 way) {
     float ahead = size[axis];
     float side = way[axis] < 0.0 ? -1.0 : 1.0;
     vec2 at = vec2(side * way[(axis + 2) % 3], way[(axis + 1) % 3]) / ahead;
-    ivec2 texel = clamp(ivec2(floor((0.5 * at + 0.5) * float(shadowSide))), ivec2(0), ivec2(shadowSide - 1));
+    ivec2 texel = ivec2(floor((0.5 * at + 0.5) * float(shadowSide)));
+    texel = clamp(texel, ivec2(0), ivec2(shadowSide - 1));
     texel += shadowSide * ivec2(2 * axis + (side < 0.0 ? 1 : 0), lamp);
     float depth = 2.0 * texelFetch(shadowTiles, texel, 0).r - 1.0;
-    float first = 2.0 * ${NEAR.toFixed(2)} * ${FAR.toFixed(1)} / (${(FAR + NEAR).toFixed(2)} - depth * ${(FAR - NEAR).toFixed(2)});
+    const float near = ${NEAR.toFixed(2)};
+    const float far = ${FAR.toFixed(1)};
+    float first = 2.0 * near * far / (far + near - depth * (far - near));
     return first / ahead;
 }
 `;

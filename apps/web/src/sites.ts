@@ -16,8 +16,11 @@ export function directionFrom(word: number): Rgb {
 }
 
 export function siteFrom(view: DataView, at: number, box: Box): { place: Rgb; normal: Rgb } {
-    const place = [0, 1, 2].map((axis) =>
-        (box.low[axis] ?? 0) + ((box.extent[axis] ?? 0) * view.getUint16(at + 2 * axis, true)) / 65535) as Rgb;
+    const place = [0, 1, 2].map(
+        (axis) =>
+            (box.low[axis] ?? 0) +
+            ((box.extent[axis] ?? 0) * view.getUint16(at + 2 * axis, true)) / 65535,
+    ) as Rgb;
     return { place, normal: directionFrom(view.getUint16(at + 6, true)) };
 }
 

@@ -15,7 +15,8 @@ function timeOfMove(page) {
     return page.evaluate(async () => {
         const canvas = document.getElementById("canvas");
         const gl = canvas.getContext("webgl2");
-        const isDone = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+        const isDone = () =>
+            gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
         const after = async (change) => {
             isDone();
             const before = canvas.dataset.drawn;
@@ -25,11 +26,17 @@ function timeOfMove(page) {
             isDone();
             return performance.now() - start;
         };
-        const press = (key) => () => document.querySelector(".ring")
-            .dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
+        const press = (key) => () =>
+            document
+                .querySelector(".ring")
+                .dispatchEvent(
+                    new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }),
+                );
         await after(press("ArrowLeft"));
         const moved = await after(press("ArrowRight"));
-        const plain = await after(() => canvas.dispatchEvent(new WheelEvent("wheel", { deltaY: 0, cancelable: true })));
+        const plain = await after(() =>
+            canvas.dispatchEvent(new WheelEvent("wheel", { deltaY: 0, cancelable: true })),
+        );
         return { moved, plain };
     });
 }
@@ -43,14 +50,24 @@ export function testAddedLamps(shared) {
         const light = { ...LAMP, type: "sphere", radius: 0.06 };
         await writeFile(file, JSON.stringify({ lights: [light] }));
         const word = `lamp0=${LAMP.position.join(",")},${LAMP.lumens},${LAMP.kelvin}K`;
-        await compare(t, "new", `${off}&${word}`,
-            ["--lights", file, `--exposure=${room.exposure}`], LIKENESS);
+        await compare(
+            t,
+            "new",
+            `${off}&${word}`,
+            ["--lights", file, `--exposure=${room.exposure}`],
+            LIKENESS,
+        );
         const { moved, plain } = await timeOfMove(shared().tab.page);
-        t.diagnostic(`a lamp that moves: ${moved.toFixed(0)} ms a picture, else ${plain.toFixed(0)} ms`);
+        t.diagnostic(
+            `a lamp that moves: ${moved.toFixed(0)} ms a picture, else ${plain.toFixed(0)} ms`,
+        );
     });
 
     test("a lamp is dragged from the panel into the picture, moved, dimmed and removed", async () => {
-        const { tab: { page }, room } = shared();
+        const {
+            tab: { page },
+            room,
+        } = shared();
         await page.setViewportSize({ width: 800, height: 300 });
         await show(page, room.lights.map((_, i) => `light${i}=0`).join("&"));
         const changed = (from) => page.waitForFunction((hash) => location.hash !== hash, from);
@@ -78,7 +95,9 @@ export function testAddedLamps(shared) {
         await ring.click();
         await page.waitForFunction(() => location.hash.includes(",off"));
         await page.getByLabel("brightness of new lamp 1").fill("3");
-        await page.waitForFunction(() => location.hash.includes(",200,2700K") && !location.hash.includes("off"));
+        await page.waitForFunction(
+            () => location.hash.includes(",200,2700K") && !location.hash.includes("off"),
+        );
         await button.click(); // another, where one looks
         await page.waitForFunction(() => location.hash.includes("lamp1="));
         await page.getByRole("button", { name: "remove new lamp 2" }).click();

@@ -25,8 +25,12 @@ export function ballGlb(radius, colour) {
         scene: 0,
         scenes: [{ nodes: [0] }],
         nodes: [{ mesh: 0, translation: [5, 5, 5] }],
-        meshes: [{ primitives: [{ attributes: { POSITION: 0, NORMAL: 1 }, indices: 2, material: 0 }] }],
-        materials: [{ pbrMetallicRoughness: { baseColorFactor: [...colour, 1], metallicFactor: 0 } }],
+        meshes: [
+            { primitives: [{ attributes: { POSITION: 0, NORMAL: 1 }, indices: 2, material: 0 }] },
+        ],
+        materials: [
+            { pbrMetallicRoughness: { baseColorFactor: [...colour, 1], metallicFactor: 0 } },
+        ],
         buffers: [{ byteLength: binary.length }],
         bufferViews: [
             { buffer: 0, byteOffset: 0, byteLength: length },
@@ -34,8 +38,14 @@ export function ballGlb(radius, colour) {
             { buffer: 0, byteOffset: 2 * length, byteLength: indices.byteLength },
         ],
         accessors: [
-            { bufferView: 0, componentType: 5126, count: points.length, type: "VEC3",
-                min: [-most, -most, -most], max: [most, most, most] },
+            {
+                bufferView: 0,
+                componentType: 5126,
+                count: points.length,
+                type: "VEC3",
+                min: [-most, -most, -most],
+                max: [most, most, most],
+            },
             { bufferView: 1, componentType: 5126, count: points.length, type: "VEC3" },
             { bufferView: 2, componentType: 5123, count: indices.length, type: "SCALAR" },
         ],
@@ -48,7 +58,9 @@ export function ballGlb(radius, colour) {
         return Buffer.concat([head, padded]);
     };
     const body = Buffer.concat([
-        chunk(Buffer.from(JSON.stringify(json)), "JSON", " "), chunk(binary, "BIN\0", 0)]);
+        chunk(Buffer.from(JSON.stringify(json)), "JSON", " "),
+        chunk(binary, "BIN\0", 0),
+    ]);
     const head = Buffer.alloc(12);
     head.write("glTF", 0, "latin1");
     head.writeUInt32LE(2, 4);
@@ -58,11 +70,14 @@ export function ballGlb(radius, colour) {
 
 /** Drops bytes as a file onto a pixel of the picture. */
 export async function drop(page, name, bytes, x, y) {
-    const data = await page.evaluateHandle(({ name, base64 }) => {
-        const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-        const transfer = new DataTransfer();
-        transfer.items.add(new File([bytes], name));
-        return transfer;
-    }, { name, base64: bytes.toString("base64") });
+    const data = await page.evaluateHandle(
+        ({ name, base64 }) => {
+            const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+            const transfer = new DataTransfer();
+            transfer.items.add(new File([bytes], name));
+            return transfer;
+        },
+        { name, base64: bytes.toString("base64") },
+    );
     await page.dispatchEvent("#stage", "drop", { dataTransfer: data, clientX: x, clientY: y });
 }
