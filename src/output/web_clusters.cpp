@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace relamp
 {
@@ -66,7 +67,8 @@ WebClusters webClusters(const Transport& transport, const Surfels& surfels)
     std::vector<Key> keys = keysOf(transport, surfels, cells);
     std::vector<Key> distinct = distinctOf(keys);
     while (distinct.size() > kMostClusters) {
-        ++cells;
+        const double tooMany = static_cast<double>(distinct.size()) / kMostClusters;
+        cells = std::max(cells + 1, static_cast<int>(0.9 * cells * std::sqrt(tooMany)));
         keys = keysOf(transport, surfels, cells);
         distinct = distinctOf(keys);
     }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <span>
 
 #include <glm/geometric.hpp>
@@ -16,7 +15,7 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kRays = 256; // of a cluster
+constexpr size_t kRays = 128; // of a cluster
 constexpr size_t kPoints = 8; // of a cluster
 
 /// Even choice of `count` out of what has shares that sum to 1: calls `take(item)`, ascending.
@@ -101,41 +100,36 @@ private:
             });
     }
 
-    /// What the rays of a cluster's members met: fronts have many of their own, backs those of the
-    /// transport's own clusters.
-    [[nodiscard]] std::map<uint32_t, float> sharesOf(size_t cluster) const
+    /// The clusters that the rays of a cluster's members met, by the members' weights: fronts have
+    /// many rays of their own, backs those of the transport's own clusters.
+    [[nodiscard]] std::vector<float> sharesOf(size_t cluster) const
     {
-        std::map<uint32_t, float> shares;
-        const auto nothing = static_cast<uint32_t>(clusters_.count);
+        std::vector<float> shares(clusters_.count + 1, 0.0f); // and of nothing
         for (const uint32_t i : membersOf(cluster)) {
             const bool isFront = !transport_.sides[i].isBack();
             const SightLists& lists = isFront ? transport_.ofFronts : transport_.ofClusters;
+            const std::vector<uint32_t>& coarse = isFront ? clusters_.ofSide : coarse_;
             const size_t list = isFront ? i : transport_.clusterOf[i];
             const size_t rays = lists.first[list + 1] - lists.first[list];
             const float share = clusters_.weight[i] / static_cast<float>(std::max<size_t>(rays, 1));
             for (size_t r = lists.first[list]; r < lists.first[list + 1]; ++r) {
                 const uint32_t target = lists.target[r];
-                if (isFront)
-                    shares[target < clusters_.ofSide.size() ? clusters_.ofSide[target] : nothing] +=
-                        share;
-                else
-                    shares[target < coarse_.size() ? coarse_[target] : nothing] += share;
+                shares[target < coarse.size() ? coarse[target] : clusters_.count] += share;
             }
-            if (rays == 0) shares[nothing] += clusters_.weight[i];
+            if (rays == 0) shares.back() += clusters_.weight[i];
         }
         return shares;
     }
 
     void addRays(size_t cluster, std::vector<uint8_t>& bytes) const
     {
-        const std::map<uint32_t, float> shares = sharesOf(cluster);
-        const std::vector<std::pair<uint32_t, float>> list(shares.begin(), shares.end());
-        uint32_t last = 0;
+        const std::vector<float> shares = sharesOf(cluster);
+        size_t last = 0;
         forEachChosen(
-            list.size(), kRays, [&](size_t i) { return list[i].second; },
-            [&](size_t i) {
-                uint32_t step = list[i].first - last;
-                last = list[i].first;
+            shares.size(), kRays, [&](size_t met) { return shares[met]; },
+            [&](size_t met) {
+                size_t step = met - last;
+                last = met;
                 for (; step >= 255; step -= 255) bytes.push_back(255);
                 bytes.push_back(static_cast<uint8_t>(step));
             });

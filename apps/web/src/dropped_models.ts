@@ -65,7 +65,13 @@ export class DroppedModels {
         this.models.splice(this.models.indexOf(model), 1);
         this.scene.scene.remove(model.root);
         model.root.traverse((object) => {
-            if (object instanceof THREE.Mesh) object.geometry.dispose();
+            if (!(object instanceof THREE.Mesh)) return;
+            object.geometry.dispose();
+            const materials: THREE.ShaderMaterial[] = [object.material].flat();
+            for (const material of materials) {
+                (material.uniforms["map"]?.value as THREE.Texture | null | undefined)?.dispose();
+                material.dispose();
+            }
         });
         this.moved();
     }
