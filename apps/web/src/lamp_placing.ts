@@ -77,6 +77,7 @@ export class LampPlacing {
                         if (moved) moved.position = position;
                         this.changed();
                     },
+                    isOn: () => lamp(i)?.isOn ?? false,
                     toggle: () => {
                         const toggled = lamp(i);
                         if (toggled) toggled.isOn = !toggled.isOn;

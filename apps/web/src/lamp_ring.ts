@@ -12,6 +12,7 @@ const SLOP = 4; // pixels that a click may move
 export interface RingActions {
     place(): Rgb | null;
     move(position: Rgb): void;
+    isOn(): boolean;
     toggle(): void;
     placeAt(x: number, y: number): Rgb | null; // CSS pixels of the picture
     yaw(): number; // of who looks, rad
@@ -58,6 +59,7 @@ export class LampRing {
         this.root.hidden =
             !seen || Math.abs(seen.z) > 1 || Math.abs(seen.x) > 1 || Math.abs(seen.y) > 1;
         if (!seen || this.root.hidden) return;
+        this.root.classList.toggle("off", !this.actions.isOn());
         this.root.style.left = `${50 * (seen.x + 1)}%`;
         this.root.style.top = `${50 * (1 - seen.y)}%`;
     }
