@@ -2,6 +2,10 @@
 
 import * as THREE from "three";
 
+import { AddedLight } from "./added_light";
+import { DroppedModels } from "./dropped_models";
+import { LampPlacing } from "./lamp_placing";
+import { ModelPlacing } from "./model_placing";
 import { poseOf } from "./camera";
 import { byId } from "./dom";
 import { Panel } from "./panel";
@@ -55,11 +59,22 @@ class App {
             most: capabilities.maxTextureSize,
         };
         const parts = new Parts("", this.room, showProgress);
+        const added = new AddedLight(this.room, scene);
+        const models = new DroppedModels(this.room, scene, added);
+        this.picture.added = added;
+        this.picture.models = models;
+        new ModelPlacing(scene, this.picture, models, () => {
+            panel.relit();
+            this.picture.ask();
+        });
         this.picture.setRoom(scene);
         await scene.load(parts, limits, () => {
             byId("preview").hidden = true;
             this.picture.lightChanged();
         });
+        await added.load(parts);
+        await models.load(parts);
+        this.picture.ask();
         panel.show();
         document.body.dataset["state"] = "ready";
     }
@@ -92,12 +107,20 @@ class App {
                 this.changed(false);
             },
         });
+        const placing = new LampPlacing(this.room, scene, this.picture, {
+            state: () => this.state,
+            changed: () => {
+                panel.relit();
+                this.changed(false);
+            },
+        });
         byId("panel").hidden = !this.state.hasPanel;
         window.addEventListener("hashchange", () => {
             this.state = stateFrom(location.hash, this.room.lights.length);
             byId("panel").hidden = !this.state.hasPanel;
             panel.show();
             wipe.show();
+            placing.show();
             this.picture.lightChanged();
         });
         return panel;

@@ -50,7 +50,8 @@ export class Panel {
             },
         );
         byId("panel").append(
-            this.views(), this.presets(room), this.lights(), this.exposure(), this.moving());
+            this.views(), this.presets(room), element("section", { id: "added" }), this.lights(),
+            element("section", { id: "models" }), this.exposure(), this.moving());
         this.show();
     }
 
@@ -70,10 +71,15 @@ export class Panel {
         return SHOWS.filter((show) => show !== "scan" || this.hasScan);
     }
 
-    private lightChanged(): void {
+    /** Shows the room relit, as a change of its light wants it. */
+    relit(): void {
         const state = this.actions.state();
         if (state.show !== "relit" && state.against !== "relit") state.show = "relit";
         this.show();
+    }
+
+    private lightChanged(): void {
+        this.relit();
         this.actions.changed(true);
     }
 

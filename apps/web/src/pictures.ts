@@ -44,10 +44,13 @@ export async function pixelsOf(
 const SIDE_OF_PHONE = 2048; // 4096 of several textures is more than its memory
 const WIDTH_OF_PHONE = 600; // CSS pixels of a screen's shorter side
 
+export function isPhone(): boolean {
+    return Math.min(screen.width, screen.height) < WIDTH_OF_PHONE;
+}
+
 /** Pixels to which the longer side of a texture is scaled down, so that this device can hold it. */
 export function mostSide(largest: number): number {
-    const isPhone = Math.min(screen.width, screen.height) < WIDTH_OF_PHONE;
-    return isPhone ? Math.min(largest, SIDE_OF_PHONE) : largest;
+    return isPhone() ? Math.min(largest, SIDE_OF_PHONE) : largest;
 }
 
 function resizeOf({ width, height }: Picture, most: number): ImageBitmapOptions {

@@ -59,6 +59,25 @@ export interface Light {
     maps: Lightmap[];
 }
 
+/** WebTransport of src/output/web_transport.h. */
+export interface BouncesOfRoom extends Part {
+    clusters: number;
+    fronts: number;
+    size: number; // m
+    points: number;
+    rays: number;
+    box: Box;
+}
+
+/** WebProbes of src/output/web_probes.h. */
+export interface ProbesOfRoom extends Part {
+    low: Rgb;
+    spacing: number; // m
+    count: Rgb; // along x, y, z
+    rays: number;
+    scales: number[]; // of lights
+}
+
 export interface RoomCamera {
     position: Rgb;
     forward: Rgb;
@@ -78,6 +97,8 @@ export interface Room {
     camera: RoomCamera;
     box: { low: Rgb; high: Rgb };
     lights: Light[];
+    bounces?: BouncesOfRoom;
+    probes?: ProbesOfRoom;
 }
 
 const FORMAT = "relamp page 1";
@@ -113,5 +134,7 @@ export function partsOf(room: Room): Part[] {
         if (page.shining) parts.push(page.shining);
         if (page.scan) parts.push(page.scan);
     }
+    if (room.bounces) parts.push(room.bounces);
+    if (room.probes) parts.push(room.probes);
     return parts;
 }

@@ -1,5 +1,7 @@
 // What a person sees, in the part of the address behind #, so that a link shows it to another.
 
+import { lampsFrom, wordsOfLamps } from "./added_lamp";
+import type { AddedLamp } from "./added_lamp";
 import { asFound } from "./light_mix";
 import type { Setting } from "./light_mix";
 
@@ -19,6 +21,7 @@ export interface State {
     wipe: number; // share of the width
     stops: number; // more than the room's own exposure
     settings: Setting[]; // a light each
+    added: AddedLamp[]; // lamps that a visitor put up
     pose: Pose | null; // null: where the page begins
     hasPanel: boolean;
 }
@@ -30,6 +33,7 @@ export function initialState(lights: number): State {
         wipe: 0.5,
         stops: 0,
         settings: Array.from({ length: lights }, asFound),
+        added: [],
         pose: null,
         hasPanel: true,
     };
@@ -54,6 +58,7 @@ export function hashOf(state: State): string {
         const word = wordOf(setting);
         if (word !== "1") words.push(`light${i}=${word}`);
     });
+    words.push(...wordsOfLamps(state.added));
     if (state.pose) {
         const { position, yaw, pitch } = state.pose;
         words.push(`at=${[...position, yaw, pitch].map(short).join(",")}`);
@@ -90,6 +95,7 @@ export function stateFrom(hash: string, lights: number): State {
         const word = words.get(`light${i}`);
         return word === null ? setting : settingFrom(word);
     });
+    state.added = lampsFrom(words);
     const at = (words.get("at") ?? "").split(",").map((text) => numberIn(text, -1e5, 1e5));
     const [x, y, z, yaw, pitch] = at;
     if (x != null && y != null && z != null && yaw != null && pitch != null)

@@ -7,6 +7,8 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 
+import { testAddedLamps } from "./added_tests.mjs";
+import { testDroppedModels } from "./dropped_tests.mjs";
 import { decibels, drawn, launch, open, place, relamp, serve, settled, show } from "./browser.mjs";
 
 const MOST_BYTES = 8e6; // of the sample's page
@@ -93,6 +95,9 @@ test("a lamp of another colour temperature and brightness is as the program has 
     return compare(t, "warm", others,
         ["--fixture", "2=2700K,50%", `--exposure=${room.exposure}`], LIKENESS.lamp);
 });
+
+testAddedLamps(() => ({ tab, room, folder, compare }));
+testDroppedModels(() => ({ tab, room }));
 
 test("the shader's view transform gives the numbers of the program's", async () => {
     const numbers = JSON.parse(await readFile(new URL("formulas.json", import.meta.url), "utf8"));
@@ -197,6 +202,9 @@ test("a damaged or missing file is told of in a sentence", async () => {
     };
     await writeFile(join(broken, "geometry.js"), 'relampPart("geometry", "AAAA");');
     assert.match(await sentence(), /geometry\.js is damaged/);
+    await cp(join(page, "geometry.js"), join(broken, "geometry.js"));
+    await writeFile(join(broken, "bounces.js"), 'relampPart("bounces", "AAAA");');
+    assert.match(await sentence(), /bounces\.js is damaged/);
     await rm(join(broken, "geometry.js"));
     assert.match(await sentence(), /geometry\.js is missing/);
 });
