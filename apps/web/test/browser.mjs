@@ -5,9 +5,16 @@ import { createReadStream, existsSync } from "node:fs";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { join, normalize } from "node:path";
+import { test as testOfNode } from "node:test";
 import { promisify } from "node:util";
 
 const run = promisify(execFile);
+const MOST = 60000; // ms of a test: a browser that hangs must not keep the others
+
+/** A test of node's runner that ends. */
+export function test(name, body) {
+    testOfNode(name, { timeout: MOST }, body);
+}
 
 /** From the environment, which CMakeLists.txt sets. */
 export const place = {
@@ -18,7 +25,7 @@ export const place = {
 };
 
 export function relamp(...words) {
-    return run(place.program, [...words.map(String), "-q"]);
+    return run(place.program, [...words.map(String), "-q"], { timeout: MOST });
 }
 
 // SwiftShader draws where there is no GPU.
@@ -39,7 +46,7 @@ export function launch(flags = []) {
 
 const TYPES = { html: "text/html", js: "text/javascript", css: "text/css", jpg: "image/jpeg" };
 
-/** Serves a folder as any static server would; gives its address and a way to end it. */
+/** Serves a folder as any static server would; gives its address and a way to end it. It ends with node, too. */
 export function serve(folder) {
     const server = createServer((request, response) => {
         const path = normalize(new URL(request.url, "http://localhost").pathname);
@@ -48,11 +55,15 @@ export function serve(folder) {
         response.writeHead(200, { "content-type": TYPES[file.split(".").pop()] ?? "text/plain" });
         createReadStream(file).pipe(response);
     });
+    server.unref();
     return new Promise((resolve) => {
         server.listen(0, "127.0.0.1", () =>
             resolve({
                 url: `http://127.0.0.1:${server.address().port}/`,
-                close: () => server.close(),
+                close: () => {
+                    server.close();
+                    server.closeAllConnections();
+                },
             }));
     });
 }
@@ -64,6 +75,7 @@ export async function open(browser, options = {}) {
         reducedMotion: "reduce",
         ...options,
     });
+    context.setDefaultTimeout(MOST / 3);
     const page = await context.newPage();
     const complaints = [];
     const loaded = [];
@@ -77,7 +89,7 @@ export async function open(browser, options = {}) {
 
 /** Until all of the page is there, or it says why not. */
 export async function settled(page) {
-    await page.waitForFunction(() => document.body.dataset.state, null, { timeout: 60000 });
+    await page.waitForFunction(() => document.body.dataset.state);
     await drawn(page);
 }
 
@@ -123,4 +135,3 @@ export async function decibels(page, first, second) {
         return 10 * Math.log10((255 * 255 * a.length) / Math.max(sum, 1e-9));
     }, pictures);
 }
-

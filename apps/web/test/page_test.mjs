@@ -4,10 +4,11 @@ import assert from "node:assert/strict";
 import { cp, mkdtemp, readFile, readdir, rm, stat, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { after, before } from "node:test";
 import { pathToFileURL } from "node:url";
 
-import { decibels, drawn, launch, open, place, relamp, serve, settled, show } from "./browser.mjs";
+import { decibels, drawn, launch, open, place, relamp, serve, settled, show, test } from "./browser.mjs";
+import { testExample } from "./lightmaps_example.mjs";
 
 const MOST_BYTES = 8e6; // of the sample's page
 const SIZE = ["--size", "640x360"];
@@ -30,7 +31,7 @@ before(async () => {
     tab = await open(browser);
     await tab.page.goto(`${pathToFileURL(join(page, "index.html"))}#panel=off`);
     await settled(tab.page);
-});
+}, { timeout: 120000 });
 
 after(async () => {
     await browser?.close();
@@ -181,6 +182,8 @@ test("<relamp-room> shows the room on another page", async () => {
     await other.close();
     server.close();
 });
+
+testExample(() => ({ folder, browser, room, programs }));
 
 test("a damaged or missing file is told of in a sentence", async () => {
     const broken = join(folder, "broken");
