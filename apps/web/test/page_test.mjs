@@ -8,6 +8,7 @@ import { after, before } from "node:test";
 import { pathToFileURL } from "node:url";
 
 import { decibels, drawn, launch, open, place, relamp, serve, settled, show, test } from "./browser.mjs";
+import { testDelightPage } from "./delight_page.mjs";
 import { testExample } from "./lightmaps_example.mjs";
 
 const MOST_BYTES = 8e6; // of the sample's page
@@ -23,7 +24,7 @@ let tab;
 before(async () => {
     folder = await mkdtemp(join(tmpdir(), "relamp-page-"));
     const out = join(folder, "out");
-    await relamp("delight", join(place.samples, "bedroom/scan.glb"), "-o", out);
+    await relamp("delight", join(place.samples, "bedroom/scan.glb"), "-o", out, "--page");
     page = join(folder, "page");
     await relamp("page", out, "-o", page);
     room = JSON.parse(await readFile(join(page, "room.json"), "utf8"));
@@ -182,6 +183,8 @@ test("<relamp-room> shows the room on another page", async () => {
     await other.close();
     server.close();
 });
+
+testDelightPage(() => ({ folder, browser, room, programs }));
 
 testExample(() => ({ folder, browser, room, programs }));
 
