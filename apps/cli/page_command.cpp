@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct PageArguments
     relamp::PageOptions page;
     std::filesystem::path lights;
     std::vector<std::string> fixtures;
+    std::filesystem::path timeline;
     std::filesystem::path output;
     std::string camera = "auto";
     bool force = false;
@@ -62,6 +64,9 @@ int run(PageArguments& arguments)
     if (arguments.camera != "auto")
         page.camera = relamp::cameraFor(arguments.camera, *room.scan, notes);
     const relamp::Relighting lighting = lightingOf(arguments, room.captured, notes);
+    std::optional<relamp::Timeline> timeline;
+    if (!arguments.timeline.empty())
+        page.timeline = &timeline.emplace(arguments.timeline, room.captured, notes);
     if (!arguments.keepNothing) arguments.relight.transport = room.transport;
     relamp::Relighter relighter(room, arguments.relight, progress);
     const relamp::WrittenPage written =
@@ -91,6 +96,11 @@ void addLightOptions(CLI::App& command, PageArguments& arguments)
                     "(repeatable)")
         ->type_name("N=WHAT")
         ->allow_extra_args(false);
+    command
+        .add_option("--timeline", arguments.timeline,
+                    "Light that a visitor changes by a slider over time: lights as keys in time "
+                    "(docs/guide/relighting.md)")
+        ->type_name("FILE");
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "output/lightmap_bytes.h"
 #include "output/web_files.h"
 #include "output/web_geometry.h"
+#include "output/web_timeline.h"
 #include "relamp/lightmaps.h"
 #include "relamp/picture.h"
 #include "relight/relighter_state.h"
@@ -137,6 +138,8 @@ public:
             writeWebPart(folder_, "geometry", "application/octet-stream", geometry.bytes);
         json["meshes"] = std::move(geometry.meshes);
         json["pages"] = texturesOfPages();
+        if (options_.timeline != nullptr)
+            json["timeline"] = webTimeline(*options_.timeline, lighting);
         json["fixtures"] = room_.captured.fixtures.size();
         writePreview(lighting, json);
         json["lights"] = lights(parts);

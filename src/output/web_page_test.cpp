@@ -37,18 +37,8 @@ glm::vec3 vectorFrom(const json& list)
 class WebPage : public testing::Test
 {
 protected:
-    WebPage()
+    WebPage() : room(scenes::litDelitRoom("panel </script>\"7\""))
     {
-        const scenes::LitRoom lit;
-        room.scan = scenes::copyOf(lit.scan);
-        room.albedo.push_back(
-            scenes::room(scenes::LitRoom::kSize, 96, scenes::LitRoom::albedo).pages[0].image);
-        room.captured.fixtures.push_back({.centre = scenes::LitRoom::kLampCentre,
-                                          .normal = {0, -1, 0},
-                                          .area = scenes::LitRoom::kLampArea,
-                                          .radiance = scenes::LitRoom::kLampRadiance,
-                                          .id = 7,
-                                          .name = "panel </script>\"7\""});
         lighting = asCaptured(room.captured);
         lighting.sky.radiance = {0.1f, 0.2f, 0.4f};
         std::filesystem::create_directory(folder / "viewer");

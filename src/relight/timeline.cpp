@@ -22,6 +22,7 @@ constexpr size_t kMostKeys = 1000;
 struct Key
 {
     double time = 0.0;
+    std::string name;                             // for people
     std::shared_ptr<const JsonDocument> document; // that it stands in
     json light;
     std::string what; // "day.json: key 1"
@@ -188,6 +189,7 @@ void Timeline::State::read(const std::filesystem::path& file, std::vector<std::s
         item.warnOfUnknown({"time", "light", "name"}, warnings);
         Key key;
         key.time = item.numberAt("time");
+        key.name = item.text("name", "");
         if (!keys.empty() && !(key.time > keys.back().time))
             item.refuse("\"time\" must be later than that of the key before", "time");
         if (keys.size() == kMostKeys) item.refuse("is one key too many");
@@ -220,6 +222,16 @@ Timeline& Timeline::operator=(Timeline&&) noexcept = default;
 double Timeline::seconds() const
 {
     return state_->seconds;
+}
+
+std::vector<TimelineKey> Timeline::keys() const
+{
+    std::vector<TimelineKey> list;
+    const double first = state_->keys.front().time;
+    const double whole = state_->keys.back().time - first;
+    for (const Key& key : state_->keys)
+        list.push_back({key.time, (key.time - first) / whole, key.name});
+    return list;
 }
 
 Relighting Timeline::at(double part) const

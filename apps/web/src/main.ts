@@ -11,6 +11,7 @@ import { Trouble } from "./room";
 import type { Room } from "./room";
 import { RoomScene } from "./room_scene";
 import { Steering } from "./steering";
+import { takeTime } from "./timeline";
 import { hashOf, stateFrom } from "./url_state";
 import type { State } from "./url_state";
 import { Wipe } from "./wipe";
@@ -40,7 +41,7 @@ class App {
     private timer = 0;
 
     constructor(private readonly room: Room) {
-        this.state = stateFrom(location.hash, room.lights.length);
+        this.state = this.stateOfAddress();
         this.picture = new Picture(
             byId("canvas") as HTMLCanvasElement, room, () => this.state, () => this.pose());
     }
@@ -62,6 +63,12 @@ class App {
         });
         panel.show();
         document.body.dataset["state"] = "ready";
+    }
+
+    private stateOfAddress(): State {
+        const state = stateFrom(location.hash, this.room.lights.length);
+        takeTime(this.room, state);
+        return state;
     }
 
     private pose() {
@@ -94,7 +101,7 @@ class App {
         });
         byId("panel").hidden = !this.state.hasPanel;
         window.addEventListener("hashchange", () => {
-            this.state = stateFrom(location.hash, this.room.lights.length);
+            this.state = this.stateOfAddress();
             byId("panel").hidden = !this.state.hasPanel;
             panel.show();
             wipe.show();

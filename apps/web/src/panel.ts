@@ -5,6 +5,8 @@ import { LampRow } from "./lamp_row";
 import { presetsFor } from "./light_mix";
 import type { Room } from "./room";
 import type { Way } from "./steering";
+import { TimeRow } from "./time_row";
+import { takeTime } from "./timeline";
 import { SHOWS, WORDS } from "./url_state";
 import type { Show, State } from "./url_state";
 
@@ -17,6 +19,7 @@ export interface PanelActions {
 
 export class Panel {
     private readonly rows: LampRow[];
+    private readonly time: TimeRow | null;
     private readonly shows: HTMLInputElement[] = [];
     private readonly against: HTMLSelectElement;
     private readonly stops: { input: HTMLInputElement; set: (value: number) => void };
@@ -49,8 +52,9 @@ export class Panel {
                 changed(false);
             },
         );
+        this.time = this.timeRow(room);
         byId("panel").append(
-            this.views(), this.presets(room), this.lights(), this.exposure(), this.moving());
+            this.views(), this.presets(room), ...(this.time ? [this.time.root] : []), this.lights(), this.exposure(), this.moving());
         this.show();
     }
 
@@ -64,14 +68,16 @@ export class Panel {
         this.against.value = state.against ?? "";
         this.stops.set(state.stops);
         for (const row of this.rows) row.show();
+        this.time?.show();
     }
 
     private possible(): Show[] {
         return SHOWS.filter((show) => show !== "scan" || this.hasScan);
     }
 
-    private lightChanged(): void {
+    private lightChanged(time: number | null = null): void {
         const state = this.actions.state();
+        state.time = time;
         if (state.show !== "relit" && state.against !== "relit") state.show = "relit";
         this.show();
         this.actions.changed(true);
@@ -103,6 +109,16 @@ export class Panel {
             group.append(button);
         }
         return element("section", {}, element("h2", {}, "Light"), group);
+    }
+
+    private timeRow(room: Room): TimeRow | null {
+        const { state } = this.actions;
+        if (!room.timeline) return null;
+        return new TimeRow(room.timeline, () => state().time, (time) => {
+            state().time = time;
+            takeTime(room, state());
+            this.lightChanged(time);
+        });
     }
 
     private lights(): HTMLElement {

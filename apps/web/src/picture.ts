@@ -3,11 +3,11 @@
 import * as THREE from "three";
 
 import { place, verticalView } from "./camera";
-import { weightOf } from "./light_mix";
 import type { Rgb, Room } from "./room";
 import { Trouble } from "./room";
 import type { RoomScene } from "./room_scene";
 import { VIEWS } from "./surface";
+import { weightsOf } from "./timeline";
 import type { Pose, Show, State } from "./url_state";
 
 const FADE = 200; // ms in which a lamp comes on
@@ -105,9 +105,7 @@ export class Picture {
         this.isAsked = false;
         if (!this.room) return;
         if (this.isLightOld) {
-            const { settings } = this.state();
-            const wanted = this.facts.lights.map((light, i) =>
-                weightOf(light, settings[i] ?? { share: 1, kelvin: null, colour: null }));
+            const wanted = weightsOf(this.facts, this.state());
             if (this.frame < now - 100) this.frame = now - 16;
             this.isLightOld = !this.fade(wanted, now);
             this.room.setLight(this.renderer, this.shown);

@@ -78,6 +78,14 @@ export interface Room {
     camera: RoomCamera;
     box: { low: Rgb; high: Rgb };
     lights: Light[];
+    timeline?: TimelineOfRoom;
+}
+
+export interface TimelineOfRoom {
+    seconds: number; // that it lasts
+    keys: { time: number; name?: string }[];
+    times: number[]; // ascending, from the first key to the last
+    weights: Rgb[][]; // of each time, of each light
 }
 
 const FORMAT = "relamp page 1";

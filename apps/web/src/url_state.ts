@@ -19,6 +19,7 @@ export interface State {
     wipe: number; // share of the width
     stops: number; // more than the room's own exposure
     settings: Setting[]; // a light each
+    time: number | null; // of the timeline, which then has the lights; null: they are as set
     pose: Pose | null; // null: where the page begins
     hasPanel: boolean;
 }
@@ -30,6 +31,7 @@ export function initialState(lights: number): State {
         wipe: 0.5,
         stops: 0,
         settings: Array.from({ length: lights }, asFound),
+        time: null,
         pose: null,
         hasPanel: true,
     };
@@ -52,8 +54,9 @@ export function hashOf(state: State): string {
     if (state.stops !== 0) words.push(`stops=${short(state.stops)}`);
     state.settings.forEach((setting, i) => {
         const word = wordOf(setting);
-        if (word !== "1") words.push(`light${i}=${word}`);
+        if (word !== "1" && state.time === null) words.push(`light${i}=${word}`);
     });
+    if (state.time !== null) words.push(`time=${short(state.time)}`);
     if (state.pose) {
         const { position, yaw, pitch } = state.pose;
         words.push(`at=${[...position, yaw, pitch].map(short).join(",")}`);
@@ -90,6 +93,7 @@ export function stateFrom(hash: string, lights: number): State {
         const word = words.get(`light${i}`);
         return word === null ? setting : settingFrom(word);
     });
+    state.time = numberIn(words.get("time") ?? undefined, -1e9, 1e9);
     const at = (words.get("at") ?? "").split(",").map((text) => numberIn(text, -1e5, 1e5));
     const [x, y, z, yaw, pitch] = at;
     if (x != null && y != null && z != null && yaw != null && pitch != null)

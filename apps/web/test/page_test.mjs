@@ -10,6 +10,7 @@ import { pathToFileURL } from "node:url";
 import { decibels, drawn, launch, open, place, relamp, serve, settled, show, test } from "./browser.mjs";
 import { testDelightPage } from "./delight_page.mjs";
 import { testExample } from "./lightmaps_example.mjs";
+import { DAY, testTimeline } from "./timeline_tests.mjs";
 
 const MOST_BYTES = 8e6; // of the sample's page
 const SIZE = ["--size", "640x360"];
@@ -26,7 +27,7 @@ before(async () => {
     const out = join(folder, "out");
     await relamp("delight", join(place.samples, "bedroom/scan.glb"), "-o", out, "--page");
     page = join(folder, "page");
-    await relamp("page", out, "-o", page);
+    await relamp("page", out, "-o", page, "--timeline", DAY);
     room = JSON.parse(await readFile(join(page, "room.json"), "utf8"));
     browser = await launch();
     tab = await open(browser);
@@ -94,6 +95,15 @@ test("a lamp of another colour temperature and brightness is as the program has 
     const others = alone(at).replace(`light${at}=1`, `light${at}=0.5,2700K`);
     return compare(t, "warm", others,
         ["--fixture", "2=2700K,50%", `--exposure=${room.exposure}`], LIKENESS.lamp);
+});
+
+test("the sky alone lights the room as the program has it", async (t) => {
+    const at = room.lights.findIndex((light) => light.kind === "sky");
+    const file = join(folder, "sky.json");
+    const pane = { id: 0, dim: 1e-6 }; // on, or it would be open to the sky, which it was not
+    await writeFile(file, JSON.stringify({ sky: { radiance: room.lights[at].colour }, fixtures: [pane] }));
+    await compare(t, "sky", `${alone(at)}&stops=4`,
+        ["--lights", file, `--exposure=${room.exposure + 4}`], LIKENESS.lamp);
 });
 
 test("the shader's view transform gives the numbers of the program's", async () => {
@@ -183,6 +193,8 @@ test("<relamp-room> shows the room on another page", async () => {
     await other.close();
     server.close();
 });
+
+testTimeline(() => ({ folder, room, tab }));
 
 testDelightPage(() => ({ folder, browser, room, programs }));
 

@@ -8,7 +8,8 @@ import { orbited, poseOf, turned, verticalView, walked } from "../src/camera";
 import { glslFrom } from "../src/formulas";
 import { asFound, colourFromHex, presetsFor, weightOf } from "../src/light_mix";
 import { Trouble, asRoom, partsOf } from "../src/room";
-import type { Light, Rgb, RoomCamera } from "../src/room";
+import type { Light, Rgb, Room, RoomCamera, TimelineOfRoom } from "../src/room";
+import { keyBeside, settingOf, takeTime, weightsAt, weightsOf, wordsAt } from "../src/timeline";
 import { hashOf, initialState, stateFrom } from "../src/url_state";
 import numbers from "./formulas.json";
 import { Vector3 } from "three";
@@ -84,6 +85,40 @@ test("an address that means nothing is as none", () => {
     assert.deepEqual(stateFrom(nonsense, 2), initialState(2));
     assert.equal(stateFrom("#stops=1e9&wipe=-4", 1).stops, 10);
     assert.equal(stateFrom("#light0=-3,99K", 1).settings[0]!.share, 0);
+});
+
+const timeline: TimelineOfRoom = {
+    seconds: 4,
+    keys: [{ time: 6, name: "dawn" }, { time: 10 }],
+    times: [6, 8, 10],
+    weights: [[[0, 0, 0]], [[1, 0.5, 0]], [[1, 1, 1]]],
+};
+
+test("between two times of a timeline light changes evenly, beyond its ends not at all", () => {
+    const at = (time: number) => weightsAt(timeline, time)[0];
+    assert.deepEqual([at(5), at(6), at(10), at(99)], [[0, 0, 0], [0, 0, 0], [1, 1, 1], [1, 1, 1]]);
+    assert.deepEqual([at(7), at(8), at(9)], [[0.5, 0.25, 0], [1, 0.5, 0], [1, 0.75, 0.5]]);
+    assert.deepEqual([keyBeside(timeline, 6, 1), keyBeside(timeline, 7, -1)], [10, 6]);
+    assert.deepEqual([wordsAt(timeline, 7.25), wordsAt(timeline, 10)], ["7.3, dawn", "10"]);
+});
+
+test("a lamp can be set to what a timeline makes of it", () => {
+    const lamp = light("lamp");
+    for (const weight of [[1, 0.6, 0.2], [0.5, 0.5, 0.5], [0.3, 2, 1]] as Rgb[])
+        weightOf(lamp, settingOf(lamp, weight)).forEach((value, i) =>
+            near(value / weight[i]!, 1, 0.02));
+});
+
+test("the address has the time in place of the lamps, and a page without one passes it over", () => {
+    const room = { lights: [light("lamp")], timeline } as Room;
+    const state = { ...initialState(1), time: 8 };
+    takeTime(room, state);
+    assert.deepEqual(weightsOf(room, state), [[1, 0.5, 0]]);
+    assert.notDeepEqual(state.settings, initialState(1).settings);
+    assert.equal(hashOf(state), "time=8");
+    const other = stateFrom("#time=8", 1);
+    takeTime({ lights: [light("lamp")] } as Room, other);
+    assert.deepEqual(other, initialState(1));
 });
 
 const camera: RoomCamera = {
