@@ -1,6 +1,8 @@
 #include "relamp/page.h"
 
 #include "base/file.h"
+#include "base/half.h"
+#include "image/light_meter.h"
 #include "image/view_transform.h"
 #include "output/web_geometry.h"
 #include "relight/photometry.h"
@@ -189,6 +191,20 @@ TEST_F(WebFormulas, AgxIsAsThePageHasIt)
         const glm::vec3 apart = glm::abs(shown - vectorFrom(row["shown"]));
         EXPECT_LT(std::max({apart.r, apart.g, apart.b}), 1e-4f)
             << row["light"] << ": " << shown.r << ", " << shown.g << ", " << shown.b;
+    }
+}
+
+TEST_F(WebFormulas, ExposureIsAsThePageHasIt)
+{
+    ASSERT_GE(numbers["meter"].size(), 4u);
+    for (const json& row : numbers["meter"]) {
+        Image picture{.width = static_cast<int>(row["light"].size()), .height = 1};
+        auto& half = picture.rgb.emplace<std::vector<uint16_t>>();
+        for (const json& rgb : row["light"])
+            for (const json& value : rgb) half.push_back(halfFromFloat(value.get<float>()));
+        LightMeter meter;
+        meter.add(picture);
+        EXPECT_NEAR(meter.exposure(), row["stops"].get<float>(), 2e-3f) << row["light"];
     }
 }
 

@@ -22,6 +22,7 @@ export class Panel {
     private readonly time: TimeRow | null;
     private readonly shows: HTMLInputElement[] = [];
     private readonly against: HTMLSelectElement;
+    private readonly isMetered = element("input", { type: "checkbox", role: "switch" });
     private readonly stops: { input: HTMLInputElement; set: (value: number) => void };
 
     constructor(
@@ -66,6 +67,7 @@ export class Panel {
         const state = this.actions.state();
         for (const input of this.shows) input.checked = input.value === state.show;
         this.against.value = state.against ?? "";
+        this.isMetered.checked = state.isMetered;
         this.stops.set(state.stops);
         for (const row of this.rows) row.show();
         this.time?.show();
@@ -127,8 +129,13 @@ export class Panel {
     }
 
     private exposure(): HTMLElement {
+        this.isMetered.addEventListener("change", () => {
+            this.actions.state().isMetered = this.isMetered.checked;
+            this.actions.changed(false);
+        });
+        const metered = element("label", { class: "name" }, this.isMetered, "by what is seen");
         return element(
-            "section", { class: "exposure" }, element("h2", {}, "Exposure"), this.stops.input);
+            "section", { class: "exposure" }, element("h2", {}, "Exposure"), metered, this.stops.input);
     }
 
     private moving(): HTMLElement {

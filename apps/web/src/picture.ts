@@ -3,6 +3,7 @@
 import * as THREE from "three";
 
 import { place, verticalView } from "./camera";
+import { LightMeter } from "./light_meter";
 import type { Rgb, Room } from "./room";
 import { Trouble } from "./room";
 import type { RoomScene } from "./room_scene";
@@ -30,8 +31,10 @@ export class Picture {
     readonly camera = new THREE.PerspectiveCamera(60, 1, 0.01, 200);
     private room: RoomScene | null = null;
     private shown: Rgb[] = []; // weights on the screen
+    private readonly meter = new LightMeter((isWorthMeasuring) => this.ask(isWorthMeasuring));
     private isLightOld = true;
     private isAsked = false;
+    private isMeterOld = true;
     private frame = 0; // ms, of the last one
 
     constructor(
@@ -57,8 +60,9 @@ export class Picture {
         this.ask();
     }
 
-    /** To be called after anything else was changed. */
-    ask(): void {
+    /** To be called after anything else was changed; whether the meter may see other light. */
+    ask(isWorthMeasuring = true): void {
+        this.isMeterOld ||= isWorthMeasuring;
         if (this.isAsked) return;
         this.isAsked = true;
         requestAnimationFrame((now) => this.draw(now));
@@ -112,17 +116,28 @@ export class Picture {
             if (this.isLightOld) this.ask();
         }
         this.frame = now;
-        this.drawViews(this.room);
+        this.drawViews(this.room, now);
+        this.measure(this.room);
         this.canvas.dataset["drawn"] = String(Number(this.canvas.dataset["drawn"] ?? 0) + 1);
     }
 
-    private drawViews(room: RoomScene): void {
+    private measure(room: RoomScene): void {
+        if (!this.state().isMetered) return this.meter.reset();
+        if (!this.isMeterOld) return;
+        this.isMeterOld = false;
+        void this.meter.measure(this.renderer, room.scene, this.camera, room.uniforms);
+    }
+
+    private drawViews(room: RoomScene, now: number): void {
         const state = this.state();
         place(this.camera, this.pose());
         const box = new THREE.Box3(
             new THREE.Vector3(...this.facts.box.low), new THREE.Vector3(...this.facts.box.high));
         room.backs.visible = box.containsPoint(this.camera.position);
-        room.uniforms.exposure.value = 2 ** (this.facts.exposure + state.stops);
+        const { exposure } = this.facts;
+        const stops = state.stops + (state.isMetered ? this.meter.stops(now, exposure) : exposure);
+        room.uniforms.exposure.value = 2 ** stops;
+        this.canvas.dataset["stops"] = stops.toFixed(2);
         const { width, height } = this.renderer.getSize(new THREE.Vector2());
         const cut = state.against ? Math.round(state.wipe * width) : width;
         this.renderer.setScissorTest(state.against !== null);

@@ -4,7 +4,7 @@ import * as THREE from "three";
 
 import { VIEW_TRANSFORM } from "./formulas";
 
-export const VIEWS = { scan: 0, albedo: 1, relit: 2 };
+export const VIEWS = { scan: 0, albedo: 1, relit: 2, light: 3 }; // light: linear, for the meter
 
 const VERTEX = `
 uniform vec4 uvBox; // low, extent
@@ -55,6 +55,10 @@ void main() {
     vec3 paint = texture(albedo, at).rgb;
     vec3 light = view == 1 ? vec3(1.0) : texture(shading, at).rgb;
     vec3 radiance = mix(paint * light, vec3(0.0), lamp.a) + lamp.rgb;
+    if (view == 3) {
+        pixel = vec4(radiance, 1.0);
+        return;
+    }
     pixel = vec4(srgbOf(view == 1 ? radiance : agxOf(exposure * radiance)), 1.0);
 }`;
 
@@ -66,7 +70,7 @@ uniform vec3 sky; // radiance
 layout(location = 0) out vec4 pixel;
 ${VIEW_TRANSFORM}
 void main() {
-    pixel = vec4(view == 2 ? srgbOf(agxOf(exposure * sky)) : vec3(0.0), 1.0);
+    pixel = vec4(view == 2 ? srgbOf(agxOf(exposure * sky)) : view == 3 ? sky : vec3(0.0), 1.0);
 }`;
 
 export interface SurfaceTextures {

@@ -17,7 +17,8 @@ export interface State {
     show: Show;
     against: Show | null; // to the right of the wipe
     wipe: number; // share of the width
-    stops: number; // more than the room's own exposure
+    isMetered: boolean; // exposed by what is seen; else as the room as it was scanned
+    stops: number; // more than that
     settings: Setting[]; // a light each
     time: number | null; // of the timeline, which then has the lights; null: they are as set
     pose: Pose | null; // null: where the page begins
@@ -29,6 +30,7 @@ export function initialState(lights: number): State {
         show: "relit",
         against: null,
         wipe: 0.5,
+        isMetered: false,
         stops: 0,
         settings: Array.from({ length: lights }, asFound),
         time: null,
@@ -51,6 +53,7 @@ export function hashOf(state: State): string {
     const words: string[] = [];
     if (state.show !== "relit") words.push(`show=${state.show}`);
     if (state.against) words.push(`against=${state.against}`, `wipe=${short(state.wipe)}`);
+    if (state.isMetered) words.push("exposure=auto");
     if (state.stops !== 0) words.push(`stops=${short(state.stops)}`);
     state.settings.forEach((setting, i) => {
         const word = wordOf(setting);
@@ -88,6 +91,7 @@ export function stateFrom(hash: string, lights: number): State {
     state.show = showIn(words.get("show")) ?? state.show;
     state.against = showIn(words.get("against"));
     state.wipe = numberIn(words.get("wipe") ?? undefined, 0, 1) ?? state.wipe;
+    state.isMetered = words.get("exposure") === "auto";
     state.stops = numberIn(words.get("stops") ?? undefined, -10, 10) ?? 0;
     state.settings = state.settings.map((setting, i) => {
         const word = words.get(`light${i}`);

@@ -106,6 +106,15 @@ test("the sky alone lights the room as the program has it", async (t) => {
         ["--lights", file, `--exposure=${room.exposure + 4}`], LIKENESS.lamp);
 });
 
+test("where one asks for it, a dim lamp alone is exposed as the program exposes it", async (t) => {
+    const lamp = alone(room.lights.findIndex((light) => light.fixture === 60));
+    await show(tab.page, `panel=off&${lamp}&exposure=auto`);
+    await tab.page.waitForFunction((stops) => Number(document.getElementById("canvas").dataset.stops) > stops + 1,
+        room.exposure);
+    await drawn(tab.page);
+    await compare(t, "metered", `${lamp}&exposure=auto`, ["--fixture", "60=on"], LIKENESS.lamp);
+});
+
 test("the shader's view transform gives the numbers of the program's", async () => {
     const numbers = JSON.parse(await readFile(new URL("formulas.json", import.meta.url), "utf8"));
     const other = await open(browser);

@@ -6,6 +6,7 @@ import { test } from "node:test";
 import { blackbodyColour, luminance } from "../src/blackbody";
 import { orbited, poseOf, turned, verticalView, walked } from "../src/camera";
 import { glslFrom } from "../src/formulas";
+import { stopsOf } from "../src/light_meter";
 import { asFound, colourFromHex, presetsFor, weightOf } from "../src/light_mix";
 import { Trouble, asRoom, partsOf } from "../src/room";
 import type { Light, Rgb, Room, RoomCamera, TimelineOfRoom } from "../src/room";
@@ -26,6 +27,12 @@ test("a blackbody has the colour that the program gives it", () => {
     assert.ok(numbers.blackbody.length >= 5);
     for (const { kelvin, colour } of numbers.blackbody)
         blackbodyColour(kelvin).forEach((value, i) => near(value, colour[i]!, 1e-4));
+});
+
+test("the exposure is that which the program finds by what is seen", () => {
+    assert.ok(numbers.meter.length >= 4);
+    for (const { light: pixels, stops } of numbers.meter)
+        near(stopsOf(pixels.flatMap((rgb) => [...rgb, 1])), stops, 2e-3);
 });
 
 test("a lamp as it was found is its lightmap, and half of it at half its brightness", () => {
@@ -70,6 +77,7 @@ test("the address holds all that a person sets, and nothing of what is as at fir
     state.against = "albedo";
     state.wipe = 0.25;
     state.stops = -1.5;
+    state.isMetered = true;
     state.settings = [
         { share: 0, kelvin: null, colour: null },
         { share: 0.5, kelvin: 2700, colour: null },
