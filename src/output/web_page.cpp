@@ -14,6 +14,7 @@
 #include "relight/relit_page.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <numeric>
 
@@ -25,6 +26,11 @@ namespace
 {
 
 using nlohmann::ordered_json;
+
+constexpr int kLightmapQuality = 97; // a step of colour between blocks is seen on an even wall
+
+// Pixels of textures that a phone holds, and of those that are seen first.
+constexpr std::array<int, 2> kSides{2048, 1024};
 
 ordered_json arrayOf(glm::vec3 v)
 {
@@ -127,7 +133,7 @@ public:
     PageWriter(Relighter& relighter, const std::filesystem::path& folder,
                const PageOptions& options, Progress& progress)
         : relighter_(relighter), room_(relighter.room()), options_(options), progress_(progress),
-          folder_(folder, rulesOfWebPage(options.replacing), progress)
+          folder_(folder, rulesOfWebPage(options.replacing), progress), pictures_(folder_, progress)
     {}
 
     WrittenPage write(const Relighting& lighting, const std::vector<LightPart>& parts)
@@ -178,17 +184,18 @@ private:
             const std::vector<uint8_t> covered = coveredPixels(relighter_, p);
             ordered_json item;
             item["albedo"] =
-                writeWebPicture(folder_, numbered("albedo", p), srgbBytes(albedo.half()),
-                                albedo.width, albedo.height, WebPicture::jpeg);
+                pictures_.texture(numbered("albedo", p),
+                                  {srgbBytes(albedo.half()), albedo.width, albedo.height}, kSides);
             if (p < scans.size())
-                item["scan"] =
-                    writeWebPicture(folder_, numbered("scan", p), scannedBytes(scans[p], covered),
-                                    scans[p].width, scans[p].height, WebPicture::jpeg);
+                item["scan"] = pictures_.texture(
+                    numbered("scan", p),
+                    {scannedBytes(scans[p], covered), scans[p].width, scans[p].height},
+                    std::span(kSides).first(1));
             if (p < room_.fixtures.size()) {
                 const FixtureMap& map = room_.fixtures[p];
-                item["shining"] = writeWebPicture(folder_, numbered("shining", p),
-                                                  shiningBytes(relighter_, map, covered), map.width,
-                                                  map.height, WebPicture::png);
+                item["shining"] =
+                    pictures_.exact(numbered("shining", p), {shiningBytes(relighter_, map, covered),
+                                                             map.width, map.height});
                 item["shiningAlbedo"] = arrayOf(meanShiningAlbedo(room_.albedo[p], map));
             }
             pages.push_back(std::move(item));
@@ -237,9 +244,9 @@ private:
             for (size_t p = 0; p < pages; ++p) {
                 const Image map = relighter_.shading(p, side, progress_);
                 const float scale = scaleOfLightmap(map.half());
-                ordered_json file = writeWebPicture(
-                    folder_, numbered(fmt::format("light_{:02}", i).c_str(), p),
-                    lightmapBytes(map.half(), scale), map.width, map.height, WebPicture::jpeg);
+                ordered_json file = pictures_.photo(
+                    numbered(fmt::format("light_{:02}", i).c_str(), p),
+                    {lightmapBytes(map.half(), scale), map.width, map.height}, kLightmapQuality);
                 file["scale"] = scale;
                 item["maps"].push_back(std::move(file));
             }
@@ -277,6 +284,7 @@ private:
     const PageOptions& options_;
     Progress& progress_;
     ListedFolder folder_;
+    WebPictureWriter pictures_;
     WrittenPage written_;
 };
 

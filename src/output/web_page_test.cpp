@@ -90,12 +90,13 @@ TEST_F(WebPage, HasALightmapOfEachLightInAScriptAndTheViewer)
         EXPECT_TRUE(std::filesystem::exists(folder / "page" / name)) << name;
 
     const json part = page["lights"][0]["maps"][0]; // handed over as base64
+    EXPECT_EQ(part["type"], "image/webp");
     const auto file = readFile(folder / "page" / (part["file"].get<std::string>() + ".js"));
     const std::string script(reinterpret_cast<const char*>(file.data()), file.size());
     const std::string start = "relampPart(\"" + part["file"].get<std::string>() + "\", \"";
     ASSERT_THAT(script, StartsWith(start));
     const std::string base64 = script.substr(start.size(), script.size() - start.size() - 4);
-    const auto jpeg = decodeDataUri("data:image/jpeg;base64," + base64, "light");
+    const auto jpeg = decodeDataUri("data:image/webp;base64," + base64, "light");
     EXPECT_EQ(jpeg.size(), part["bytes"].get<size_t>());
     const Image map = readImage(std::as_bytes(std::span(jpeg)), "light");
     EXPECT_EQ(map.width, part["width"].get<int>());

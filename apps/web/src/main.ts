@@ -4,6 +4,7 @@ import * as THREE from "three";
 
 import { poseOf } from "./camera";
 import { byId } from "./dom";
+import { fittingRoom, mostSide } from "./levels";
 import { Panel } from "./panel";
 import { Parts, loadRoom } from "./parts";
 import { Picture } from "./picture";
@@ -47,15 +48,16 @@ class App {
     }
 
     async start(): Promise<void> {
-        const scene = new RoomScene(this.room);
-        if (!scene.hasScan && this.state.show === "scan") this.state.show = "relit";
-        const panel = this.controls(scene);
         const { capabilities } = this.picture.renderer;
         const limits = {
             anisotropy: capabilities.getMaxAnisotropy(),
-            most: capabilities.maxTextureSize,
+            most: mostSide(capabilities.maxTextureSize),
         };
-        const parts = new Parts("", this.room, showProgress);
+        const room = fittingRoom(this.room, limits.most);
+        const scene = new RoomScene(room);
+        if (!scene.hasScan && this.state.show === "scan") this.state.show = "relit";
+        const panel = this.controls(scene);
+        const parts = new Parts("", room, showProgress);
         this.picture.setRoom(scene);
         await scene.load(parts, limits, () => {
             byId("preview").hidden = true;

@@ -35,6 +35,7 @@ export class Picture {
     private isLightOld = true;
     private isAsked = false;
     private isMeterOld = true;
+    private calls = 0; // to the GPU, of the last frame
     private frame = 0; // ms, of the last one
 
     constructor(
@@ -140,10 +141,12 @@ export class Picture {
         this.canvas.dataset["stops"] = stops.toFixed(2);
         const { width, height } = this.renderer.getSize(new THREE.Vector2());
         const cut = state.against ? Math.round(state.wipe * width) : width;
+        this.calls = 0;
         this.renderer.setScissorTest(state.against !== null);
         this.drawPart(room, state.show, 0, cut, height);
         if (state.against) this.drawPart(room, state.against, cut, width - cut, height);
         this.renderer.setScissorTest(false);
+        this.canvas.dataset["calls"] = String(this.calls);
     }
 
     private drawPart(room: RoomScene, show: Show, x: number, width: number, height: number): void {
@@ -152,5 +155,6 @@ export class Picture {
         room.uniforms.view.value = VIEWS[show];
         this.renderer.clear();
         this.renderer.render(room.scene, this.camera);
+        this.calls += this.renderer.info.render.calls;
     }
 }

@@ -64,7 +64,7 @@ export class RoomScene {
         const bytes = await parts.take(this.room.geometry);
         for (const mesh of this.room.meshes) this.addMesh(mesh, bytes);
         for (const [p, page] of this.room.pages.entries())
-            this.setTexture(p, "albedo", await textureOf(parts, page.albedo, limits));
+            this.setTexture(p, "albedo", await textureOf(parts, page.first ?? page.albedo, limits));
         for (const [i, light] of this.room.lights.entries())
             for (const [p, map] of light.maps.entries()) {
                 this.sums[p]?.setMap(i, await pixelsOf(parts, map));
@@ -151,6 +151,7 @@ export class RoomScene {
     }
 
     private setTexture(page: number, name: string, texture: THREE.Texture): void {
+        (this.materials[page]?.[0]?.uniforms[name]?.value as THREE.Texture | null)?.dispose();
         const wrap = this.room.meshes.find((mesh) => mesh.page === page)?.wrap;
         if (wrap && name !== "shining") {
             texture.wrapS = wrappingOf(wrap[0]);
@@ -180,6 +181,7 @@ export class RoomScene {
             texture.needsUpdate = true;
             this.setTexture(p, "shining", texture);
         }
+        if (page.first) this.setTexture(p, "albedo", await textureOf(parts, page.albedo, limits));
         if (page.scan) this.setTexture(p, "scan", await textureOf(parts, page.scan, limits));
     }
 }

@@ -1,7 +1,7 @@
 // The page of the sample in Chromium: against the program's own pictures, and as a person uses it.
 
 import assert from "node:assert/strict";
-import { cp, mkdtemp, readFile, readdir, rm, stat, writeFile } from "node:fs/promises";
+import { cp, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before } from "node:test";
@@ -11,8 +11,8 @@ import { decibels, drawn, launch, open, place, relamp, serve, settled, show, tes
 import { testDelightPage } from "./delight_page.mjs";
 import { testExample } from "./lightmaps_example.mjs";
 import { DAY, testTimeline } from "./timeline_tests.mjs";
+import { testWeight } from "./weight.mjs";
 
-const MOST_BYTES = 8e6; // of the sample's page
 const SIZE = ["--size", "640x360"];
 const LIKENESS = { scan: 32, albedo: 32, lamp: 30, all: 30 }; // dB at least
 
@@ -65,12 +65,7 @@ test("opened from a disk it is whole, without a complaint, and loads nothing fro
         assert.ok(url.startsWith(pathToFileURL(page).href) || url.startsWith("data:"), url);
 });
 
-test("all of its files are less than the bound", async (t) => {
-    let bytes = 0;
-    for (const name of await readdir(page)) bytes += (await stat(join(page, name))).size;
-    t.diagnostic(`${(1e-6 * bytes).toFixed(2)} MB`);
-    assert.ok(bytes < MOST_BYTES, `${bytes} bytes`);
-});
+testWeight(() => ({ page, browser, tab, room }));
 
 test("it shows the scan as the program does", (t) =>
     compare(t, "scan", "show=scan", ["--show", "scan"], LIKENESS.scan));
@@ -114,6 +109,8 @@ test("where one asks for it, a dim lamp alone is exposed as the program exposes 
     await drawn(tab.page);
     await compare(t, "metered", `${lamp}&exposure=auto`, ["--fixture", "60=on"], LIKENESS.lamp);
 });
+
+testTimeline(() => ({ folder, room, tab }));
 
 test("the shader's view transform gives the numbers of the program's", async () => {
     const numbers = JSON.parse(await readFile(new URL("formulas.json", import.meta.url), "utf8"));
@@ -203,9 +200,7 @@ test("<relamp-room> shows the room on another page", async () => {
     server.close();
 });
 
-testTimeline(() => ({ folder, room, tab }));
-
-testDelightPage(() => ({ folder, browser, room, programs }));
+testDelightPage(() => ({ folder, browser, room }));
 
 testExample(() => ({ folder, browser, room, programs }));
 

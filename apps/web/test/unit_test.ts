@@ -6,6 +6,7 @@ import { test } from "node:test";
 import { blackbodyColour, luminance } from "../src/blackbody";
 import { orbited, poseOf, turned, verticalView, walked } from "../src/camera";
 import { glslFrom } from "../src/formulas";
+import { fittingRoom } from "../src/levels";
 import { stopsOf } from "../src/light_meter";
 import { asFound, colourFromHex, presetsFor, weightOf } from "../src/light_mix";
 import { Trouble, asRoom, partsOf } from "../src/room";
@@ -164,6 +165,22 @@ test("a damaged room is told of in a sentence", () => {
     };
     assert.deepEqual(partsOf(asRoom(room)).map(({ file }) => file), ["a", "albedo"]);
     assert.throws(() => asRoom({ ...room, format: "relamp page 9" }), /another version/);
+});
+
+test("a phone loads the smaller textures, and a small one is seen first", () => {
+    const level = (side: number) => ({ file: `a_${side}`, type: "image/webp", bytes: 9, width: side, height: side / 2 });
+    const room = {
+        geometry: { file: "g", type: "b", bytes: 1 }, lights: [] as Light[],
+        pages: [{
+            albedo: { ...level(4096), smaller: [level(2048), level(1024)] },
+            scan: { ...level(4096), smaller: [level(2048)] },
+        }],
+    } as unknown as Room;
+    const files = (most: number) => partsOf(fittingRoom(room, most)).map(({ file }) => file);
+    assert.deepEqual(files(16384), ["g", "a_1024", "a_4096", "a_4096"]);
+    assert.deepEqual(files(2048), ["g", "a_1024", "a_2048", "a_2048"]);
+    room.pages[0]!.albedo = level(1024);
+    assert.deepEqual(files(2048), ["g", "a_1024", "a_2048"]);
 });
 
 test("a shared header becomes GLSL ES without macros", () => {
