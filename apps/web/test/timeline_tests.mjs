@@ -43,7 +43,10 @@ export function testTimeline(shared) {
         await tab.page.waitForFunction(() => location.hash === "#time=19");
         await tab.page.getByRole("button", { name: "Pause" }).click();
         await isOn.click(); // a person's own light from there on
-        await tab.page.waitForFunction((i) => !/time=/.test(location.hash) && /light0=0/.test(location.hash), lamp);
+        await tab.page.waitForFunction((i) => {
+            const has = (word) => location.hash.includes(word);
+            return !has("time=") && has("light0=0.1") && !has(`light${i}=`);
+        }, lamp);
         await show(tab.page, "panel=off");
     });
 }
