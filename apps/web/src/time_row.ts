@@ -22,16 +22,24 @@ export class TimeRow {
     ) {
         const [min, max] = [startOf(timeline), endOf(timeline)];
         this.at = slider(
-            "time", { min, max, step: (max - min) / STEPS },
+            "time",
+            { min, max, step: (max - min) / STEPS },
             (value) => wordsAt(timeline, value),
             (value) => {
                 this.stop();
                 change(value);
-            });
+            },
+        );
         this.button = element("button", { type: "button" }, "Play");
         this.button.addEventListener("click", () => (this.isPlaying ? this.stop() : this.play()));
         const head = element("div", { class: "presets" }, this.button, this.words);
-        this.root = element("section", { class: "time" }, element("h2", {}, "Time"), head, this.at.input);
+        this.root = element(
+            "section",
+            { class: "time" },
+            element("h2", {}, "Time"),
+            head,
+            this.at.input,
+        );
         this.show();
     }
 

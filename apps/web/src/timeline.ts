@@ -17,13 +17,20 @@ export function endOf(timeline: TimelineOfRoom): number {
 /** Of each light, how many times its lightmap it gives; before the first key as at the first. */
 export function weightsAt(timeline: TimelineOfRoom, time: number): Rgb[] {
     const { times, weights } = timeline;
-    const after = Math.max(1, times.findIndex((at) => at > time));
+    const after = Math.max(
+        1,
+        times.findIndex((at) => at > time),
+    );
     const last = time >= endOf(timeline) ? times.length - 1 : after;
     const from = times[last - 1] ?? 0;
     const to = times[last] ?? 1;
     const share = Math.min(Math.max((time - from) / (to - from), 0), 1);
-    return (weights[last - 1] ?? []).map((weight, light) =>
-        weight.map((value, c) => value + share * ((weights[last]?.[light]?.[c] ?? value) - value)) as Rgb);
+    return (weights[last - 1] ?? []).map(
+        (weight, light) =>
+            weight.map(
+                (value, c) => value + share * ((weights[last]?.[light]?.[c] ?? value) - value),
+            ) as Rgb,
+    );
 }
 
 /** What a lamp is to be set to, to give so much; as near as settings have colours. */

@@ -42,7 +42,8 @@ export function testDelightPage(shared) {
         const { folder, browser, room } = shared();
         const page = join(folder, "out/page");
         const own = JSON.parse(await readFile(join(page, "room.json"), "utf8"));
-        const ofLights = ({ lights }) => lights.map(({ name, kind, fixture }) => [name, kind, fixture]);
+        const ofLights = ({ lights }) =>
+            lights.map(({ name, kind, fixture }) => [name, kind, fixture]);
         assert.deepEqual(ofLights(own), ofLights(room));
         const tab = await open(browser);
         try {
@@ -76,7 +77,13 @@ export function testDelightPage(shared) {
         const { folder } = shared();
         const scan = join(folder, "vertices.ply");
         await writeFile(scan, WITHOUT_TEXTURE);
-        const { code, stderr } = await refusal("delight", scan, "-o", join(folder, "none"), "--page");
+        const { code, stderr } = await refusal(
+            "delight",
+            scan,
+            "-o",
+            join(folder, "none"),
+            "--page",
+        );
         assert.equal(code, 1);
         assert.match(stderr, /colours of vertices/);
         assert.ok(!existsSync(join(folder, "none")));

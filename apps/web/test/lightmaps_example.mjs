@@ -21,7 +21,15 @@ export function testExample(shared) {
         const { folder, browser, room, programs } = shared();
         const site = join(folder, "example");
         const lightmaps = join(site, "lightmaps");
-        await relamp("relight", join(folder, "out"), "--bake", "--per-lamp", "png", "-o", lightmaps);
+        await relamp(
+            "relight",
+            join(folder, "out"),
+            "--bake",
+            "--per-lamp",
+            "png",
+            "-o",
+            lightmaps,
+        );
         await cp(new URL("../example/lightmaps.html", import.meta.url), join(site, "index.html"));
         await cp(join(folder, "out/scan.glb"), join(site, "room.glb"));
         await symlink(join(place.libraries, "node_modules/three"), join(site, "three"));
@@ -33,10 +41,13 @@ export function testExample(shared) {
         try {
             await tab.page.goto(server.url);
             await tab.page.waitForFunction(() => window.mix);
-            await tab.page.evaluate(([view, stops, shares]) => {
-                window.look(...view, stops);
-                window.mix(shares);
-            }, [viewOf(room.camera), room.exposure, lights.map(share)]);
+            await tab.page.evaluate(
+                ([view, stops, shares]) => {
+                    window.look(...view, stops);
+                    window.mix(shares);
+                },
+                [viewOf(room.camera), room.exposure, lights.map(share)],
+            );
             const wanted = await programs("mixed", ...words);
             const found = await decibels(tab.page, await tab.page.screenshot(), wanted);
             t.diagnostic(`${found.toFixed(1)} dB`);

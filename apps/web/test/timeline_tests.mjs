@@ -19,8 +19,19 @@ export function testTimeline(shared) {
         const short = join(folder, "short.json"); // the same day in few frames
         const day = JSON.parse(await readFile(DAY, "utf8"));
         await writeFile(short, JSON.stringify({ ...day, seconds: FRAMES }));
-        await relamp("relight", join(folder, "out"), "--timeline", short, "--size", "640x360",
-            "--fps", 1, `--exposure=${room.exposure}`, "-o", film);
+        await relamp(
+            "relight",
+            join(folder, "out"),
+            "--timeline",
+            short,
+            "--size",
+            "640x360",
+            "--fps",
+            1,
+            `--exposure=${room.exposure}`,
+            "-o",
+            film,
+        );
         const [first, last] = [0, -1].map((i) => room.timeline.keys.at(i).time);
         const time = first + (last - first) / (FRAMES - 1);
         await show(tab.page, `panel=off&time=${time}`);
@@ -38,7 +49,10 @@ export function testTimeline(shared) {
         await tab.page.getByLabel("time").fill("12");
         await tab.page.waitForFunction(() => location.hash === "#time=12");
         assert.equal(await isOn.isChecked(), false);
-        assert.match(await tab.page.getByLabel("time").getAttribute("aria-valuetext"), /^12, noon$/);
+        assert.match(
+            await tab.page.getByLabel("time").getAttribute("aria-valuetext"),
+            /^12, noon$/,
+        );
         await tab.page.getByRole("button", { name: "Play" }).click();
         await tab.page.waitForFunction(() => location.hash === "#time=19");
         await tab.page.getByRole("button", { name: "Pause" }).click();

@@ -21,14 +21,20 @@ async function weightOf(folder, files) {
         bytes += content.length;
         sent += file.endsWith(".jpg") ? content.length : gzipSync(content).length;
     }
-    return { bytes, sent, words: `${(1e-6 * bytes).toFixed(2)} MB, ${(1e-6 * sent).toFixed(2)} sent` };
+    return {
+        bytes,
+        sent,
+        words: `${(1e-6 * bytes).toFixed(2)} MB, ${(1e-6 * sent).toFixed(2)} sent`,
+    };
 }
 
 /** Files of a page in the order in which they came; it is shown by a server. */
 async function filesOf(page) {
     const entries = await page.evaluate(() =>
         [...performance.getEntriesByType("navigation"), ...performance.getEntriesByType("resource")]
-            .sort((a, b) => a.responseEnd - b.responseEnd).map(({ name }) => name));
+            .sort((a, b) => a.responseEnd - b.responseEnd)
+            .map(({ name }) => name),
+    );
     const files = entries.filter((name) => !name.startsWith("data:"));
     return files.map((name) => new URL(name).pathname.slice(1) || "index.html");
 }
@@ -56,7 +62,9 @@ export function testWeight(shared) {
             const first = await weightOf(page, files.slice(0, light + 1));
             const all = await weightOf(page, files);
             t.diagnostic(`preview ${preview.words}; first light ${first.words}; all ${all.words}`);
-            assert.ok(preview.sent < MOST_PREVIEW && first.sent < MOST_FIRST && first.sent < all.sent);
+            assert.ok(
+                preview.sent < MOST_PREVIEW && first.sent < MOST_FIRST && first.sent < all.sent,
+            );
         } finally {
             await tab.close();
             server.close();
