@@ -19,9 +19,9 @@ namespace
 const Surroundings kDark{.beyond = [](glm::vec3) { return glm::vec3(0.0f); }};
 
 /// A scan with its own texture for light on it.
-struct Seen
+struct SeenRoom
 {
-    explicit Seen(Scan s)
+    explicit SeenRoom(Scan s)
         : scan(std::move(s)), texels(rasterizeAtlas(scan, progress)), scene(scan),
           view(texels, scene)
     {
@@ -53,7 +53,7 @@ const Camera kDown{.position = {1.0f, 1.0f, 1.0f},
 // front: from a metre up, 90 degrees show a metre to either side.
 TEST(RoomView, ShowsEveryPlaceWhereItIs)
 {
-    Seen floor(scenes::square(2.0f, 256, [](glm::vec3 p, glm::vec3) {
+    SeenRoom floor(scenes::square(2.0f, 256, [](glm::vec3 p, glm::vec3) {
         return glm::vec3(0.4f * p.x + 0.1f, 0.4f * p.z + 0.1f, 0.5f);
     }));
     const auto picture = floor.look(kDown, {20, 20});
@@ -87,7 +87,7 @@ TEST(RoomView, FieldOfViewIsAcrossWhatItSays)
 // on its page is not seen. Here it is white hot.
 TEST(RoomView, NothingBesideAChartLeaksIn)
 {
-    Seen furnace(scenes::room({3.0f, 2.5f, 4.0f}, 24, scenes::plain(glm::vec3(0.5f))));
+    SeenRoom furnace(scenes::room({3.0f, 2.5f, 4.0f}, 24, scenes::plain(glm::vec3(0.5f))));
     const PageTexels& covered = furnace.texels.pages[0];
     std::vector<uint16_t> leaky(furnace.pages[0].half().size(), halfFromFloat(1000.0f));
     for (const uint32_t pixel : covered.pixel)
@@ -108,14 +108,14 @@ TEST(RoomView, NeighboursOnThePageDoNotMix)
     Scan scan = scenes::splitSquare(2.0f, 64, [](glm::vec3 p, glm::vec3) {
         return p.x < 1.0f ? glm::vec3(1.0f, 0.0f, 0.0f) : glm::vec3(0.0f, 1.0f, 0.0f);
     });
-    Seen split(std::move(scan));
+    SeenRoom split(std::move(scan));
     for (const glm::vec3& seen : split.look(kDown, {64, 64}))
         EXPECT_NEAR(seen.r + seen.g, 1.0f, 1e-3f); // nothing black from between the charts
 }
 
 TEST(RoomView, HolesShowWhatIsBeyond)
 {
-    Seen floor(scenes::square(2.0f, 16, scenes::plain(glm::vec3(0.5f))));
+    SeenRoom floor(scenes::square(2.0f, 16, scenes::plain(glm::vec3(0.5f))));
     const Surroundings sky{.beyond = [](glm::vec3 d) { return glm::vec3(0.0f, 0.0f, d.y); }};
     Camera up = kDown;
     up.forward = {0.0f, 1.0f, 0.0f};
@@ -129,7 +129,7 @@ TEST(RoomView, BacksAreBlackFromInsideAndPassedFromOutside)
     const scenes::Panel floor{{0, 0, 0}, {0, 0, 2}, {2, 0, 0}};
     const scenes::Panel shelf{{0, 1, 0}, {0, 0, 2}, {2, 0, 0}};
     const std::vector<scenes::Panel> both{floor, shelf};
-    Seen shelves(scenes::panels(both, 16, scenes::plain(glm::vec3(0.5f))));
+    SeenRoom shelves(scenes::panels(both, 16, scenes::plain(glm::vec3(0.5f))));
     const Surroundings around{.beyond = [](glm::vec3) { return glm::vec3(0.75f); }};
     Camera up = kDown;
     up.forward = {0.0f, 1.0f, 0.0f};
@@ -138,7 +138,7 @@ TEST(RoomView, BacksAreBlackFromInsideAndPassedFromOutside)
     up.position.y = -0.5f;
     EXPECT_EQ(shelves.look(up, {1, 1}, 1, around)[0].g, 0.75f);
     // And from outside, a closed room shows the far wall's front through the near one's back.
-    Seen room(scenes::room({3.0f, 2.5f, 4.0f}, 24, scenes::plain(glm::vec3(0.5f))));
+    SeenRoom room(scenes::room({3.0f, 2.5f, 4.0f}, 24, scenes::plain(glm::vec3(0.5f))));
     const Camera outside{.position = {1.5f, 1.0f, 9.0f}};
     EXPECT_NEAR(room.look(outside, {1, 1}, 1, around)[0].g, 0.5f, 1e-3f);
 }
@@ -146,7 +146,7 @@ TEST(RoomView, BacksAreBlackFromInsideAndPassedFromOutside)
 // A lamp is seen before what lies behind it, and not through what stands before it.
 TEST(RoomView, LampsAreSeenWhereTheyAre)
 {
-    Seen floor(scenes::square(2.0f, 16, scenes::plain(glm::vec3(0.5f))));
+    SeenRoom floor(scenes::square(2.0f, 16, scenes::plain(glm::vec3(0.5f))));
     NewLight sphere{.type = LightType::sphere,
                     .emission = glm::vec3(7.0f),
                     .position = {1.0f, 0.5f, 1.0f},
@@ -163,8 +163,8 @@ TEST(RoomView, LampsAreSeenWhereTheyAre)
 
 TEST(RoomView, IsTheSameOnAnyNumberOfThreads)
 {
-    Seen room(scenes::room({3.0f, 2.5f, 4.0f}, 24,
-                           [](glm::vec3 p, glm::vec3) { return 0.1f + 0.2f * glm::abs(p); }));
+    SeenRoom room(scenes::room({3.0f, 2.5f, 4.0f}, 24,
+                               [](glm::vec3 p, glm::vec3) { return 0.1f + 0.2f * glm::abs(p); }));
     const Camera camera{.position = {1.2f, 1.4f, 2.3f}};
     const auto many = room.look(camera, {64, 48}, 2);
     const ThreadLimit one(1);

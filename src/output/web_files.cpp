@@ -27,7 +27,8 @@ bool isOfWebPage(const std::string& name)
 {
     if (name == "room.json" || name == "room.js" || name == "preview.jpg") return true;
     if (std::find(kOfViewer.begin(), kOfViewer.end(), name) != kOfViewer.end()) return true;
-    constexpr std::array<const char*, 5> kParts{"geometry", "albedo", "scan", "shining", "light"};
+    constexpr std::array<const char*, 7> kParts{"probes",  "geometry", "albedo", "scan",
+                                                "shining", "light",    "bounces"};
     return name.ends_with(".js") && std::any_of(kParts.begin(), kParts.end(), [&](const char* of) {
                const std::string part(of);
                return name.starts_with(part) &&

@@ -1,9 +1,12 @@
 #include "output/web_geometry.h"
 
+#include "output/web_direction.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 #include <glm/common.hpp>
 #include <meshoptimizer.h>
@@ -19,7 +22,7 @@ using nlohmann::ordered_json;
 struct WebVertex
 {
     std::array<uint16_t, 3> position;
-    uint16_t nothing;
+    uint16_t normal;
     std::array<uint16_t, 2> uv;
 };
 static_assert(sizeof(WebVertex) == 12);
@@ -60,18 +63,47 @@ struct WebBox
     Vector extent;
 };
 
-std::vector<WebVertex> verticesOf(const Mesh& mesh, const WebBox<glm::vec3>& box,
-                                  const WebBox<glm::vec2>& uvBox)
+/// Corners of triangles that are one place and one normal are one vertex.
+class WebVertices
 {
-    std::vector<WebVertex> vertices(mesh.positions.size());
-    for (size_t i = 0; i < vertices.size(); ++i) {
-        for (int axis = 0; axis < 3; ++axis)
-            vertices[i].position[static_cast<size_t>(axis)] = box.share(mesh.positions[i], axis);
-        for (int axis = 0; axis < 2; ++axis)
-            vertices[i].uv[static_cast<size_t>(axis)] = uvBox.share(mesh.uvs[i], axis);
+public:
+    explicit WebVertices(const Mesh& mesh) : mesh_(mesh), box_(mesh.positions), uvBox_(mesh.uvs)
+    {
+        corners.reserve(3 * mesh.triangles.size());
+        for (size_t t = 0; t < mesh.triangles.size(); ++t)
+            for (int k = 0; k < 3; ++k)
+                corners.push_back(
+                    vertexOf(mesh.triangles[t][k],
+                             webDirection(mesh.normals[3 * t + static_cast<size_t>(k)])));
     }
-    return vertices;
-}
+
+    std::vector<WebVertex> vertices;
+    std::vector<uint32_t> corners;
+
+    [[nodiscard]] const WebBox<glm::vec3>& box() const { return box_; }
+    [[nodiscard]] const WebBox<glm::vec2>& uvBox() const { return uvBox_; }
+
+private:
+    uint32_t vertexOf(uint32_t position, uint16_t normal)
+    {
+        const auto next = static_cast<uint32_t>(vertices.size());
+        const auto [known, isNew] = known_.try_emplace(uint64_t{position} << 16 | normal, next);
+        if (!isNew) return known->second;
+        WebVertex vertex{{}, normal, {}};
+        for (int axis = 0; axis < 3; ++axis)
+            vertex.position[static_cast<size_t>(axis)] =
+                box_.share(mesh_.positions[position], axis);
+        for (int axis = 0; axis < 2; ++axis)
+            vertex.uv[static_cast<size_t>(axis)] = uvBox_.share(mesh_.uvs[position], axis);
+        vertices.push_back(vertex);
+        return next;
+    }
+
+    const Mesh& mesh_;
+    WebBox<glm::vec3> box_;
+    WebBox<glm::vec2> uvBox_;
+    std::unordered_map<uint64_t, uint32_t> known_; // vertices by position and normal
+};
 
 /// In an order that a GPU, and meshoptimizer's encoders, like best.
 void putInOrder(std::vector<WebVertex>& vertices, std::vector<uint32_t>& corners)
@@ -102,18 +134,15 @@ const char* wordOf(Wrap wrap)
 
 ordered_json addMesh(const Mesh& mesh, std::vector<uint8_t>& bytes)
 {
-    const WebBox<glm::vec3> box(mesh.positions);
-    const WebBox<glm::vec2> uvBox(mesh.uvs);
-    std::vector<WebVertex> vertices = verticesOf(mesh, box, uvBox);
-    std::vector<uint32_t> corners;
-    corners.reserve(3 * mesh.triangles.size());
-    for (const glm::uvec3 t : mesh.triangles) corners.insert(corners.end(), {t.x, t.y, t.z});
+    WebVertices made(mesh);
+    std::vector<WebVertex>& vertices = made.vertices;
+    std::vector<uint32_t>& corners = made.corners;
     putInOrder(vertices, corners);
     ordered_json item{{"page", mesh.page},
                       {"vertices", vertices.size()},
                       {"triangles", corners.size() / 3},
-                      {"box", box.asJson()},
-                      {"uvBox", uvBox.asJson()},
+                      {"box", made.box().asJson()},
+                      {"uvBox", made.uvBox().asJson()},
                       {"wrap", {wordOf(mesh.wrapU), wordOf(mesh.wrapV)}}};
     item["vertexData"] =
         append(bytes, meshopt_encodeVertexBufferBound(vertices.size(), sizeof(WebVertex)),

@@ -8,6 +8,8 @@
 #include "output/web_files.h"
 #include "output/web_geometry.h"
 #include "output/web_timeline.h"
+#include "output/web_probes.h"
+#include "output/web_transport.h"
 #include "relamp/lightmaps.h"
 #include "relamp/picture.h"
 #include "relight/relighter_state.h"
@@ -149,6 +151,8 @@ public:
         json["fixtures"] = room_.captured.fixtures.size();
         writePreview(lighting, json);
         json["lights"] = lights(parts);
+        writeBounces(json);
+        json["probes"] = std::move(probes_);
         copyViewer(options_.viewer, folder_);
         writeRoomScript(folder_, json);
         written_.bytes = bytesOfFiles();
@@ -226,12 +230,22 @@ private:
         json["box"] = {{"low", arrayOf(box.low)}, {"high", arrayOf(box.high)}};
     }
 
+    /// What light that a visitor brings needs to bounce.
+    void writeBounces(ordered_json& json)
+    {
+        const WebTransport transport = webTransport(relighter_);
+        json["bounces"] =
+            writeWebPart(folder_, "bounces", "application/octet-stream", transport.bytes);
+        json["bounces"].update(transport.json);
+    }
+
     ordered_json lights(const std::vector<LightPart>& parts)
     {
         const size_t pages = room_.scan->pages.size();
         const int side = options_.side > 0 ? options_.side : sideFor(parts.size(), pages);
         Progress::Stage stage(progress_, "lightmaps", parts.size());
         ordered_json list = ordered_json::array();
+        WebProbes probes(relighter_);
         for (size_t i = 0; i < parts.size(); ++i) {
             progress_.setPart(fmt::format("lightmap {} of {}", i + 1, parts.size()));
             relighter_.light(parts[i].lighting, progress_);
@@ -251,8 +265,11 @@ private:
                 item["maps"].push_back(std::move(file));
             }
             list.push_back(std::move(item));
+            probes.add();
             stage.advance();
         }
+        probes_ = writeWebPart(folder_, "probes", "application/octet-stream", probes.bytes());
+        probes_.update(probes.json());
         progress_.setPart({});
         return list;
     }
@@ -285,6 +302,7 @@ private:
     Progress& progress_;
     ListedFolder folder_;
     WebPictureWriter pictures_;
+    ordered_json probes_; // what room.js says of them
     WrittenPage written_;
 };
 

@@ -82,11 +82,14 @@ TEST_F(WebPage, HasALightmapOfEachLightInAScriptAndTheViewer)
     EXPECT_EQ(page["lights"][0]["shines"][0]["place"], 0);
     EXPECT_EQ(page["lights"][1]["kind"], "sky");
     EXPECT_EQ(vectorFrom(page["lights"][1]["colour"]), lighting.sky.radiance);
+    EXPECT_EQ(page["probes"]["scales"].size(), 2u);
+    EXPECT_GT(page["bounces"]["clusters"], 50);
     uint64_t bytes = 0;
     for (const auto& file : std::filesystem::directory_iterator(folder / "page"))
         if (file.path().filename() != "room.json") bytes += file.file_size();
     EXPECT_EQ(written.bytes, bytes);
-    for (const char* name : {"viewer.js", "index.html", "preview.jpg", "room.js", "scan.js"})
+    for (const char* name : {"viewer.js", "index.html", "preview.jpg", "room.js", "scan.js",
+                             "bounces.js", "probes.js"})
         EXPECT_TRUE(std::filesystem::exists(folder / "page" / name)) << name;
 
     const json part = page["lights"][0]["maps"][0]; // handed over as base64

@@ -7,7 +7,7 @@ export function glslFrom(header: string): string {
     return header
         .replace(/^\s*#.*$/gm, "")
         .replace(/^SHARED_(BEGIN|END)$/gm, "")
-        .replace(/\bconst (float|vec3) /g, "$1 ")
+        .replace(/\bconst (float|vec[234]) /g, "$1 ")
         .replace(/\bSHARED_CONST\b/g, "const float")
         .replace(/\bSHARED_FN\b/g, "")
         .trim();

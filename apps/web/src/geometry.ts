@@ -43,6 +43,7 @@ export function geometryOf(mesh: MeshOfRoom, bytes: Uint8Array): THREE.BufferGeo
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.InterleavedBufferAttribute(shares, 3, 0, true));
     geometry.setAttribute("uv", new THREE.InterleavedBufferAttribute(shares, 2, 4, true));
+    geometry.setAttribute("facing", new THREE.InterleavedBufferAttribute(shares, 1, 3, true));
     geometry.setIndex(new THREE.BufferAttribute(corners, 1));
     geometry.boundingSphere = new THREE.Sphere(new THREE.Vector3(0.5, 0.5, 0.5), 0.87);
     return geometry;

@@ -8,10 +8,13 @@ const WIDTH_OF_PHONE = 600; // CSS pixels of a screen's shorter side
 
 const longerSide = ({ width, height }: Picture) => Math.max(width, height);
 
+export function isPhone(): boolean {
+    return Math.min(screen.width, screen.height) < WIDTH_OF_PHONE;
+}
+
 /** Pixels of the longer side of a texture that this device holds; `largest` is what its GPU takes. */
 export function mostSide(largest: number): number {
-    const isPhone = Math.min(screen.width, screen.height) < WIDTH_OF_PHONE;
-    return isPhone ? Math.min(largest, SIDE_OF_PHONE) : largest;
+    return isPhone() ? Math.min(largest, SIDE_OF_PHONE) : largest;
 }
 
 /** The largest of no more than `most`; else the smallest. */

@@ -2,6 +2,10 @@
 
 import * as THREE from "three";
 
+import { AddedLight } from "./added_light";
+import { DroppedModels } from "./dropped_models";
+import { LampPlacing } from "./lamp_placing";
+import { ModelPlacing } from "./model_placing";
 import { poseOf } from "./camera";
 import { byId } from "./dom";
 import { fittingRoom, mostSide } from "./levels";
@@ -58,11 +62,22 @@ class App {
         if (!scene.hasScan && this.state.show === "scan") this.state.show = "relit";
         const panel = this.controls(scene);
         const parts = new Parts("", room, showProgress);
+        const added = new AddedLight(room, scene);
+        const models = new DroppedModels(room, scene, added);
+        this.picture.added = added;
+        this.picture.models = models;
+        new ModelPlacing(scene, this.picture, models, () => {
+            panel.relit();
+            this.picture.ask();
+        });
         this.picture.setRoom(scene);
         await scene.load(parts, limits, () => {
             byId("preview").hidden = true;
             this.picture.lightChanged();
         });
+        await added.load(parts);
+        await models.load(parts);
+        this.picture.ask();
         panel.show();
         document.body.dataset["state"] = "ready";
     }
@@ -101,12 +116,20 @@ class App {
                 this.changed(false);
             },
         });
+        const placing = new LampPlacing(this.room, scene, this.picture, {
+            state: () => this.state,
+            changed: () => {
+                panel.relit();
+                this.changed(false);
+            },
+        });
         byId("panel").hidden = !this.state.hasPanel;
         window.addEventListener("hashchange", () => {
             this.state = this.stateOfAddress();
             byId("panel").hidden = !this.state.hasPanel;
             panel.show();
             wipe.show();
+            placing.show();
             this.picture.lightChanged();
         });
         return panel;

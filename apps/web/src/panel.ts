@@ -55,7 +55,9 @@ export class Panel {
         );
         this.time = this.timeRow(room);
         byId("panel").append(
-            this.views(), this.presets(room), ...(this.time ? [this.time.root] : []), this.lights(), this.exposure(), this.moving());
+            this.views(), this.presets(room), ...(this.time ? [this.time.root] : []),
+            element("section", { id: "added" }), this.lights(),
+            element("section", { id: "models" }), this.exposure(), this.moving());
         this.show();
     }
 
@@ -77,11 +79,16 @@ export class Panel {
         return SHOWS.filter((show) => show !== "scan" || this.hasScan);
     }
 
-    private lightChanged(time: number | null = null): void {
+    /** Shows the room relit, as a change of its light wants it. */
+    relit(): void {
         const state = this.actions.state();
-        state.time = time;
         if (state.show !== "relit" && state.against !== "relit") state.show = "relit";
         this.show();
+    }
+
+    private lightChanged(time: number | null = null): void {
+        this.actions.state().time = time;
+        this.relit();
         this.actions.changed(true);
     }
 

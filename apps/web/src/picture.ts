@@ -2,10 +2,12 @@
 
 import * as THREE from "three";
 
+import type { AddedLight } from "./added_light";
 import { place, verticalView } from "./camera";
 import { LightMeter } from "./light_meter";
 import type { Rgb, Room } from "./room";
 import { Trouble } from "./room";
+import type { DroppedModels } from "./dropped_models";
 import type { RoomScene } from "./room_scene";
 import { VIEWS } from "./surface";
 import { weightsOf } from "./timeline";
@@ -29,6 +31,9 @@ function rendererOn(canvas: HTMLCanvasElement): THREE.WebGLRenderer {
 export class Picture {
     readonly renderer: THREE.WebGLRenderer;
     readonly camera = new THREE.PerspectiveCamera(60, 1, 0.01, 200);
+    added: AddedLight | null = null;
+    models: DroppedModels | null = null;
+    onDrawn: () => void = () => undefined;
     private room: RoomScene | null = null;
     private shown: Rgb[] = []; // weights on the screen
     private readonly meter = new LightMeter((isWorthMeasuring) => this.ask(isWorthMeasuring));
@@ -67,6 +72,10 @@ export class Picture {
         if (this.isAsked) return;
         this.isAsked = true;
         requestAnimationFrame((now) => this.draw(now));
+    }
+
+    get box(): Room["box"] {
+        return this.facts.box;
     }
 
     rayAt(x: number, y: number): THREE.Raycaster {
@@ -117,8 +126,11 @@ export class Picture {
             if (this.isLightOld) this.ask();
         }
         this.frame = now;
+        const isNew = this.added?.update(this.renderer, this.state().added) ?? false;
+        this.models?.update(this.renderer, this.shown, isNew);
         this.drawViews(this.room, now);
         this.measure(this.room);
+        this.onDrawn();
         this.canvas.dataset["drawn"] = String(Number(this.canvas.dataset["drawn"] ?? 0) + 1);
     }
 

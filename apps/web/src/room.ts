@@ -64,6 +64,25 @@ export interface Light {
     maps: Lightmap[];
 }
 
+/** WebTransport of src/output/web_transport.h. */
+export interface BouncesOfRoom extends Part {
+    clusters: number;
+    fronts: number;
+    size: number; // m
+    points: number;
+    rays: number;
+    box: Box;
+}
+
+/** WebProbes of src/output/web_probes.h. */
+export interface ProbesOfRoom extends Part {
+    low: Rgb;
+    spacing: number; // m
+    count: Rgb; // along x, y, z
+    rays: number;
+    scales: number[]; // of lights
+}
+
 export interface RoomCamera {
     position: Rgb;
     forward: Rgb;
@@ -84,6 +103,8 @@ export interface Room {
     box: { low: Rgb; high: Rgb };
     lights: Light[];
     timeline?: TimelineOfRoom;
+    bounces?: BouncesOfRoom;
+    probes?: ProbesOfRoom;
 }
 
 export interface TimelineOfRoom {
@@ -127,5 +148,7 @@ export function partsOf(room: Room): Part[] {
         if (page.first) parts.push(page.albedo);
         if (page.scan) parts.push(page.scan);
     }
+    if (room.bounces) parts.push(room.bounces);
+    if (room.probes) parts.push(room.probes);
     return parts;
 }

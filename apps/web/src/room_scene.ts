@@ -2,6 +2,7 @@
 
 import * as THREE from "three";
 
+import { addedUniforms } from "./added_shader";
 import { decoderIsReady, geometryOf, matrixOf, uvOf } from "./geometry";
 import { LightSum } from "./light_sum";
 import type { Parts } from "./parts";
@@ -33,6 +34,7 @@ function firstChannel(rgba: Uint8Array): Uint8Array<ArrayBuffer> {
 export class RoomScene {
     readonly scene = new THREE.Scene();
     readonly uniforms = commonUniforms();
+    readonly added = addedUniforms();
     readonly meshes: THREE.Mesh[] = [];
     readonly hasScan: boolean;
     readonly backs = new THREE.Group(); // hidden from outside: near walls are taken away
@@ -106,14 +108,24 @@ export class RoomScene {
         return sum;
     }
 
-    /** Place of the fixture that a ray meets; null where it meets none. */
-    fixtureAlong(ray: THREE.Raycaster): number | null {
-        const hit = ray.intersectObjects(this.meshes, false).find(({ face, object }) => {
+    /** Light of added lamps by way of surfaces; null: none. */
+    setBounced(page: number, texture: THREE.Texture | null): void {
+        for (const material of this.materials[page] ?? []) material.uniforms["bounced"]!.value = texture;
+    }
+
+    /** The first front that a ray meets. */
+    frontAlong(ray: THREE.Raycaster): THREE.Intersection | undefined {
+        return ray.intersectObjects(this.meshes, false).find(({ face, object }) => {
             if (!face) return false;
             const normal = face.normal.clone().applyNormalMatrix(
                 new THREE.Matrix3().getNormalMatrix(object.matrixWorld));
-            return normal.dot(ray.ray.direction) < 0; // a front
+            return normal.dot(ray.ray.direction) < 0;
         });
+    }
+
+    /** Place of the fixture that a ray meets; null where it meets none. */
+    fixtureAlong(ray: THREE.Raycaster): number | null {
+        const hit = this.frontAlong(ray);
         if (!hit?.uv) return null;
         const mesh = hit.object.userData["mesh"] as MeshOfRoom;
         const map = this.shining[mesh.page];
@@ -128,12 +140,14 @@ export class RoomScene {
                 albedo: null,
                 scan: null,
                 shading: this.sums[mesh.page]?.texture ?? new THREE.Texture(),
+                bounced: null,
                 shining: null,
                 emission: this.emission,
             },
             [...mesh.uvBox.low, ...mesh.uvBox.extent],
             this.room.pages[mesh.page]?.shiningAlbedo ?? [0.5, 0.5, 0.5],
             this.uniforms,
+            this.added,
         );
         this.materials[mesh.page]?.push(material);
         const geometry = geometryOf(mesh, bytes);

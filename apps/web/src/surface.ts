@@ -2,14 +2,23 @@
 
 import * as THREE from "three";
 
+import { ADDED_LIGHT } from "./added_shader";
+import type { AddedUniforms } from "./added_shader";
 import { VIEW_TRANSFORM } from "./formulas";
+import { DIRECTION } from "./sites";
 
 export const VIEWS = { scan: 0, albedo: 1, relit: 2, light: 3 }; // light: linear, for the meter
 
 const VERTEX = `
 uniform vec4 uvBox; // low, extent
+in float facing;
 out vec2 at;
+out vec3 place;
+out vec3 towards;
+${DIRECTION}
 void main() {
+    place = (modelMatrix * vec4(position, 1.0)).xyz;
+    towards = directionOf(facing);
     at = uvBox.xy + uvBox.zw * uv;
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
 }`;
@@ -20,14 +29,18 @@ precision highp sampler2D;
 uniform sampler2D albedo;
 uniform sampler2D scan;
 uniform sampler2D shading;  // irradiance / pi of all that is on
+uniform sampler2D bounced;  // the same of added lamps, by way of surfaces
 uniform sampler2D shining;  // R + 256 G: 1 + the place of the fixture that a texel is of; 0: of none
 uniform sampler2D emission; // of fixtures: radiance, and whether it is on
 uniform vec3 shiningAlbedo; // shown of all that ever shines
 uniform int view;
 uniform float exposure;     // that light is multiplied by
 in vec2 at;
+in vec3 place;
+in vec3 towards;
 layout(location = 0) out vec4 pixel;
 ${VIEW_TRANSFORM}
+${ADDED_LIGHT}
 
 vec4 emissionOf(ivec2 texel) {
     ivec2 last = textureSize(shining, 0) - 1;
@@ -54,6 +67,8 @@ void main() {
     vec4 lamp = glow();
     vec3 paint = texture(albedo, at).rgb;
     vec3 light = view == 1 ? vec3(1.0) : texture(shading, at).rgb;
+    if (view >= 2 && lamps > 0)
+        light += texture(bounced, at).rgb + addedLight(place, normalize(towards), turnOf(gl_FragCoord.xy));
     vec3 radiance = mix(paint * light, vec3(0.0), lamp.a) + lamp.rgb;
     if (view == 3) {
         pixel = vec4(radiance, 1.0);
@@ -77,6 +92,7 @@ export interface SurfaceTextures {
     albedo: THREE.Texture | null;
     scan: THREE.Texture | null;
     shading: THREE.Texture;
+    bounced: THREE.Texture | null;
     shining: THREE.Texture | null;
     emission: THREE.Texture;
 }
@@ -112,6 +128,7 @@ export function surfaceMaterial(
     uvBox: number[],
     shiningAlbedo: number[],
     common: CommonUniforms,
+    added: AddedUniforms,
 ): THREE.ShaderMaterial {
     const material = new THREE.ShaderMaterial({
         glslVersion: THREE.GLSL3,
@@ -122,7 +139,7 @@ export function surfaceMaterial(
             shiningAlbedo: { value: new THREE.Vector3(...shiningAlbedo) },
         },
     });
-    Object.assign(material.uniforms, common);
+    Object.assign(material.uniforms, common, added);
     for (const [name, value] of Object.entries(textures)) material.uniforms[name] = { value };
     return material;
 }

@@ -1,5 +1,7 @@
 // What a person sees, in the part of the address behind #, so that a link shows it to another.
 
+import { lampsFrom, wordsOfLamps } from "./added_lamp";
+import type { AddedLamp } from "./added_lamp";
 import { asFound } from "./light_mix";
 import type { Setting } from "./light_mix";
 
@@ -21,6 +23,7 @@ export interface State {
     stops: number; // more than that
     settings: Setting[]; // a light each
     time: number | null; // of the timeline, which then has the lights; null: they are as set
+    added: AddedLamp[]; // lamps that a visitor put up
     pose: Pose | null; // null: where the page begins
     hasPanel: boolean;
 }
@@ -34,6 +37,7 @@ export function initialState(lights: number): State {
         stops: 0,
         settings: Array.from({ length: lights }, asFound),
         time: null,
+        added: [],
         pose: null,
         hasPanel: true,
     };
@@ -60,6 +64,7 @@ export function hashOf(state: State): string {
         if (word !== "1" && state.time === null) words.push(`light${i}=${word}`);
     });
     if (state.time !== null) words.push(`time=${short(state.time)}`);
+    words.push(...wordsOfLamps(state.added));
     if (state.pose) {
         const { position, yaw, pitch } = state.pose;
         words.push(`at=${[...position, yaw, pitch].map(short).join(",")}`);
@@ -98,6 +103,7 @@ export function stateFrom(hash: string, lights: number): State {
         return word === null ? setting : settingFrom(word);
     });
     state.time = numberIn(words.get("time") ?? undefined, -1e9, 1e9);
+    state.added = lampsFrom(words);
     const at = (words.get("at") ?? "").split(",").map((text) => numberIn(text, -1e5, 1e5));
     const [x, y, z, yaw, pitch] = at;
     if (x != null && y != null && z != null && yaw != null && pitch != null)

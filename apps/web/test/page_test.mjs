@@ -12,6 +12,8 @@ import { testDelightPage } from "./delight_page.mjs";
 import { testExample } from "./lightmaps_example.mjs";
 import { DAY, testTimeline } from "./timeline_tests.mjs";
 import { testWeight } from "./weight.mjs";
+import { testAddedLamps } from "./added_tests.mjs";
+import { testDroppedModels } from "./dropped_tests.mjs";
 
 const SIZE = ["--size", "640x360"];
 const LIKENESS = { scan: 32, albedo: 32, lamp: 30, all: 30 }; // dB at least
@@ -111,6 +113,9 @@ test("where one asks for it, a dim lamp alone is exposed as the program exposes 
 });
 
 testTimeline(() => ({ folder, room, tab }));
+
+testAddedLamps(() => ({ tab, room, folder, compare }));
+testDroppedModels(() => ({ tab, room }));
 
 test("the shader's view transform gives the numbers of the program's", async () => {
     const numbers = JSON.parse(await readFile(new URL("formulas.json", import.meta.url), "utf8"));
@@ -219,6 +224,9 @@ test("a damaged or missing file is told of in a sentence", async () => {
     };
     await writeFile(join(broken, "geometry.js"), 'relampPart("geometry", "AAAA");');
     assert.match(await sentence(), /geometry\.js is damaged/);
+    await cp(join(page, "geometry.js"), join(broken, "geometry.js"));
+    await writeFile(join(broken, "bounces.js"), 'relampPart("bounces", "AAAA");');
+    assert.match(await sentence(), /bounces\.js is damaged/);
     await rm(join(broken, "geometry.js"));
     assert.match(await sentence(), /geometry\.js is missing/);
 });

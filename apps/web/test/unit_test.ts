@@ -3,8 +3,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { LAMP_RADIUS, intensityOf, lampsFrom, lumensFor, radianceOf, wordsOfLamps } from "../src/added_lamp";
 import { blackbodyColour, luminance } from "../src/blackbody";
+import { transportFrom } from "../src/bounces";
 import { orbited, poseOf, turned, verticalView, walked } from "../src/camera";
+import { ClusterCells } from "../src/cluster_cells";
 import { glslFrom } from "../src/formulas";
 import { fittingRoom } from "../src/levels";
 import { stopsOf } from "../src/light_meter";
@@ -12,6 +15,10 @@ import { asFound, colourFromHex, presetsFor, weightOf } from "../src/light_mix";
 import { Trouble, asRoom, partsOf } from "../src/room";
 import type { Light, Rgb, Room, RoomCamera, TimelineOfRoom } from "../src/room";
 import { keyBeside, settingOf, takeTime, weightsAt, weightsOf, wordsAt } from "../src/timeline";
+import { directionFrom, siteFrom } from "../src/sites";
+import { directionOfRay, harmonicsOf } from "../src/harmonics";
+import { sensibleScale } from "../src/model_file";
+import { Probes } from "../src/probes";
 import { hashOf, initialState, stateFrom } from "../src/url_state";
 import numbers from "./formulas.json";
 import { Vector3 } from "three";
@@ -83,6 +90,10 @@ test("the address holds all that a person sets, and nothing of what is as at fir
         { share: 0, kelvin: null, colour: null },
         { share: 0.5, kelvin: 2700, colour: null },
         { share: 1, kelvin: null, colour: "#ff8800" },
+    ];
+    state.added = [
+        { position: [1, 1.5, -2.25], lumens: 800, kelvin: 2700, isOn: true },
+        { position: [-1, 0, 3], lumens: 25, kelvin: 6500, isOn: false },
     ];
     state.pose = { position: [1, 2.5, -3], yaw: 0.5, pitch: -0.25 };
     state.hasPanel = false;
@@ -188,4 +199,95 @@ test("a shared header becomes GLSL ES without macros", () => {
         '#pragma once\n#include "base/shared.h"\nSHARED_BEGIN\nSHARED_CONST kA = 2.0f;\n' +
         "SHARED_FN float f(float x)\n{\n    const float b = kA * x;\n    return b;\n}\nSHARED_END\n");
     assert.equal(glsl, "const float kA = 2.0f;\n float f(float x)\n{\n    float b = kA * x;\n    return b;\n}");
+});
+
+test("an added lamp sends its lumens all around, from its surface", () => {
+    const lamp = { position: [0, 0, 0] as Rgb, lumens: 1000, kelvin: 3000, isOn: true };
+    near(luminance(intensityOf(lamp)), 1000 / (4 * Math.PI * 100), 1e-6);
+    const area = Math.PI * LAMP_RADIUS ** 2; // as seen
+    near(luminance(radianceOf(lamp)) * area, luminance(intensityOf(lamp)), 1e-9);
+    assert.deepEqual(intensityOf({ ...lamp, isOn: false }), [0, 0, 0]);
+    assert.ok(lumensFor(0) > lumensFor(2));
+    assert.equal(lumensFor(40), 25);
+});
+
+test("added lamps that an address has wrong are passed over", () => {
+    const words = new URLSearchParams(
+        "lamp0=1,2,3&lamp1=1,2,x,800,2700K&lamp2=1,2,3,1e9,99K&lamp3=1,2,3,-1,2700K&lamp4=0,0,0,800,2700K");
+    assert.deepEqual(wordsOfLamps(lampsFrom(words)), ["lamp0=1,2,3,25600,1000K"]);
+});
+
+const box = { low: [0, 0, 0], extent: [4, 2, 1] };
+
+test("directions and places are as the program packs them", () => {
+    directionFrom(128 | (128 << 8)).forEach((value, i) => near(value, [0, 0, 1][i]!, 0.02));
+    directionFrom(255 | (128 << 8)).forEach((value, i) => near(value, [1, 0, 0][i]!, 0.02));
+    directionFrom(0).forEach((value, i) => near(value, [0, 0, -1][i]!, 0.02));
+    const view = new DataView(new Uint8Array([255, 255, 0, 128, 0, 0, 128, 255]).buffer);
+    const { place, normal } = siteFrom(view, 0, box);
+    place.forEach((value, i) => near(value, [4, 1, 0][i]!, 1e-3));
+    near(normal[1], 1, 0.02);
+});
+
+test("rays, harmonics and packed directions are the program's", () => {
+    for (const { i, count, direction, harmonics } of numbers.rays) {
+        directionOfRay(i, count).forEach((value, axis) => near(value, direction[axis]!, 1e-5));
+        harmonicsOf(direction as Rgb).forEach((value, k) => near(value, harmonics[k]!, 1e-5));
+    }
+    for (const { word, direction } of numbers.words)
+        directionFrom(word).forEach((value, axis) => near(value, direction[axis]!, 1e-5));
+});
+
+test("probes add up the lights, each times its weight, and what is cut short is told of", () => {
+    const about = {
+        file: "probes", type: "", bytes: 0, low: [0, 0, 0] as Rgb, spacing: 1, count: [1, 1, 1] as Rgb,
+        rays: 1, scales: [2, 16],
+    };
+    const even = new Array<number>(24).fill(127.5);
+    const bytes = Uint8Array.from([0, 0, 255, 255, 255, ...even, 255, 0, 127.5, 255, ...even.slice(1)]);
+    const light = new Probes(about, bytes).harmonicsAt(0, [[1, 0, 0.5], [1, 1, 0]]);
+    near(light[0]!, 2 + 16, 1e-9);
+    near(light[1]!, 0, 1e-9);
+    near(light[2]!, 1, 1e-9);
+    near(light[3]!, Math.sqrt(3) * (16 - 2 / 255), 0.2); // the second light comes from one side
+    assert.throws(() => new Probes(about, bytes.subarray(1)), Trouble);
+});
+
+test("a model of absurd size is brought to one that can stand in the room", () => {
+    assert.equal(sensibleScale(1.8, 4), 1);
+    near(sensibleScale(180, 4) * 180, 1, 1e-9);
+    near(sensibleScale(0.002, 4) * 0.002, 0.3, 1e-9);
+    assert.equal(sensibleScale(0, 4), 1);
+});
+
+test("rays of clusters are sums of steps, and what is cut short is told of", () => {
+    const about = {
+        file: "bounces", type: "", bytes: 0, clusters: 1, fronts: 1, size: 1, points: 1, rays: 2, box };
+    const site = [0, 0, 0, 0, 0, 0, 128, 128];
+    const bytes = Uint8Array.from([...site, 255, 0, 128, ...site, 0, 1]);
+    const { rays, clusters } = transportFrom(about, bytes);
+    assert.deepEqual([...rays], [0, 1]);
+    assert.equal(clusters[0]!.albedo[0], 1);
+    assert.throws(() => transportFrom(about, bytes.subarray(0, bytes.length - 1)), Trouble);
+    assert.throws(() => transportFrom(about, Uint8Array.from([...bytes.subarray(0, -2), 0, 255])), Trouble);
+});
+
+test("a cell lists all clusters that its places are near", () => {
+    const clusters = Array.from({ length: 60 }, (_, i) => ({
+        place: [(i * 0.37) % 4, (i * 0.61) % 2, (i * 0.83) % 1] as Rgb,
+        normal: [0, 1, 0] as Rgb,
+        albedo: [1, 1, 1] as Rgb,
+    }));
+    const reach = 0.6;
+    const cells = new ClusterCells({ clusters, fronts: 60, size: 0.4, points: [], rays: new Uint16Array() }, reach);
+    for (let n = 0; n < 200; ++n) {
+        const place = new Vector3((n * 0.7) % 4, (n * 0.31) % 2, (n * 0.13) % 1);
+        const at = place.clone().sub(cells.low).divideScalar(cells.size).floor()
+            .clamp(new Vector3(), cells.count.clone().subScalar(1));
+        const list = cells.lists[(at.z * cells.count.y + at.y) * cells.count.x + at.x]!;
+        clusters.forEach((cluster, i) => {
+            const isNear = place.distanceTo(new Vector3(...cluster.place)) < reach - 1e-6;
+            assert.ok(!isNear || list.includes(i), `${i} is not listed near ${place.toArray()}`);
+        });
+    }
 });

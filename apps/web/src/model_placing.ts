@@ -1,0 +1,218 @@
+// How a visitor brings models and moves them: a file is dropped into the picture or chosen; a
+// drag moves it over what lies level.
+
+import * as THREE from "three";
+
+import { byId, element, slider } from "./dom";
+import { MOST_MODELS } from "./dropped_models";
+import type { DroppedModels, Model } from "./dropped_models";
+import { readModel } from "./model_file";
+import { notice } from "./notice";
+import type { Picture } from "./picture";
+import { Trouble } from "./room";
+import type { Rgb } from "./room";
+import type { RoomScene } from "./room_scene";
+
+const LEVEL = 0.5; // least y of a normal on which things stand
+const OFF_WALL = 0.3; // m
+
+export class ModelPlacing {
+    private readonly list = element("ul", { class: "lamps", "aria-label": "models" });
+    private dragged: Model | null = null;
+
+    /** `changed` is called after models were brought, moved or taken away. */
+    constructor(
+        private readonly scene: RoomScene,
+        private readonly picture: Picture,
+        private readonly models: DroppedModels,
+        private readonly changed: () => void,
+    ) {
+        const input = element("input", { type: "file", accept: ".glb,.gltf", hidden: true });
+        input.addEventListener("change", () => {
+            const file = input.files?.[0];
+            const canvas = byId("canvas");
+            if (file) void this.bring(file, canvas.clientWidth / 2, 0.7 * canvas.clientHeight);
+            input.value = "";
+        });
+        const button = element("button", { type: "button" }, "Bring a model (GLB)");
+        button.title = "Choose a file, or drop it into the picture";
+        button.addEventListener("click", () => input.click());
+        byId("models").append(element("h2", {}, "Models"), this.list, button, input);
+        this.takeDrops();
+        this.takeDrags();
+    }
+
+    /** A file that is dropped on a pixel of the picture. */
+    async bring(file: File, x: number, y: number): Promise<void> {
+        try {
+            if (!this.models.isReady)
+                throw new Trouble(
+                    "The page is still loading, or has no light probes: relamp page writes them.",
+                );
+            if (this.models.models.length >= MOST_MODELS)
+                throw new Trouble(`There are ${MOST_MODELS} models already; remove one.`);
+            const place = this.levelAt(x, y);
+            if (!place) throw new Trouble("Nothing is there for a model to stand on.");
+            this.models.add(file.name.replace(/\.[^.]*$/, ""), await readModel(file), place);
+            this.show();
+            this.changed();
+        } catch (trouble) {
+            notice(
+                trouble instanceof Trouble
+                    ? trouble.message
+                    : `${file.name} cannot be shown (${String(trouble)}).`,
+            );
+        }
+    }
+
+    private takeDrops(): void {
+        const stage = byId("stage");
+        stage.addEventListener("dragover", (event) => event.preventDefault());
+        stage.addEventListener("drop", (event) => {
+            event.preventDefault();
+            const file = event.dataTransfer?.files[0];
+            const box = stage.getBoundingClientRect();
+            if (file) void this.bring(file, event.clientX - box.left, event.clientY - box.top);
+        });
+    }
+
+    /** A drag that begins on a model moves it, and does not turn the visitor. */
+    private takeDrags(): void {
+        const canvas = byId("canvas");
+        const stage = byId("stage");
+        const at = (event: PointerEvent) => {
+            const box = canvas.getBoundingClientRect();
+            return [event.clientX - box.left, event.clientY - box.top] as const;
+        };
+        const catching = { capture: true };
+        stage.addEventListener(
+            "pointerdown",
+            (event) => {
+                if (event.target !== canvas || !event.isPrimary) return;
+                this.dragged = this.modelAt(...at(event));
+                if (this.dragged) event.stopPropagation();
+            },
+            catching,
+        );
+        stage.addEventListener(
+            "pointermove",
+            (event) => {
+                if (!this.dragged) return;
+                event.stopPropagation();
+                const place = this.levelAt(...at(event));
+                if (!place) return;
+                this.dragged.root.position.set(...place);
+                this.models.moved();
+                this.changed();
+            },
+            catching,
+        );
+        for (const name of ["pointerup", "pointercancel"] as const)
+            stage.addEventListener(
+                name,
+                (event) => {
+                    if (this.dragged) event.stopPropagation();
+                    this.dragged = null;
+                },
+                catching,
+            );
+    }
+
+    private modelAt(x: number, y: number): Model | null {
+        const ray = this.picture.rayAt(x, y);
+        const wall = this.scene.frontAlong(ray)?.distance ?? Infinity;
+        const found = this.models.models
+            .map((model) => ({
+                model,
+                distance: ray.intersectObjects(model.meshes, false)[0]?.distance ?? Infinity,
+            }))
+            .sort((a, b) => a.distance - b.distance)[0];
+        return found && found.distance < wall ? found.model : null;
+    }
+
+    /** Where something stands that a person puts there: on what is level, or below what is not. */
+    private levelAt(x: number, y: number): Rgb | null {
+        const hit = this.scene.frontAlong(this.picture.rayAt(x, y));
+        if (!hit?.face) return null;
+        const normal = hit.face.normal
+            .clone()
+            .applyNormalMatrix(new THREE.Matrix3().getNormalMatrix(hit.object.matrixWorld));
+        if (normal.y >= LEVEL) return hit.point.toArray() as Rgb;
+        const beside = hit.point.clone().addScaledVector(normal, OFF_WALL);
+        // A skirting may lean below the floor.
+        beside.y = Math.max(beside.y, hit.point.y) + OFF_WALL;
+        const down = new THREE.Raycaster(beside, new THREE.Vector3(0, -1, 0));
+        return (this.scene.frontAlong(down)?.point.toArray() as Rgb | undefined) ?? null;
+    }
+
+    private show(): void {
+        this.list.replaceChildren(...this.models.models.map((model) => this.rowOf(model)));
+    }
+
+    private rowOf(model: Model): HTMLElement {
+        const set = (change: (value: number) => void) => (value: number) => {
+            change(value);
+            this.models.moved();
+            this.changed();
+        };
+        const line = (
+            word: string,
+            label: string,
+            range: { min: number; max: number; step: number },
+            now: number,
+            change: (value: number) => void,
+        ) => {
+            const made = slider(
+                `${label} ${model.name}`,
+                range,
+                (value) => String(value),
+                set(change),
+            );
+            made.set(now);
+            return element("label", { class: "line" }, element("span", {}, word), made.input);
+        };
+        const { position, rotation } = model.root;
+        const { low, high } = this.picture.box;
+        const remove = element(
+            "button",
+            { type: "button", "aria-label": `remove ${model.name}` },
+            "Remove",
+        );
+        remove.addEventListener("click", () => {
+            this.models.remove(model);
+            this.show();
+            this.changed();
+        });
+        return element(
+            "li",
+            { class: "lamp" },
+            element(
+                "div",
+                { class: "head" },
+                element("span", { class: "name" }, model.name),
+                remove,
+            ),
+            line(
+                "turn",
+                "turn",
+                { min: -180, max: 180, step: 5 },
+                0,
+                (value) => (rotation.y = THREE.MathUtils.degToRad(value)),
+            ),
+            line(
+                "x",
+                "move along x",
+                { min: low[0], max: high[0], step: 0.05 },
+                position.x,
+                (value) => (position.x = value),
+            ),
+            line(
+                "z",
+                "move along z",
+                { min: low[2], max: high[2], step: 0.05 },
+                position.z,
+                (value) => (position.z = value),
+            ),
+        );
+    }
+}

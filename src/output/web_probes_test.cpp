@@ -1,0 +1,160 @@
+#include "output/web_probes.h"
+
+#include "output/web_direction.h"
+
+#include "base/radiometry.shared.h"
+#include "relight/relighter_state.h"
+#include "scenes/lit_room.h"
+#include "scenes/scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace relamp
+{
+namespace
+{
+
+class WebProbesOfARoom : public testing::Test
+{
+protected:
+    WebProbesOfARoom()
+    {
+        const scenes::LitRoom lit;
+        room.scan = scenes::copyOf(lit.scan);
+        room.albedo.push_back(
+            scenes::room(scenes::LitRoom::kSize, 96, scenes::LitRoom::albedo).pages[0].image);
+        room.captured.fixtures.push_back({.centre = scenes::LitRoom::kLampCentre,
+                                          .normal = {0, -1, 0},
+                                          .area = scenes::LitRoom::kLampArea,
+                                          .radiance = scenes::LitRoom::kLampRadiance,
+                                          .id = 0,
+                                          .name = "panel"});
+    }
+
+    DelitRoom room;
+};
+
+glm::vec3 decoded(std::span<const uint8_t> bytes, float scale, glm::vec3 normal)
+{
+    WebHarmonics light;
+    for (int c = 0; c < 3; ++c) {
+        const auto channel = static_cast<size_t>(c);
+        light.of[0][c] = scale * std::pow(static_cast<float>(bytes[channel]) / 255.0f, 4.0f);
+        for (size_t i = 1; i < WebHarmonics::kCount; ++i)
+            light.of[i][c] = light.of[0][c] * std::sqrt(i < 4 ? 3.0f : 5.0f) *
+                             (static_cast<float>(bytes[3 * i + channel]) / 127.5f - 1.0f);
+    }
+    return light.shading(normal);
+}
+
+} // namespace
+
+// apps/web/test holds the browser's to the same numbers.
+TEST(WebHarmonics, AreAsThePageHasThem)
+{
+    std::ifstream file(std::string(RELAMP_SAMPLES) + "/../apps/web/test/formulas.json");
+    const nlohmann::json numbers = nlohmann::json::parse(file);
+    ASSERT_GE(numbers["rays"].size(), 5u);
+    ASSERT_GE(numbers["words"].size(), 5u);
+    for (const nlohmann::json& row : numbers["rays"]) {
+        const glm::vec3 direction =
+            webDirectionOfRay(row["i"].get<size_t>(), row["count"].get<size_t>());
+        const auto basis = WebHarmonics::basis(direction);
+        for (size_t i = 0; i < basis.size(); ++i)
+            EXPECT_NEAR(basis[i], row["harmonics"][i].get<float>(), 1e-4f) << row;
+    }
+    for (const nlohmann::json& row : numbers["words"]) {
+        const glm::vec3 direction = fromWebDirection(row["word"].get<uint16_t>());
+        for (int axis = 0; axis < 3; ++axis)
+            EXPECT_NEAR(direction[axis], row["direction"][static_cast<size_t>(axis)].get<float>(),
+                        1e-5f)
+                << row;
+    }
+}
+
+// Under an even sky all around, radiance L: irradiance is pi L whichever way a surface faces.
+TEST(WebHarmonics, OfAnEvenSkyGiveItsRadiance)
+{
+    constexpr size_t kRays = 2048;
+    WebHarmonics light;
+    for (size_t i = 0; i < kRays; ++i)
+        light.add(webDirectionOfRay(i, kRays), glm::vec3(2.0f * 4.0f * kPi / kRays));
+    for (size_t i = 0; i < 20; ++i)
+        EXPECT_NEAR(light.shading(webDirectionOfRay(i, 20)).g, 2.0f, 0.02f);
+}
+
+// A lamp far away in one direction, irradiance E: nine harmonics have the cosine to a tenth of E.
+TEST(WebHarmonics, OfOneDirectionAreItsCosine)
+{
+    const glm::vec3 towards = glm::normalize(glm::vec3(1.0f, 2.0f, -1.0f));
+    WebHarmonics light;
+    light.add(towards, glm::vec3(kPi));
+    for (size_t i = 0; i < 100; ++i) {
+        const glm::vec3 normal = webDirectionOfRay(i, 100);
+        EXPECT_NEAR(light.shading(normal).r, std::max(glm::dot(normal, towards), 0.0f), 0.1f);
+    }
+}
+
+// A white surface in the air next to a wall receives what the gatherer has the wall receive.
+TEST_F(WebProbesOfARoom, NextToAWallHaveItsIrradiance)
+{
+    Relighter relighter(room, {.rays = 64});
+    relighter.glance(asCaptured(room.captured));
+    const Surfels& surfels = relighter.state().texels.surfels;
+    std::vector<glm::vec3> places;
+    std::vector<size_t> of;
+    for (size_t s = 0; s < surfels.count(); s += 23) {
+        if (surfels.normal[s].y < -0.5f)
+            continue; // beside the panel on the ceiling it is not smooth
+        places.push_back(surfels.position[s] + 0.02f * surfels.normal[s]);
+        of.push_back(s);
+    }
+    ASSERT_GT(places.size(), 100u);
+    const AirProbes probes(relighter, places);
+    const std::vector<WebHarmonics> light = probes.light();
+    double apart = 0.0;
+    double all = 0.0;
+    for (size_t i = 0; i < of.size(); ++i) {
+        const float wanted = luminance(relighter.state().radiosity.onFronts()[of[i]]) / kPi;
+        const float found = luminance(light[i].shading(surfels.normal[of[i]]));
+        apart += std::abs(static_cast<double>(found - wanted));
+        all += static_cast<double>(wanted);
+        EXPECT_TRUE(probes.isOpen()[i]);
+    }
+    EXPECT_LT(apart / all, 0.08);
+}
+
+TEST_F(WebProbesOfARoom, AreReadFromTheirBytes)
+{
+    Relighter relighter(room, {.rays = 16});
+    WebProbes written(relighter);
+    relighter.glance(asCaptured(room.captured));
+    written.add();
+    const nlohmann::ordered_json json = written.json();
+    const glm::vec3 low(json["low"][0].get<float>(), json["low"][1].get<float>(),
+                        json["low"][2].get<float>());
+    const auto spacing = json["spacing"].get<float>();
+    const std::array<size_t, 3> count{json["count"][0].get<size_t>(),
+                                      json["count"][1].get<size_t>(),
+                                      json["count"][2].get<size_t>()};
+    const size_t probes = count[0] * count[1] * count[2];
+    const size_t words = 2 * probes * json["rays"].get<size_t>();
+    ASSERT_EQ(written.bytes().size(), words + 27 * probes);
+    const size_t probe = (count[2] / 2 * count[1] + count[1] / 2) * count[0] + 1;
+    const glm::vec3 place = low + spacing * glm::vec3(1, static_cast<float>(count[1] / 2),
+                                                      static_cast<float>(count[2] / 2));
+    const WebHarmonics wanted = AirProbes(relighter, {place}).light()[0];
+    for (size_t i = 0; i < 12; ++i) {
+        const glm::vec3 normal = webDirectionOfRay(i, 12);
+        const glm::vec3 found = decoded(written.bytes().subspan(words + 27 * probe, 27),
+                                        json["scales"][0].get<float>(), normal);
+        EXPECT_NEAR(found.g, wanted.shading(normal).g, 0.03f * wanted.of[0].g);
+    }
+}
+
+} // namespace relamp
