@@ -24,7 +24,8 @@ export default [
         languageOptions: {
             globals: here(
                 "process URL Buffer window document location performance requestAnimationFrame " +
-                    "createImageBitmap Blob atob customElements HTMLElement",
+                    "createImageBitmap Blob File atob customElements HTMLElement KeyboardEvent WheelEvent " +
+                    "DataTransfer",
             ),
         },
     },
