@@ -36,6 +36,8 @@ public:
     /// How long the film is, > 0.
     [[nodiscard]] double seconds() const;
 
+    [[nodiscard]] const std::filesystem::path& file() const;
+
     /// The moments that the file says, two or more.
     [[nodiscard]] std::vector<TimelineKey> keys() const;
 

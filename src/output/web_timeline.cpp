@@ -22,10 +22,11 @@ using nlohmann::ordered_json;
 
 constexpr float kApart = 1e-3f; // m, and of a direction: lights further apart are two
 
-[[noreturn]] void refuse(const std::string& why)
+[[noreturn]] void refuse(const Timeline& timeline, const std::string& why)
 {
-    fail(ErrorCode::unsupported, "the timeline",
-         why + "; on a page it dims and colours the lights that --lights and --fixture give, and "
+    fail(ErrorCode::unsupported, timeline.file().string(),
+         why + "; on a page a timeline dims and colours the lights that --lights and --fixture "
+               "give, and "
                "that stay in their places");
 }
 
@@ -76,20 +77,20 @@ std::vector<Source> sourcesOf(const Relighting& lighting)
 }
 
 /// Refuses what no mixture of the lightmaps is.
-void check(const Relighting& now, const Relighting& lighting)
+void check(const Timeline& timeline, const Relighting& now, const Relighting& lighting)
 {
     const bool hasLights = !now.lights.empty(); // else those of the page are off
     const bool isOfOthers = now.fixtures.size() != lighting.fixtures.size() ||
                             (hasLights && (now.lights.size() != lighting.lights.size() ||
                                            !std::equal(now.lights.begin(), now.lights.end(),
                                                        lighting.lights.begin(), &isInPlace)));
-    if (isOfOthers) refuse("brings other lights than the page has, or moves one");
+    if (isOfOthers) refuse(timeline, "brings other lights than the page has, or moves one");
     for (size_t i = 0; i < now.fixtures.size(); ++i)
         if (glm::distance(now.fixtures[i].fixture.centre, lighting.fixtures[i].fixture.centre) >
             kApart)
-            refuse("moves a fixture");
+            refuse(timeline, "moves a fixture");
     if (!isDark(now.sky.radiance) && !isSameSky(now.sky, lighting.sky))
-        refuse("has another sky than the page");
+        refuse(timeline, "has another sky than the page");
 }
 
 /// Times its lightmap. What was not found in a channel cannot be made more.
@@ -135,14 +136,14 @@ ordered_json webTimeline(const Timeline& timeline, const Relighting& lighting)
     for (const double moment : momentsOf(named)) {
         times.push_back(first + moment * whole);
         const Relighting now = timeline.at(moment);
-        check(now, lighting);
+        check(timeline, now, lighting);
         ordered_json list = ordered_json::array();
         for (const Source& source : sources) {
             const glm::vec3 emission = source.emission(now);
             if (source.isOn)
                 list.push_back(asJson(weightOf(source, emission)));
             else if (!isDark(emission))
-                refuse("turns on a light that is off on the page");
+                refuse(timeline, "turns on a light that is off on the page");
         }
         weights.push_back(std::move(list));
     }

@@ -83,7 +83,7 @@ TEST_F(WebTimeline, WhatNoMixtureOfTheLightmapsIsIsRefused)
                               R"("sky": {"radiance": [0.1, 0.1, 0.1]}})";
     EXPECT_THAT(refusal(sun, later), HasSubstr("or moves one"));
     const std::string bulb = R"({"lights": [{"position": [1, 1, 1], "intensity": [1, 1, 1]}]})";
-    EXPECT_THAT(refusal(bulb, bulb), HasSubstr("brings other lights"));
+    EXPECT_THAT(refusal(bulb, bulb), HasSubstr("day.json: brings other lights"));
     lighting.fixtures[0].fixture.radiance = glm::vec3(0.0f);
     const std::string panel = R"({"fixtures": [{"id": 7}]})";
     EXPECT_THAT(refusal(panel, panel), HasSubstr("turns on a light that is off"));

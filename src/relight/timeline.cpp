@@ -161,6 +161,7 @@ void takeLight(const JsonItem& item, const std::filesystem::path& folder,
 
 struct Timeline::State
 {
+    std::filesystem::path file;
     Lights captured;
     double seconds = 10.0;
     std::vector<Key> keys; // two or more, ascending in time
@@ -210,6 +211,7 @@ Timeline::Timeline(const std::filesystem::path& file, const Lights& captured,
                    std::vector<std::string>& warnings)
     : state_(std::make_unique<State>())
 {
+    state_->file = file;
     state_->captured = captured;
     state_->read(file, warnings);
     state_->check(warnings);
@@ -222,6 +224,11 @@ Timeline& Timeline::operator=(Timeline&&) noexcept = default;
 double Timeline::seconds() const
 {
     return state_->seconds;
+}
+
+const std::filesystem::path& Timeline::file() const
+{
+    return state_->file;
 }
 
 std::vector<TimelineKey> Timeline::keys() const
