@@ -97,10 +97,12 @@ export class Picture {
         this.ask();
     }
 
-    /** Weights on the way from those on the screen to those that are wanted. */
+    /** Weights on the way from those on the screen to those that are wanted; time changes them by itself. */
     private fade(wanted: Rgb[], now: number): boolean {
         const isStill =
-            matchMedia("(prefers-reduced-motion: reduce)").matches || this.shown.length === 0;
+            this.state().time !== null ||
+            matchMedia("(prefers-reduced-motion: reduce)").matches ||
+            this.shown.length === 0;
         const share = isStill ? 1 : Math.min((now - this.frame) / FADE, 0.5);
         let isThere = true;
         this.shown = wanted.map((weight, i) => {
