@@ -46,7 +46,7 @@ export class LightMeter {
     stops(now: number, before: number): number {
         if (this.wanted === null) return before;
         const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
-        const passed = Math.min(now - this.last, 100);
+        const passed = Math.min(now - this.last, ADAPTATION);
         this.last = now;
         this.shown = isStill ? this.wanted : (this.shown ?? before);
         this.shown += (1 - Math.exp((-3 * passed) / ADAPTATION)) * (this.wanted - this.shown);
