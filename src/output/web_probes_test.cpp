@@ -11,6 +11,7 @@
 #include <cmath>
 #include <fstream>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -129,32 +130,76 @@ TEST_F(WebProbesOfARoom, NextToAWallHaveItsIrradiance)
     EXPECT_LT(apart / all, 0.08);
 }
 
-TEST_F(WebProbesOfARoom, AreReadFromTheirBytes)
+/// What a page reads of the bytes of one light.
+class PageOfProbes
+{
+public:
+    explicit PageOfProbes(const WebProbes& written)
+        : low_(vectorOf(written.json()["low"])), count_(vectorOf(written.json()["count"])),
+          spacing_(written.json()["spacing"].get<float>()),
+          scale_(written.json()["scales"][0].get<float>())
+    {
+        const auto probes = static_cast<size_t>(count_.x) * static_cast<size_t>(count_.y) *
+                            static_cast<size_t>(count_.z);
+        const size_t words = 2 * probes * written.json()["rays"].get<size_t>();
+        EXPECT_EQ(written.bytes().size(), words + 27 * probes);
+        light_ = written.bytes().subspan(words);
+    }
+
+    [[nodiscard]] glm::vec3 shading(glm::vec3 place, glm::vec3 normal) const
+    {
+        const glm::vec3 at = (place - low_) / spacing_;
+        const glm::vec3 begin = glm::floor(at);
+        glm::vec3 sum(0.0f);
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::vec3 step(corner & 1, corner >> 1 & 1, corner >> 2);
+            const glm::vec3 share = glm::mix(1.0f - (at - begin), at - begin, step);
+            const glm::vec3 cell = begin + step;
+            const auto probe =
+                static_cast<size_t>((cell.z * count_.y + cell.y) * count_.x + cell.x);
+            sum += share.x * share.y * share.z *
+                   decoded(light_.subspan(27 * probe, 27), scale_, normal);
+        }
+        return sum;
+    }
+
+private:
+    static glm::vec3 vectorOf(const nlohmann::ordered_json& list)
+    {
+        return {list[0].get<float>(), list[1].get<float>(), list[2].get<float>()};
+    }
+
+    glm::vec3 low_;
+    glm::vec3 count_;
+    float spacing_;
+    float scale_;
+    std::span<const uint8_t> light_;
+};
+
+// In the air, what a page mixes of the probes around is what a probe in that very place has.
+TEST_F(WebProbesOfARoom, BetweenThemAreWhatIsThere)
 {
     Relighter relighter(room, {.rays = 16});
     WebProbes written(relighter);
     relighter.glance(asCaptured(room.captured));
     written.add();
-    const nlohmann::ordered_json json = written.json();
-    const glm::vec3 low(json["low"][0].get<float>(), json["low"][1].get<float>(),
-                        json["low"][2].get<float>());
-    const auto spacing = json["spacing"].get<float>();
-    const std::array<size_t, 3> count{json["count"][0].get<size_t>(),
-                                      json["count"][1].get<size_t>(),
-                                      json["count"][2].get<size_t>()};
-    const size_t probes = count[0] * count[1] * count[2];
-    const size_t words = 2 * probes * json["rays"].get<size_t>();
-    ASSERT_EQ(written.bytes().size(), words + 27 * probes);
-    const size_t probe = (count[2] / 2 * count[1] + count[1] / 2) * count[0] + 1;
-    const glm::vec3 place = low + spacing * glm::vec3(1, static_cast<float>(count[1] / 2),
-                                                      static_cast<float>(count[2] / 2));
-    const WebHarmonics wanted = AirProbes(relighter, {place}).light()[0];
-    for (size_t i = 0; i < 12; ++i) {
-        const glm::vec3 normal = webDirectionOfRay(i, 12);
-        const glm::vec3 found = decoded(written.bytes().subspan(words + 27 * probe, 27),
-                                        json["scales"][0].get<float>(), normal);
-        EXPECT_NEAR(found.g, wanted.shading(normal).g, 0.03f * wanted.of[0].g);
+    const PageOfProbes page(written);
+    std::vector<glm::vec3> places;
+    for (int i = 0; i < 60; ++i) {
+        const glm::vec3 u = glm::fract(static_cast<float>(i) * glm::vec3(0.819f, 0.671f, 0.549f));
+        places.push_back(glm::vec3(0.5f) + u * (scenes::LitRoom::kSize - glm::vec3(1.0f)));
     }
+    const std::vector<WebHarmonics> wanted = AirProbes(relighter, places).light();
+    double apart = 0.0;
+    double all = 0.0;
+    for (size_t i = 0; i < places.size(); ++i)
+        for (size_t k = 0; k < 6; ++k) {
+            const glm::vec3 normal = webDirectionOfRay(k, 6);
+            const float there = wanted[i].shading(normal).g;
+            apart += std::abs(page.shading(places[i], normal).g - there);
+            all += there;
+        }
+    EXPECT_LT(apart / all, 0.05);
 }
 
 } // namespace relamp

@@ -18,6 +18,12 @@ function onlyOwn(url: string): string {
     throw new Trouble("it names other files; bring a GLB that has all in it");
 }
 
+function reasonOf(error: string): string {
+    if (error.includes("DRACO")) return "it is packed by Draco; save it without";
+    if (error.includes("KTX2")) return "its textures are KTX2; save them as PNG or JPEG";
+    return "it is no whole GLB (glTF 2.0)";
+}
+
 /** A model as it is in its file. Throws Trouble with a sentence. */
 export async function readModel(file: File): Promise<THREE.Group> {
     const refuse = (why: string) => new Trouble(`${file.name} cannot be shown: ${why}.`);
@@ -29,10 +35,7 @@ export async function readModel(file: File): Promise<THREE.Group> {
         scene = (await loader.parseAsync(await file.arrayBuffer(), "")).scene;
     } catch (error) {
         if (error instanceof Trouble) throw refuse(error.message);
-        const isDraco = String(error).includes("DRACO");
-        throw refuse(
-            isDraco ? "it is packed by Draco; save it without" : "it is no whole GLB (glTF 2.0)",
-        );
+        throw refuse(reasonOf(String(error)));
     }
     if (meshesOf(scene).length === 0) throw refuse("there are no triangles in it");
     return scene;

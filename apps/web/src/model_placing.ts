@@ -14,6 +14,7 @@ import type { Rgb } from "./room";
 import type { RoomScene } from "./room_scene";
 
 const LEVEL = 0.5; // least y of a normal on which things stand
+const LOW = 0.7; // of the height of the picture: where the floor is likely seen
 const OFF_WALL = 0.3; // m
 
 export class ModelPlacing {
@@ -31,7 +32,7 @@ export class ModelPlacing {
         input.addEventListener("change", () => {
             const file = input.files?.[0];
             const canvas = byId("canvas");
-            if (file) void this.bring(file, canvas.clientWidth / 2, 0.7 * canvas.clientHeight);
+            if (file) void this.bring(file, canvas.clientWidth / 2, LOW * canvas.clientHeight);
             input.value = "";
         });
         const button = element("button", { type: "button" }, "Bring a model (GLB)");
@@ -66,13 +67,16 @@ export class ModelPlacing {
     }
 
     private takeDrops(): void {
-        const stage = byId("stage");
-        stage.addEventListener("dragover", (event) => event.preventDefault());
-        stage.addEventListener("drop", (event) => {
+        // Anywhere, or a browser would leave the page for what was dropped beside the picture.
+        document.addEventListener("dragover", (event) => event.preventDefault());
+        document.addEventListener("drop", (event) => {
             event.preventDefault();
             const file = event.dataTransfer?.files[0];
-            const box = stage.getBoundingClientRect();
-            if (file) void this.bring(file, event.clientX - box.left, event.clientY - box.top);
+            if (!file) return;
+            const box = byId("stage").getBoundingClientRect();
+            const [x, y] = [event.clientX - box.left, event.clientY - box.top];
+            const isIn = x >= 0 && y >= 0 && x < box.width && y < box.height;
+            void this.bring(file, isIn ? x : box.width / 2, isIn ? y : LOW * box.height);
         });
     }
 
@@ -90,7 +94,9 @@ export class ModelPlacing {
             (event) => {
                 if (event.target !== canvas || !event.isPrimary) return;
                 this.dragged = this.modelAt(...at(event));
-                if (this.dragged) event.stopPropagation();
+                if (!this.dragged) return;
+                event.stopPropagation();
+                canvas.setPointerCapture(event.pointerId);
             },
             catching,
         );
