@@ -23,7 +23,9 @@ export function hexFromColour(rgb: Rgb): string {
     const most = Math.max(...rgb, 1e-9);
     const byte = (value: number) => {
         const srgb = value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055;
-        return Math.round(255 * srgb).toString(16).padStart(2, "0");
+        return Math.round(255 * srgb)
+            .toString(16)
+            .padStart(2, "0");
     };
     return `#${rgb.map((value) => byte(Math.max(value, 0) / most)).join("")}`;
 }

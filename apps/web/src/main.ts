@@ -48,7 +48,11 @@ class App {
     constructor(private readonly room: Room) {
         this.state = this.stateOfAddress();
         this.picture = new Picture(
-            byId("canvas") as HTMLCanvasElement, room, () => this.state, () => this.pose());
+            byId("canvas") as HTMLCanvasElement,
+            room,
+            () => this.state,
+            () => this.pose(),
+        );
     }
 
     async start(): Promise<void> {
@@ -95,7 +99,11 @@ class App {
     private controls(scene: RoomScene): Panel {
         const { low, high } = this.room.box;
         const centre = new THREE.Vector3(...low).add(new THREE.Vector3(...high)).divideScalar(2);
-        const wipe = new Wipe(byId("wipe"), () => this.state, () => this.changed(false));
+        const wipe = new Wipe(
+            byId("wipe"),
+            () => this.state,
+            () => this.changed(false),
+        );
         const steering = new Steering(byId("canvas"), centre, {
             pose: () => this.pose(),
             move: (pose) => {
@@ -140,7 +148,8 @@ class App {
         const fixture = scene.fixtureAlong(this.picture.rayAt(x, y));
         if (fixture === null) return;
         const light = this.room.lights.findIndex(
-            ({ shines, kind }) => kind !== "sky" && shines.some(({ place }) => place === fixture));
+            ({ shines, kind }) => kind !== "sky" && shines.some(({ place }) => place === fixture),
+        );
         if (light >= 0) panel.toggle(light);
     }
 

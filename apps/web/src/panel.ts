@@ -31,11 +31,17 @@ export class Panel {
         private readonly actions: PanelActions,
     ) {
         const { state, changed } = actions;
-        this.rows = room.lights.map((light, i) =>
-            new LampRow(light, () => state().settings[i]!, (setting) => {
-                state().settings[i] = setting;
-                this.lightChanged();
-            }));
+        this.rows = room.lights.map(
+            (light, i) =>
+                new LampRow(
+                    light,
+                    () => state().settings[i]!,
+                    (setting) => {
+                        state().settings[i] = setting;
+                        this.lightChanged();
+                    },
+                ),
+        );
         this.against = element("select", { "aria-label": "compare with" });
         this.against.append(element("option", { value: "" }, "nothing"));
         for (const show of this.possible())
@@ -55,9 +61,15 @@ export class Panel {
         );
         this.time = this.timeRow(room);
         byId("panel").append(
-            this.views(), this.presets(room), ...(this.time ? [this.time.root] : []),
-            element("section", { id: "added" }), this.lights(),
-            element("section", { id: "models" }), this.exposure(), this.moving());
+            this.views(),
+            this.presets(room),
+            ...(this.time ? [this.time.root] : []),
+            element("section", { id: "added" }),
+            this.lights(),
+            element("section", { id: "models" }),
+            this.exposure(),
+            this.moving(),
+        );
         this.show();
     }
 
@@ -123,16 +135,23 @@ export class Panel {
     private timeRow(room: Room): TimeRow | null {
         const { state } = this.actions;
         if (!room.timeline) return null;
-        return new TimeRow(room.timeline, () => state().time, (time) => {
-            state().time = time;
-            takeTime(room, state());
-            this.lightChanged(time);
-        });
+        return new TimeRow(
+            room.timeline,
+            () => state().time,
+            (time) => {
+                state().time = time;
+                takeTime(room, state());
+                this.lightChanged(time);
+            },
+        );
     }
 
     private lights(): HTMLElement {
         return element(
-            "ul", { class: "lamps", "aria-label": "lights" }, ...this.rows.map((row) => row.root));
+            "ul",
+            { class: "lamps", "aria-label": "lights" },
+            ...this.rows.map((row) => row.root),
+        );
     }
 
     private exposure(): HTMLElement {
@@ -142,7 +161,12 @@ export class Panel {
         });
         const metered = element("label", { class: "name" }, this.isMetered, "by what is seen");
         return element(
-            "section", { class: "exposure" }, element("h2", {}, "Exposure"), metered, this.stops.input);
+            "section",
+            { class: "exposure" },
+            element("h2", {}, "Exposure"),
+            metered,
+            this.stops.input,
+        );
     }
 
     private moving(): HTMLElement {
@@ -155,10 +179,16 @@ export class Panel {
         const home = element("button", { type: "button" }, "Back to the start");
         home.addEventListener("click", () => this.actions.goHome());
         const help = element(
-            "p", { class: "help" },
-            "Drag to look, scroll or W A S D to walk, Q E down and up; click a lamp to switch it.");
+            "p",
+            { class: "help" },
+            "Drag to look, scroll or W A S D to walk, Q E down and up; click a lamp to switch it.",
+        );
         return element(
-            "section", {}, element("h2", {}, "Move"),
-            element("div", { class: "presets" }, way, home), help);
+            "section",
+            {},
+            element("h2", {}, "Move"),
+            element("div", { class: "presets" }, way, home),
+            help,
+        );
     }
 }

@@ -147,7 +147,9 @@ export class Picture {
         const state = this.state();
         place(this.camera, this.pose());
         const box = new THREE.Box3(
-            new THREE.Vector3(...this.facts.box.low), new THREE.Vector3(...this.facts.box.high));
+            new THREE.Vector3(...this.facts.box.low),
+            new THREE.Vector3(...this.facts.box.high),
+        );
         room.backs.visible = box.containsPoint(this.camera.position);
         const { exposure } = this.facts;
         const stops = state.stops + (state.isMetered ? this.meter.stops(now, exposure) : exposure);

@@ -26,10 +26,7 @@ async function bitmapOf(
 }
 
 /** RGBA, row 0 on top. */
-export async function pixelsOf(
-    parts: Parts,
-    picture: Picture,
-): Promise<Uint8Array<ArrayBuffer>> {
+export async function pixelsOf(parts: Parts, picture: Picture): Promise<Uint8Array<ArrayBuffer>> {
     const bitmap = await bitmapOf(parts, picture);
     const canvas = document.createElement("canvas");
     canvas.width = bitmap.width;
@@ -57,8 +54,7 @@ export async function textureOf(
     picture: Picture,
     { anisotropy, most }: { anisotropy: number; most: number },
 ): Promise<THREE.Texture> {
-    const texture = new THREE.Texture(
-        await bitmapOf(parts, picture, resizeOf(picture, most)));
+    const texture = new THREE.Texture(await bitmapOf(parts, picture, resizeOf(picture, most)));
     texture.colorSpace = THREE.SRGBColorSpace;
     texture.flipY = false;
     texture.generateMipmaps = true;

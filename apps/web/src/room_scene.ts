@@ -8,7 +8,14 @@ import { LightSum } from "./light_sum";
 import type { Parts } from "./parts";
 import { pixelsOf, textureOf } from "./pictures";
 import type { MeshOfRoom, PageOfRoom, Rgb, Room } from "./room";
-import { backMaterial, beyondHoles, commonUniforms, emissionTexture, surfaceMaterial, wrappingOf } from "./surface";
+import {
+    backMaterial,
+    beyondHoles,
+    commonUniforms,
+    emissionTexture,
+    surfaceMaterial,
+    wrappingOf,
+} from "./surface";
 
 /** What the GPU takes. */
 export interface Limits {
@@ -102,23 +109,28 @@ export class RoomScene {
         const sum = new THREE.Vector3();
         this.room.lights.forEach((light, i) => {
             if (light.kind === "sky")
-                sum.add(new THREE.Vector3(...light.colour)
-                    .multiply(new THREE.Vector3(...(weights[i] ?? [0, 0, 0]))));
+                sum.add(
+                    new THREE.Vector3(...light.colour).multiply(
+                        new THREE.Vector3(...(weights[i] ?? [0, 0, 0])),
+                    ),
+                );
         });
         return sum;
     }
 
     /** Light of added lamps by way of surfaces; null: none. */
     setBounced(page: number, texture: THREE.Texture | null): void {
-        for (const material of this.materials[page] ?? []) material.uniforms["bounced"]!.value = texture;
+        for (const material of this.materials[page] ?? [])
+            material.uniforms["bounced"]!.value = texture;
     }
 
     /** The first front that a ray meets. */
     frontAlong(ray: THREE.Raycaster): THREE.Intersection | undefined {
         return ray.intersectObjects(this.meshes, false).find(({ face, object }) => {
             if (!face) return false;
-            const normal = face.normal.clone().applyNormalMatrix(
-                new THREE.Matrix3().getNormalMatrix(object.matrixWorld));
+            const normal = face.normal
+                .clone()
+                .applyNormalMatrix(new THREE.Matrix3().getNormalMatrix(object.matrixWorld));
             return normal.dot(ray.ray.direction) < 0;
         });
     }

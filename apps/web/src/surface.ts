@@ -148,14 +148,21 @@ export function surfaceMaterial(
 export function emissionTexture(fixtures: number): THREE.DataTexture {
     const count = Math.max(fixtures, 1);
     return new THREE.DataTexture(
-        new Float32Array(4 * count), count, 1, THREE.RGBAFormat, THREE.FloatType);
+        new Float32Array(4 * count),
+        count,
+        1,
+        THREE.RGBAFormat,
+        THREE.FloatType,
+    );
 }
 
 /** What is seen through holes of the scan, behind everything. */
 export function beyondHoles(common: CommonUniforms): THREE.Mesh {
     const triangle = new THREE.BufferGeometry();
     triangle.setAttribute(
-        "position", new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3));
+        "position",
+        new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3),
+    );
     const material = new THREE.ShaderMaterial({
         glslVersion: THREE.GLSL3,
         vertexShader: "void main() { gl_Position = vec4(position.xy, 1.0, 1.0); }",

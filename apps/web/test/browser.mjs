@@ -64,7 +64,8 @@ export function serve(folder) {
                     server.close();
                     server.closeAllConnections();
                 },
-            }));
+            }),
+        );
     });
 }
 
@@ -96,7 +97,8 @@ export async function settled(page) {
 /** Until the canvas shows what was set. */
 export function drawn(page) {
     return page.evaluate(
-        () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+        () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+    );
 }
 
 /** Goes to another state of the same page, without loading it again. */
@@ -113,7 +115,8 @@ export async function decibels(page, first, second) {
             given.map(async (base64) => {
                 const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
                 return createImageBitmap(new Blob([bytes], { type: "image/png" }));
-            }));
+            }),
+        );
         const [width, height] = [bitmaps[1].width, bitmaps[1].height];
         const [a, b] = bitmaps.map((bitmap) => {
             const canvas = document.createElement("canvas");

@@ -3,7 +3,14 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { LAMP_RADIUS, intensityOf, lampsFrom, lumensFor, radianceOf, wordsOfLamps } from "../src/added_lamp";
+import {
+    LAMP_RADIUS,
+    intensityOf,
+    lampsFrom,
+    lumensFor,
+    radianceOf,
+    wordsOfLamps,
+} from "../src/added_lamp";
 import { blackbodyColour, luminance } from "../src/blackbody";
 import { transportFrom } from "../src/bounces";
 import { orbited, poseOf, turned, verticalView, walked } from "../src/camera";
@@ -71,11 +78,15 @@ test("a lamp without blue gives none in any colour", () => {
 test("night has the lamps alone, day all but the lamps", () => {
     const lights = [light("lamp"), light("window"), light("sky")];
     const share = (name: string) =>
-        lights.map(presetsFor(lights).find((preset) => preset.name === name)!.settings)
+        lights
+            .map(presetsFor(lights).find((preset) => preset.name === name)!.settings)
             .map((setting) => setting.share);
     assert.deepEqual(share("Night"), [1, 0, 0]);
     assert.deepEqual(share("Day"), [0, 1, 1]);
-    assert.deepEqual(presetsFor([light("lamp")]).map(({ name }) => name), ["As scanned", "Evening"]);
+    assert.deepEqual(
+        presetsFor([light("lamp")]).map(({ name }) => name),
+        ["As scanned", "Evening"],
+    );
 });
 
 test("the address holds all that a person sets, and nothing of what is as at first", () => {
@@ -116,17 +127,37 @@ const timeline: TimelineOfRoom = {
 
 test("between two times of a timeline light changes evenly, beyond its ends not at all", () => {
     const at = (time: number) => weightsAt(timeline, time)[0];
-    assert.deepEqual([at(5), at(6), at(10), at(99)], [[0, 0, 0], [0, 0, 0], [1, 1, 1], [1, 1, 1]]);
-    assert.deepEqual([at(7), at(8), at(9)], [[0.5, 0.25, 0], [1, 0.5, 0], [1, 0.75, 0.5]]);
+    assert.deepEqual(
+        [at(5), at(6), at(10), at(99)],
+        [
+            [0, 0, 0],
+            [0, 0, 0],
+            [1, 1, 1],
+            [1, 1, 1],
+        ],
+    );
+    assert.deepEqual(
+        [at(7), at(8), at(9)],
+        [
+            [0.5, 0.25, 0],
+            [1, 0.5, 0],
+            [1, 0.75, 0.5],
+        ],
+    );
     assert.deepEqual([keyBeside(timeline, 6, 1), keyBeside(timeline, 7, -1)], [10, 6]);
     assert.deepEqual([wordsAt(timeline, 7.25), wordsAt(timeline, 10)], ["7.3, dawn", "10"]);
 });
 
 test("a lamp can be set to what a timeline makes of it", () => {
     const lamp = light("lamp");
-    for (const weight of [[1, 0.6, 0.2], [0.5, 0.5, 0.5], [0.3, 2, 1]] as Rgb[])
+    for (const weight of [
+        [1, 0.6, 0.2],
+        [0.5, 0.5, 0.5],
+        [0.3, 2, 1],
+    ] as Rgb[])
         weightOf(lamp, settingOf(lamp, weight)).forEach((value, i) =>
-            near(value / weight[i]!, 1, 0.02));
+            near(value / weight[i]!, 1, 0.02),
+        );
 });
 
 test("the address has the time in place of the lamps, and a page without one passes it over", () => {
@@ -142,20 +173,29 @@ test("the address has the time in place of the lamps, and a page without one pas
 });
 
 const camera: RoomCamera = {
-    position: [1, 2, 3], forward: [0.6, 0, -0.8], up: [0, 1, 0], fieldOfView: 1.3, across: "width",
+    position: [1, 2, 3],
+    forward: [0.6, 0, -0.8],
+    up: [0, 1, 0],
+    fieldOfView: 1.3,
+    across: "width",
 };
 
 test("a visitor begins where the program's camera stands, and walks where it looks", () => {
     const pose = poseOf(camera);
     const ahead = walked(pose, 0, 0, 2);
     ahead.position.forEach((value, i) =>
-        near(value, camera.position[i]! + 2 * camera.forward[i]!, 1e-9));
+        near(value, camera.position[i]! + 2 * camera.forward[i]!, 1e-9),
+    );
     near(walked(pose, 1, 0, 0).position[0], 1 + 0.8, 1e-9);
     assert.ok(turned(pose, 0, 9).pitch < Math.PI / 2);
 });
 
 test("the picture is as wide as the program's, and no more than that on a phone", () => {
-    near(verticalView(camera, 16 / 9), (360 / Math.PI) * Math.atan((Math.tan(0.65) * 9) / 16), 1e-9);
+    near(
+        verticalView(camera, 16 / 9),
+        (360 / Math.PI) * Math.atan((Math.tan(0.65) * 9) / 16),
+        1e-9,
+    );
     assert.ok(verticalView(camera, 0.46) < 90);
 });
 
@@ -171,21 +211,37 @@ test("a damaged room is told of in a sentence", () => {
         assert.throws(() => asRoom(data), Trouble);
     const part = { file: "a", type: "b", bytes: 1 };
     const room = {
-        format: "relamp page 1", meshes: [], geometry: part, camera, lights: [],
+        format: "relamp page 1",
+        meshes: [],
+        geometry: part,
+        camera,
+        lights: [],
         pages: [{ albedo: { ...part, file: "albedo" } }],
     };
-    assert.deepEqual(partsOf(asRoom(room)).map(({ file }) => file), ["a", "albedo"]);
+    assert.deepEqual(
+        partsOf(asRoom(room)).map(({ file }) => file),
+        ["a", "albedo"],
+    );
     assert.throws(() => asRoom({ ...room, format: "relamp page 9" }), /another version/);
 });
 
 test("a phone loads the smaller textures, and a small one is seen first", () => {
-    const level = (side: number) => ({ file: `a_${side}`, type: "image/webp", bytes: 9, width: side, height: side / 2 });
+    const level = (side: number) => ({
+        file: `a_${side}`,
+        type: "image/webp",
+        bytes: 9,
+        width: side,
+        height: side / 2,
+    });
     const room = {
-        geometry: { file: "g", type: "b", bytes: 1 }, lights: [] as Light[],
-        pages: [{
-            albedo: { ...level(4096), smaller: [level(2048), level(1024)] },
-            scan: { ...level(4096), smaller: [level(2048)] },
-        }],
+        geometry: { file: "g", type: "b", bytes: 1 },
+        lights: [] as Light[],
+        pages: [
+            {
+                albedo: { ...level(4096), smaller: [level(2048), level(1024)] },
+                scan: { ...level(4096), smaller: [level(2048)] },
+            },
+        ],
     } as unknown as Room;
     const files = (most: number) => partsOf(fittingRoom(room, most)).map(({ file }) => file);
     assert.deepEqual(files(16384), ["g", "a_1024", "a_4096", "a_4096"]);
@@ -197,8 +253,12 @@ test("a phone loads the smaller textures, and a small one is seen first", () => 
 test("a shared header becomes GLSL ES without macros", () => {
     const glsl = glslFrom(
         '#pragma once\n#include "base/shared.h"\nSHARED_BEGIN\nSHARED_CONST kA = 2.0f;\n' +
-        "SHARED_FN float f(float x)\n{\n    const float b = kA * x;\n    return b;\n}\nSHARED_END\n");
-    assert.equal(glsl, "const float kA = 2.0f;\n float f(float x)\n{\n    float b = kA * x;\n    return b;\n}");
+            "SHARED_FN float f(float x)\n{\n    const float b = kA * x;\n    return b;\n}\nSHARED_END\n",
+    );
+    assert.equal(
+        glsl,
+        "const float kA = 2.0f;\n float f(float x)\n{\n    float b = kA * x;\n    return b;\n}",
+    );
 });
 
 test("an added lamp sends its lumens all around, from its surface", () => {
@@ -213,7 +273,8 @@ test("an added lamp sends its lumens all around, from its surface", () => {
 
 test("added lamps that an address has wrong are passed over", () => {
     const words = new URLSearchParams(
-        "lamp0=1,2,3&lamp1=1,2,x,800,2700K&lamp2=1,2,3,1e9,99K&lamp3=1,2,3,-1,2700K&lamp4=0,0,0,800,2700K");
+        "lamp0=1,2,3&lamp1=1,2,x,800,2700K&lamp2=1,2,3,1e9,99K&lamp3=1,2,3,-1,2700K&lamp4=0,0,0,800,2700K",
+    );
     assert.deepEqual(wordsOfLamps(lampsFrom(words)), ["lamp0=1,2,3,25600,1000K"]);
 });
 
@@ -240,12 +301,33 @@ test("rays, harmonics and packed directions are the program's", () => {
 
 test("probes add up the lights, each times its weight, and what is cut short is told of", () => {
     const about = {
-        file: "probes", type: "", bytes: 0, low: [0, 0, 0] as Rgb, spacing: 1, count: [1, 1, 1] as Rgb,
-        rays: 1, scales: [2, 16],
+        file: "probes",
+        type: "",
+        bytes: 0,
+        low: [0, 0, 0] as Rgb,
+        spacing: 1,
+        count: [1, 1, 1] as Rgb,
+        rays: 1,
+        scales: [2, 16],
     };
     const even = new Array<number>(24).fill(127.5);
-    const bytes = Uint8Array.from([0, 0, 255, 255, 255, ...even, 255, 0, 127.5, 255, ...even.slice(1)]);
-    const light = new Probes(about, bytes).harmonicsAt(0, [[1, 0, 0.5], [1, 1, 0]]);
+    const bytes = Uint8Array.from([
+        0,
+        0,
+        255,
+        255,
+        255,
+        ...even,
+        255,
+        0,
+        127.5,
+        255,
+        ...even.slice(1),
+    ]);
+    const light = new Probes(about, bytes).harmonicsAt(0, [
+        [1, 0, 0.5],
+        [1, 1, 0],
+    ]);
     near(light[0]!, 2 + 16, 1e-9);
     near(light[1]!, 0, 1e-9);
     near(light[2]!, 1, 1e-9);
@@ -262,14 +344,26 @@ test("a model of absurd size is brought to one that can stand in the room", () =
 
 test("rays of clusters are sums of steps, and what is cut short is told of", () => {
     const about = {
-        file: "bounces", type: "", bytes: 0, clusters: 1, fronts: 1, size: 1, points: 1, rays: 2, box };
+        file: "bounces",
+        type: "",
+        bytes: 0,
+        clusters: 1,
+        fronts: 1,
+        size: 1,
+        points: 1,
+        rays: 2,
+        box,
+    };
     const site = [0, 0, 0, 0, 0, 0, 128, 128];
     const bytes = Uint8Array.from([...site, 255, 0, 128, ...site, 0, 1]);
     const { rays, clusters } = transportFrom(about, bytes);
     assert.deepEqual([...rays], [0, 1]);
     assert.equal(clusters[0]!.albedo[0], 1);
     assert.throws(() => transportFrom(about, bytes.subarray(0, bytes.length - 1)), Trouble);
-    assert.throws(() => transportFrom(about, Uint8Array.from([...bytes.subarray(0, -2), 0, 255])), Trouble);
+    assert.throws(
+        () => transportFrom(about, Uint8Array.from([...bytes.subarray(0, -2), 0, 255])),
+        Trouble,
+    );
 });
 
 test("a cell lists all clusters that its places are near", () => {
@@ -279,10 +373,17 @@ test("a cell lists all clusters that its places are near", () => {
         albedo: [1, 1, 1] as Rgb,
     }));
     const reach = 0.6;
-    const cells = new ClusterCells({ clusters, fronts: 60, size: 0.4, points: [], rays: new Uint16Array() }, reach);
+    const cells = new ClusterCells(
+        { clusters, fronts: 60, size: 0.4, points: [], rays: new Uint16Array() },
+        reach,
+    );
     for (let n = 0; n < 200; ++n) {
         const place = new Vector3((n * 0.7) % 4, (n * 0.31) % 2, (n * 0.13) % 1);
-        const at = place.clone().sub(cells.low).divideScalar(cells.size).floor()
+        const at = place
+            .clone()
+            .sub(cells.low)
+            .divideScalar(cells.size)
+            .floor()
             .clamp(new Vector3(), cells.count.clone().subScalar(1));
         const list = cells.lists[(at.z * cells.count.y + at.y) * cells.count.x + at.x]!;
         clusters.forEach((cluster, i) => {
