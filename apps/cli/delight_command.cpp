@@ -287,8 +287,6 @@ void printSummary(const DelightArguments& arguments, const relamp::Decomposition
 relamp::PageOptions pageOptions(const DelightArguments& arguments)
 {
     relamp::PageOptions page{.viewer = pageViewer()};
-    page.scan.scan = arguments.scan.file;
-    page.scan.asScan.allowOutside = arguments.scan.options.allowOutside;
     if (arguments.force) page.replacing = relamp::Replacing::any;
     return page;
 }
@@ -298,15 +296,14 @@ std::filesystem::path folderOfPage(const DelightArguments& arguments)
     return arguments.folder / "page";
 }
 
-/// The page of what was written, for browsers, in a folder of its own. Returns what it lacks.
-std::vector<std::string> writePage(const DelightArguments& arguments, relamp::Progress& progress)
+/// The page of the result, for browsers, in a folder of its own. Returns what it lacks.
+std::vector<std::string> writePage(const relamp::Decomposition& result,
+                                   const DelightArguments& arguments, relamp::Progress& progress)
 {
-    const relamp::PageOptions page = pageOptions(arguments);
-    const relamp::DelitRoom room = relamp::readDelitRoom(arguments.folder, page.scan, progress);
-    relamp::RelightOptions options{.engine = arguments.options.engine};
-    relamp::Relighter relighter(room, options, progress);
+    const relamp::DelitRoom room = relamp::delitRoomOf(result, progress);
+    relamp::Relighter relighter(room, {.engine = arguments.options.engine}, progress);
     return relamp::writePage(relighter, relamp::asCaptured(room.captured), folderOfPage(arguments),
-                             page, progress)
+                             pageOptions(arguments), progress)
         .notes;
 }
 
@@ -347,7 +344,7 @@ int runOne(DelightArguments& arguments)
     const std::string report = relamp::writeResult(result, arguments.scan.file, arguments.folder,
                                                    progress, replacing, arguments.files);
     const std::vector<std::string> lacking =
-        arguments.page ? writePage(arguments, progress) : std::vector<std::string>();
+        arguments.page ? writePage(result, arguments, progress) : std::vector<std::string>();
     endProgressDisplay(talk);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (arguments.json) printExactly(report); // endOutput tells whether it came

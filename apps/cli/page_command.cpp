@@ -1,5 +1,6 @@
 #include "command.h"
 #include "interrupt.h"
+#include "light_arguments.h"
 #include "room_page.h"
 #include "scan_arguments.h"
 #include "terminal.h"
@@ -10,6 +11,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +25,8 @@ struct PageArguments
     ScanArguments room; // a folder of delight's
     relamp::RelightOptions relight;
     relamp::PageOptions page;
-    std::filesystem::path lights;
-    std::vector<std::string> fixtures;
+    LightArguments light;
+    std::filesystem::path timeline;
     std::filesystem::path output;
     std::string camera = "auto";
     bool force = false;
@@ -32,21 +34,11 @@ struct PageArguments
     bool quiet = false;
 };
 
-relamp::Relighting lightingOf(const PageArguments& arguments, const relamp::Lights& captured,
-                              std::vector<std::string>& warnings)
-{
-    relamp::Relighting lighting =
-        arguments.lights.empty() ? relamp::asCaptured(captured)
-                                 : relamp::readRelighting(arguments.lights, captured, warnings);
-    for (const std::string& setting : arguments.fixtures)
-        relamp::setFixture(lighting, captured, setting);
-    return lighting;
-}
-
 int run(PageArguments& arguments)
 {
     const Talk talk = arguments.quiet ? Talk::quiet : Talk::normal;
     const auto start = std::chrono::steady_clock::now();
+    arguments.light.readPipe(); // before Ctrl-C is kept for the work
     relamp::Progress progress(progressDisplay(talk));
     const Interrupt interrupt(progress);
     const relamp::ThreadLimit threads(arguments.room.threads);
@@ -61,7 +53,11 @@ int run(PageArguments& arguments)
     std::vector<std::string> notes = room.warnings;
     if (arguments.camera != "auto")
         page.camera = relamp::cameraFor(arguments.camera, *room.scan, notes);
-    const relamp::Relighting lighting = lightingOf(arguments, room.captured, notes);
+    const relamp::Relighting lighting =
+        arguments.light.in(room.captured, relamp::asCaptured(room.captured), notes);
+    std::optional<relamp::Timeline> timeline;
+    if (!arguments.timeline.empty())
+        page.timeline = &timeline.emplace(arguments.timeline, room.captured, notes);
     if (!arguments.keepNothing) arguments.relight.transport = room.transport;
     relamp::Relighter relighter(room, arguments.relight, progress);
     const relamp::WrittenPage written =
@@ -79,20 +75,6 @@ int run(PageArguments& arguments)
     return 0;
 }
 
-void addLightOptions(CLI::App& command, PageArguments& arguments)
-{
-    command
-        .add_option("--lights", arguments.lights,
-                    "Other lights than those of the room: a lights file (docs/guide/lights.md)")
-        ->type_name("FILE");
-    command
-        .add_option("--fixture", arguments.fixtures,
-                    "A lamp or window otherwise than it was: N=off, N=50%, N=2700K,800lm "
-                    "(repeatable)")
-        ->type_name("N=WHAT")
-        ->allow_extra_args(false);
-}
-
 } // namespace
 
 void addPageCommand(CLI::App& app, Run& run)
@@ -105,7 +87,13 @@ void addPageCommand(CLI::App& app, Run& run)
     command.add_option("-o,--output", arguments->output, "The folder; open its index.html")
         ->required()
         ->type_name("DIR");
-    addLightOptions(command, *arguments);
+    addLightArguments(command, arguments->light, "Other lights than those of the room",
+                      "A lamp or window otherwise than it was: N=off, N=50%, N=2700K,800lm");
+    command
+        .add_option("--timeline", arguments->timeline,
+                    "Light that a visitor changes by a slider over time: lights as keys in time "
+                    "(docs/guide/relighting.md)")
+        ->type_name("FILE");
     command
         .add_option("--camera", arguments->camera,
                     "Where a visitor begins: auto, a number of the glTF file's own cameras, or a "

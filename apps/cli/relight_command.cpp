@@ -1,5 +1,6 @@
 #include "command.h"
 #include "interrupt.h"
+#include "light_arguments.h"
 #include "picture_arguments.h"
 #include "pipes.h"
 #include "scan_arguments.h"
@@ -30,17 +31,13 @@
 namespace
 {
 
-constexpr size_t kMostPiped = size_t{16} << 20; // bytes, of a lights file
-
 struct RelightArguments
 {
     ScanArguments room; // a folder of delight's, or a scan whose texture is an albedo
     relamp::DelitOptions delit;
     relamp::RelightOptions options;
     PictureArguments picture;
-    std::filesystem::path lights;
-    std::string pipedLights; // the text, where that is -
-    std::vector<std::string> fixtures;
+    LightArguments light;
     std::filesystem::path output;
     bool bake = false;
     std::optional<relamp::LightmapFormat> lightmaps; // of each light; none: one of all together
@@ -53,17 +50,9 @@ struct RelightArguments
 relamp::Relighting lightingOf(const RelightArguments& arguments, const relamp::Lights& captured,
                               std::vector<std::string>& warnings)
 {
-    if (arguments.lightmaps && arguments.lights.empty() && arguments.fixtures.empty())
-        return relamp::asCaptured(captured);
-    relamp::Relighting lighting =
-        arguments.lights.empty() ? relamp::darkened(captured)
-        : isPipe(arguments.lights)
-            ? relamp::RelightingReader().read(arguments.pipedLights, arguments.lights, captured,
-                                              warnings)
-            : relamp::readRelighting(arguments.lights, captured, warnings);
-    for (const std::string& setting : arguments.fixtures)
-        relamp::setFixture(lighting, captured, setting);
-    return lighting;
+    const bool isOfScan = arguments.lightmaps.has_value() && !arguments.light.areGiven();
+    return arguments.light.in(
+        captured, isOfScan ? relamp::asCaptured(captured) : relamp::darkened(captured), warnings);
 }
 
 bool isDark(const relamp::Relighting& lighting)
@@ -249,7 +238,7 @@ int run(RelightArguments& arguments)
 {
     const auto start = std::chrono::steady_clock::now();
     // Before Ctrl-C is kept for the work, for nothing else ends a wait for a person's typing.
-    if (isPipe(arguments.lights)) arguments.pipedLights = readPiped(kMostPiped);
+    arguments.light.readPipe();
     std::optional<PipedFile> piped;
     if (isPipe(arguments.output)) arguments.output = piped.emplace(".png").path();
     const Talk talk = arguments.quiet ? Talk::quiet : Talk::normal;
@@ -338,19 +327,8 @@ void addSolverOptions(CLI::App& command, relamp::RelightOptions& options)
         ->type_name("N");
 }
 
-void addLightOptions(CLI::App& command, RelightArguments& arguments)
+void addRoomOptions(CLI::App& command, RelightArguments& arguments)
 {
-    command
-        .add_option("--lights", arguments.lights,
-                    "The new light: a lights file (docs/guide/lights.md), or - for standard input")
-        ->type_name("FILE");
-    command
-        .add_option("--fixture", arguments.fixtures,
-                    "A lamp or window that delight found, by its number or name in lights.json, or "
-                    "all of them: "
-                    "N=on, N=off, N=50%, N=2700K,800lm, N=window; off otherwise (repeatable)")
-        ->type_name("N=WHAT")
-        ->allow_extra_args(false);
     command
         .add_option("--albedo", arguments.delit.albedo,
                     "Pictures to take for the room's albedo, one for each of its textures")
@@ -393,7 +371,10 @@ void addRelightCommand(CLI::App& app, Run& run)
                     "Pixels of a lightmap along a side, at most [as the texture]")
         ->check(between(1, 65536))
         ->type_name("N");
-    addLightOptions(command, *arguments);
+    addLightArguments(command, arguments->light, "The new light",
+                      "A lamp or window that delight found, by its number or name in lights.json, "
+                      "or all of them: N=on, N=off, N=50%, N=2700K,800lm, N=window; off otherwise");
+    addRoomOptions(command, *arguments);
     addPictureArguments(command, arguments->picture);
     addSolverOptions(command, arguments->options);
     addEngineArguments(command, arguments->options.engine, "bounces");

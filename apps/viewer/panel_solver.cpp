@@ -142,6 +142,7 @@ void drawFilePanel(Viewer& viewer)
         if (pathField("Save light", paths.lights)) studio.saveLights(paths.lights);
         if (pathField("Save result", paths.result)) studio.saveResult(paths.result);
         if (pathField("Bake GLB", paths.baked)) studio.saveBaked(paths.baked);
+        if (pathField("Page", paths.page)) studio.savePage(paths.page);
         if (pathField("Picture", paths.picture)) {
             viewer.screenshot(paths.picture, true);
             studio.say("The picture is " + paths.picture + ".");

@@ -32,7 +32,7 @@ constexpr std::array<ScriptWord, 19> kWords{{
     {"size", 2, 2, "size WIDTH HEIGHT"},
     {"set", 2, kAny, "set NAME VALUE ..."},
     {"do", 1, 2, "do ACTION [VALUE]"},
-    {"save", 2, 2, "save lights|result|baked FILE"},
+    {"save", 2, 2, "save lights|result|baked|page FILE"},
     {"screenshot", 1, 2, "screenshot FILE [view]"},
     {"measure", 1, 1, "measure SECONDS"},
     {"random", 2, 2, "random SECONDS SEED"},

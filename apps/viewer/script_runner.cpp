@@ -152,6 +152,7 @@ void ScriptRunner::begin(const ScriptCommand& command, Viewer& viewer)
     if (name == "save" && words[0] == "lights") viewer.studio.saveLights(words[1]);
     if (name == "save" && words[0] == "result") viewer.studio.saveResult(words[1]);
     if (name == "save" && words[0] == "baked") viewer.studio.saveBaked(words[1]);
+    if (name == "save" && words[0] == "page") viewer.studio.savePage(words[1]);
     if (name == "random") random_.seed(static_cast<unsigned>(numberOf(words[1])));
     if (name == "quit") viewer.quit();
 }

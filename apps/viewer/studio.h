@@ -48,6 +48,9 @@ public:
     void loadLights(const std::filesystem::path& file);
     void saveResult(const std::filesystem::path& folder);
     void saveBaked(const std::filesystem::path& file);
+    /// The room for browsers: its own lights, as they are set or else as they were found, and those
+    /// that were put up.
+    void savePage(const std::filesystem::path& folder);
     void loadTimeline(const std::filesystem::path& file);
     void play(bool on);
     [[nodiscard]] bool isPlaying() const { return room_.isPlaying; }
@@ -118,6 +121,7 @@ private:
     void reevaluate();
     [[nodiscard]] bool canReevaluate() const;
     [[nodiscard]] ScannedLight scannedLight() const;
+    [[nodiscard]] relamp::Relighting lightOfPage(std::vector<std::string>& notes);
     [[nodiscard]] relamp::DelightOptions optionsOf(const SolverParameters& parameters) const;
     [[nodiscard]] std::function<void(Solved)> sendTo(Adopt adopt,
                                                      const std::shared_ptr<RoomSolver>& from);

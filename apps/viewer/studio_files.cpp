@@ -1,8 +1,10 @@
 #include "studio.h"
 
+#include "room_page.h"
 #include "text_file.h"
 
 #include "relamp/error.h"
+#include "relamp/page.h"
 #include "relamp/result.h"
 
 #include <fmt/format.h>
@@ -68,5 +70,38 @@ void Studio::saveBaked(const std::filesystem::path& file)
         return say("The room is not lit anew yet; it can be saved when it is.");
     light_.bake(file, edit.view, [this, file] {
         say(fmt::format("The room with this light is in {}.", file.string()));
+    });
+}
+
+/// What is off here can be switched on there.
+relamp::Relighting Studio::lightOfPage(std::vector<std::string>& notes)
+{
+    relamp::Relighting light =
+        lightingOf(edit.light, room_.lightsFolder, room_.captured, notes, room_.reader);
+    const relamp::Relighting found = relamp::asCaptured(room_.captured);
+    for (size_t i = 0; i < found.fixtures.size(); ++i)
+        if (light.fixtures[i].fixture.radiance == glm::vec3(0.0f))
+            light.fixtures[i].fixture = found.fixtures[i].fixture;
+    if (light.sky.radiance == glm::vec3(0.0f)) light.sky = found.sky;
+    return light;
+}
+
+void Studio::savePage(const std::filesystem::path& folder)
+{
+    if (stage() != Stage::solved)
+        return say("The room is not solved yet; its page can be written when it is.");
+    const relamp::PageOptions page{.viewer = pageViewer()};
+    relamp::checkPage(folder, page);
+    relamp::checkPage(*room_.scan);
+    std::vector<std::string> notes;
+    saver_.start([this, folder, page, light = lightOfPage(notes), found = room_.decomposition,
+                  path = room_.path](relamp::Progress& progress) {
+        const relamp::DelitRoom room = found ? relamp::delitRoomOf(*found, progress)
+                                             : relamp::readDelitRoom(path, {}, progress);
+        relamp::Relighter relighter(room, {.engine = engine_}, progress);
+        relamp::writePage(relighter, light, folder, page, progress);
+        mailbox_.post([this, folder] {
+            say(fmt::format("The page is {}.", (folder / "index.html").string()));
+        });
     });
 }

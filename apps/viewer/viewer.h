@@ -27,6 +27,7 @@ struct Paths
     std::string lights = "lights.json";
     std::string result = "result";
     std::string baked = "relit.glb";
+    std::string page = "page";
     std::string picture = "picture.png";
 };
 

@@ -34,6 +34,7 @@ mkdir staged
 bundle src/main.ts staged/viewer.js --format=iife --minify
 bundle test/formulas_probe.ts formulas_probe.js --format=iife
 bundle test/unit_test.ts unit_test.mjs --format=esm --platform=node
+cp "$source/eslint.config.mjs" .
 cp "$source/index.html" "$source/viewer.css" "$source/relamp-room.js" staged
 {
     echo "The viewer of this page is relamp's, under the Apache License 2.0. It contains these libraries."

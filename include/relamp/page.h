@@ -4,6 +4,7 @@
 #include "relamp/camera.h"
 #include "relamp/relight.h"
 #include "relamp/replacing.h"
+#include "relamp/timeline.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -20,6 +21,7 @@ struct PageOptions
     DelitOptions scan;            // where the scan is, which the page shows as it was
     std::optional<Camera> camera; // where a visitor begins; none: Photographer::goodView
     int side = 0;                 // pixels of a lightmap along a side, at most; 0: by their number
+    const Timeline* timeline = nullptr; // that a visitor goes along; it dims and colours the lights
     Replacing replacing = Replacing::unchanged;
 };
 
@@ -42,7 +44,7 @@ RELAMP_API void checkPage(const Scan& scan);
 /// whole or not at all. It has the room as it was scanned, its albedo, and a lightmap of each light
 /// of `lighting` (partsOf), which the browser adds up. Leaves the relighter under the last of them.
 /// Throws Error(cannotWrite | cannotRead | cancelled), and Error(unsupported) where no light is on
-/// or checkPage() refuses the scan.
+/// or checkPage() refuses the scan, or the timeline has other lights than `lighting`.
 RELAMP_API WrittenPage writePage(Relighter& relighter, const Relighting& lighting,
                                  const std::filesystem::path& folder, const PageOptions& options,
                                  Progress& progress = unwatched());

@@ -12,6 +12,14 @@
 namespace relamp
 {
 
+/// What a file calls a moment.
+struct TimelineKey
+{
+    double time = 0.0; // in the file's unit, ascending
+    double part = 0.0; // of the film, 0..1
+    std::string name;  // may be empty
+};
+
 /// Light that changes: lights files as keys in time, and what is between them.
 class RELAMP_API Timeline
 {
@@ -27,6 +35,11 @@ public:
 
     /// How long the film is, > 0.
     [[nodiscard]] double seconds() const;
+
+    [[nodiscard]] const std::filesystem::path& file() const;
+
+    /// The moments that the file says, two or more.
+    [[nodiscard]] std::vector<TimelineKey> keys() const;
 
     /// The light at a part of the film, 0..1. Between two keys numbers change evenly, so light adds
     /// up as light does; colour temperatures evenly in mired, which is how people see them; what is

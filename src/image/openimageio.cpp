@@ -4,6 +4,8 @@
 #include "image/other_formats.h"
 
 #include <algorithm>
+#include <span>
+#include <string>
 #include <vector>
 
 #include <OpenImageIO/imageio.h>
@@ -78,6 +80,23 @@ void read(OtherFormat& other)
         other.failure = "it is cut off";
 }
 
+void write(WebpFile& file)
+{
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput writer(bytes);
+    OIIO::ImageSpec spec(file.width, file.height, 3, OIIO::TypeUInt8);
+    spec.attribute("compression", "webp:" + std::to_string(file.quality));
+    const auto output = OIIO::ImageOutput::create("webp");
+    if (!output || !output->supports("ioproxy") || !output->set_ioproxy(&writer) ||
+        !output->open("memory.webp", spec) ||
+        !output->write_image(OIIO::TypeUInt8, file.rgb.data()) || !output->close()) {
+        file.failure = output ? output->geterror() : OIIO::geterror();
+        if (file.failure.empty()) file.failure = "it cannot be written to memory";
+        return;
+    }
+    file.take(std::as_bytes(std::span(bytes)));
+}
+
 } // namespace
 } // namespace relamp
 
@@ -87,4 +106,11 @@ relampReadWithOpenImageIo(relamp::OtherFormat& other)
     OIIO::attribute("threads", other.threads);
     OIIO::attribute("exr_threads", other.exrThreads);
     relamp::read(other);
+}
+
+extern "C" __attribute__((visibility("default"))) void
+relampWriteWithOpenImageIo(relamp::WebpFile& file)
+{
+    OIIO::attribute("threads", 1); // a copy of the process has no other
+    relamp::write(file);
 }

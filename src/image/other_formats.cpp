@@ -1,5 +1,7 @@
 #include "image/other_formats.h"
 
+#include "image/write_image.h"
+
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -20,10 +22,16 @@ constexpr int kMostExrThreads = 512;         // that OpenImageIO knows of; Threa
 constexpr int kCopies = 2;                   // of all samples: WebP and TGA are decoded as a whole
 constexpr double kSecondsPerByte = 2e-8;     // the slowest, WebP without loss, needs a tenth
 
-ReadWithOpenImageIo* load()
+/// Null where it is not there.
+void* offered(const char* name)
 {
     void* library = dlopen(kLibrary, RTLD_LAZY | RTLD_LOCAL);
-    void* found = library != nullptr ? dlsym(library, kReadWithOpenImageIo) : nullptr;
+    return library != nullptr ? dlsym(library, name) : nullptr;
+}
+
+ReadWithOpenImageIo* load()
+{
+    void* found = offered(kReadWithOpenImageIo);
     if (found == nullptr)
         fail(ErrorCode::unsupported, kLibrary,
              fmt::format("cannot be loaded, and without it only JPEG and PNG are read; install "
@@ -151,6 +159,36 @@ Picture readOtherFormat(const PictureFile& file, int64_t mostBytes, const Header
         [&](std::span<const std::byte> piece) { taker.take(piece); }, limits,
         {file.name, "The picture is damaged; save it again, best as PNG"}, unwatched());
     return taker.whole();
+}
+
+std::vector<uint8_t> encodeWebp(std::span<const uint8_t> rgb, Size size, int quality,
+                                const Progress& progress)
+{
+    constexpr int kLargestSide = 16383; // of the format
+    constexpr double kSecondsPerPixel = 2e-5;
+    static auto* const write =
+        reinterpret_cast<WriteWithOpenImageIo*>(offered(kWriteWithOpenImageIo));
+    if (write == nullptr || std::max(size.width, size.height) > kLargestSide) return {};
+    ChildLimits limits;
+    limits.memory += 16 * rgb.size();
+    limits.seconds += kSecondsPerPixel * static_cast<double>(rgb.size());
+    std::vector<uint8_t> bytes;
+    try {
+        runInChild(
+            [&](const ByteSink& send) {
+                WebpFile file{rgb, size.width, size.height, quality, send, {}};
+                write(file);
+            },
+            [&](std::span<const std::byte> piece) {
+                const auto* begin = reinterpret_cast<const uint8_t*>(piece.data());
+                bytes.insert(bytes.end(), begin, begin + piece.size());
+            },
+            limits, {"a picture", "It is written otherwise"}, progress);
+    } catch (const Error& error) {
+        if (error.code() == ErrorCode::cancelled) throw;
+        return {};
+    }
+    return bytes;
 }
 
 } // namespace relamp

@@ -4,6 +4,7 @@
 #include "image/picture.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace relamp
@@ -31,5 +32,18 @@ struct OtherFormat
 };
 using ReadWithOpenImageIo = void(OtherFormat& file);
 constexpr const char* kReadWithOpenImageIo = "relampReadWithOpenImageIo";
+
+/// A picture that relamp_formats is to write, as kWriteWithOpenImageIo.
+struct WebpFile
+{
+    std::span<const uint8_t> rgb;
+    int width;
+    int height;
+    int quality;         // 1..100
+    ByteSink take;       // the file
+    std::string failure; // empty: none
+};
+using WriteWithOpenImageIo = void(WebpFile& file);
+constexpr const char* kWriteWithOpenImageIo = "relampWriteWithOpenImageIo";
 
 } // namespace relamp

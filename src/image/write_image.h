@@ -1,5 +1,7 @@
 #pragma once
 
+#include "relamp/progress.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -24,6 +26,11 @@ std::vector<uint8_t> encodePng(std::span<const uint8_t> samples, Size size, int 
 
 /// A JPEG file of 8-bit RGB in a quality that no eye tells from the picture.
 std::vector<uint8_t> encodeJpeg(std::span<const uint8_t> rgb, Size size);
+
+/// A WebP file of 8-bit RGB, with loss, `quality` 1..100; empty where the picture is too large for
+/// one, or the library relamp_formats is not there or does not do it. Throws Error(cancelled).
+std::vector<uint8_t> encodeWebp(std::span<const uint8_t> rgb, Size size, int quality,
+                                const Progress& progress);
 
 /// Writes an EXR of half floats, RGB, linear Rec. 709, losslessly. Throws Error(cannotWrite) with
 /// the system's reason.

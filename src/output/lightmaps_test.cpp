@@ -31,18 +31,8 @@ glm::vec3 at(const Image& image, size_t pixel)
 class Lightmaps : public testing::Test
 {
 protected:
-    Lightmaps()
+    Lightmaps() : room_(scenes::litDelitRoom("panel/..\"7\""))
     {
-        const scenes::LitRoom lit;
-        room_.scan = scenes::copyOf(lit.scan);
-        room_.albedo.push_back(
-            scenes::room(scenes::LitRoom::kSize, 96, scenes::LitRoom::albedo).pages[0].image);
-        room_.captured.fixtures.push_back({.centre = scenes::LitRoom::kLampCentre,
-                                           .normal = {0, -1, 0},
-                                           .area = scenes::LitRoom::kLampArea,
-                                           .radiance = scenes::LitRoom::kLampRadiance,
-                                           .id = 7,
-                                           .name = "panel/..\"7\""});
         lighting = asCaptured(room_.captured);
         lighting.lights.push_back({.emission = {1.0f, 0.5f, 0.25f}, .position = {1, 1, 1}});
         lighting.lights.push_back({.type = LightType::sun,

@@ -22,6 +22,17 @@ fs::path cleaned(const fs::path& folder)
     return absolute.has_filename() ? absolute : absolute.parent_path();
 }
 
+/// Those of a folder and of what it lies in that are not there, the innermost first.
+std::vector<fs::path> missing(fs::path folder)
+{
+    std::vector<fs::path> folders;
+    std::error_code ignored;
+    for (; !fs::exists(folder, ignored) && folder.has_relative_path();
+         folder = folder.parent_path())
+        folders.push_back(folder);
+    return folders;
+}
+
 void moveFile(const fs::path& from, const fs::path& to)
 {
     std::error_code failure;
@@ -36,6 +47,7 @@ StagedFolder::StagedFolder(const fs::path& folder, Progress& progress) : folder_
     std::error_code failure;
     if (fs::exists(folder_, failure) && !fs::is_directory(folder_, failure))
         cannotWrite(folder_, "is a file; name another folder with -o");
+    made_ = missing(folder_.parent_path());
     fs::create_directories(folder_.parent_path(), failure);
     if (failure) cannotWrite(folder_, failure.message());
     staging_ = stageFolder(folder_);
@@ -46,6 +58,7 @@ StagedFolder::~StagedFolder()
 {
     std::error_code ignored;
     fs::remove_all(staging_, ignored);
+    for (const fs::path& folder : made_) fs::remove(folder, ignored); // it is empty, or stays
 }
 
 std::vector<std::string> StagedFolder::names() const

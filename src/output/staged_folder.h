@@ -12,7 +12,8 @@ namespace relamp
 /// A folder that gets its files when all of them are complete, or none.
 ///
 /// Files are written into a hidden folder beside it and moved in by commit(). Without a commit, and
-/// whatever is thrown, what was there before stays as it was and the hidden folder goes.
+/// whatever is thrown, what was there before stays as it was; the hidden folder goes, and so do the
+/// folders around it that were made for it.
 class StagedFolder
 {
 public:
@@ -42,6 +43,7 @@ private:
 
     std::filesystem::path folder_;
     std::filesystem::path staging_;
+    std::vector<std::filesystem::path> made_; // the innermost first
 };
 
 } // namespace relamp

@@ -59,6 +59,20 @@ TEST_F(StagedFolderTest, WithoutCommitNothingIsLeft)
     EXPECT_TRUE(entries(root).empty());
 }
 
+TEST_F(StagedFolderTest, WithoutCommitFoldersAroundItGoThatWereMadeForIt)
+{
+    fs::create_directory(root / "mine");
+    {
+        const StagedFolder staged(root / "mine/a/b/out", progress);
+    }
+    EXPECT_THAT(entries(root), testing::ElementsAre("mine"));
+    EXPECT_TRUE(entries(root / "mine").empty());
+    StagedFolder staged(root / "a/out", progress);
+    writeFile(staged / "report.json", std::string("{}"));
+    staged.commit("report.json", {});
+    EXPECT_THAT(entries(root / "a"), testing::ElementsAre("out"));
+}
+
 TEST_F(StagedFolderTest, ReplacesItsOwnFilesAndLeavesOthers)
 {
     fs::create_directory(root / "out");

@@ -2,6 +2,8 @@
 
 #include "base/fail.h"
 #include "base/file.h"
+#include "base/parallel.h"
+#include "image/transfer.h"
 #include "image/write_image.h"
 
 #include <algorithm>
@@ -15,6 +17,8 @@ namespace relamp
 {
 namespace
 {
+
+constexpr int kQuality = 90; // of textures, as WebP
 
 constexpr std::array<const char*, 5> kOfViewer{"index.html", "viewer.css", "viewer.js",
                                                "relamp-room.js", "licences.txt"};
@@ -49,6 +53,40 @@ std::string base64(std::span<const uint8_t> bytes)
     return text;
 }
 
+nlohmann::ordered_json withSize(nlohmann::ordered_json item, const WebPicture& picture)
+{
+    item["width"] = picture.width;
+    item["height"] = picture.height;
+    return item;
+}
+
+/// sRGB; light is averaged, not bytes.
+WebPicture halved(const WebPicture& picture)
+{
+    WebPicture half{{}, (picture.width + 1) / 2, (picture.height + 1) / 2};
+    half.rgb.resize(3 * static_cast<size_t>(half.width) * static_cast<size_t>(half.height));
+    std::array<float, 256> linear{};
+    for (size_t i = 0; i < linear.size(); ++i)
+        linear[i] = linearFromSrgb(static_cast<float>(i) / 255.0f);
+    const auto width = static_cast<size_t>(picture.width);
+    const auto height = static_cast<size_t>(picture.height);
+    const auto halfWidth = static_cast<size_t>(half.width);
+    forEachChunk(static_cast<size_t>(half.height), 16, [&](size_t begin, size_t end) {
+        for (size_t y = begin; y < end; ++y)
+            for (size_t i = 0; i < 3 * halfWidth; ++i) {
+                float sum = 0.0f;
+                for (const size_t row : {2 * y, 2 * y + 1})
+                    for (const size_t column : {2 * (i / 3), 2 * (i / 3) + 1}) {
+                        const size_t pixel =
+                            std::min(row, height - 1) * width + std::min(column, width - 1);
+                        sum += linear[picture.rgb[3 * pixel + i % 3]];
+                    }
+                half.rgb[3 * y * halfWidth + i] = srgbByteFromLinear(sum / 4.0f);
+            }
+    });
+    return half;
+}
+
 } // namespace
 
 FolderRules rulesOfWebPage(Replacing replacing)
@@ -79,17 +117,34 @@ nlohmann::ordered_json writeWebPart(const ListedFolder& folder, const std::strin
     return {{"file", name}, {"type", mimeType}, {"bytes", bytes.size()}};
 }
 
-nlohmann::ordered_json writeWebPicture(const ListedFolder& folder, const std::string& name,
-                                       std::span<const uint8_t> rgb, int width, int height,
-                                       WebPicture as)
+nlohmann::ordered_json WebPictureWriter::exact(const std::string& name,
+                                               const WebPicture& picture) const
 {
-    const Size size{width, height};
-    const bool isJpeg = as == WebPicture::jpeg;
-    const std::vector<uint8_t> bytes = isJpeg ? encodeJpeg(rgb, size) : encodePng(rgb, size, 3);
-    nlohmann::ordered_json item =
-        writeWebPart(folder, name, isJpeg ? "image/jpeg" : "image/png", bytes);
-    item["width"] = width;
-    item["height"] = height;
+    const std::vector<uint8_t> png = encodePng(picture.rgb, {picture.width, picture.height}, 3);
+    return withSize(writeWebPart(folder_, name, "image/png", png), picture);
+}
+
+nlohmann::ordered_json WebPictureWriter::photo(const std::string& name, const WebPicture& picture,
+                                               int quality) const
+{
+    const Size size{picture.width, picture.height};
+    const std::vector<uint8_t> webp = encodeWebp(picture.rgb, size, quality, progress_);
+    return withSize(webp.empty()
+                        ? writeWebPart(folder_, name, "image/jpeg", encodeJpeg(picture.rgb, size))
+                        : writeWebPart(folder_, name, "image/webp", webp),
+                    picture);
+}
+
+nlohmann::ordered_json WebPictureWriter::texture(const std::string& name, WebPicture picture,
+                                                 std::span<const int> sides) const
+{
+    nlohmann::ordered_json item = photo(name, picture, kQuality);
+    for (const int side : sides) {
+        if (std::max(picture.width, picture.height) <= side) continue;
+        while (std::max(picture.width, picture.height) > side) picture = halved(picture);
+        item["smaller"].push_back(
+            photo(fmt::format("{}_{}", name, picture.width), picture, kQuality));
+    }
     return item;
 }
 

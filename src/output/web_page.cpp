@@ -8,6 +8,7 @@
 #include "output/web_files.h"
 #include "output/web_geometry.h"
 #include "output/web_probes.h"
+#include "output/web_timeline.h"
 #include "output/web_transport.h"
 #include "relamp/lightmaps.h"
 #include "relamp/picture.h"
@@ -15,6 +16,7 @@
 #include "relight/relit_page.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <numeric>
 
@@ -26,6 +28,11 @@ namespace
 {
 
 using nlohmann::ordered_json;
+
+constexpr int kLightmapQuality = 97; // a step of colour between blocks is seen on an even wall
+
+// Pixels of textures that a phone holds, and of those that are seen first.
+constexpr std::array<int, 2> kSides{2048, 1024};
 
 ordered_json arrayOf(glm::vec3 v)
 {
@@ -128,7 +135,7 @@ public:
     PageWriter(Relighter& relighter, const std::filesystem::path& folder,
                const PageOptions& options, Progress& progress)
         : relighter_(relighter), room_(relighter.room()), options_(options), progress_(progress),
-          folder_(folder, rulesOfWebPage(options.replacing), progress)
+          folder_(folder, rulesOfWebPage(options.replacing), progress), pictures_(folder_, progress)
     {}
 
     WrittenPage write(const Relighting& lighting, const std::vector<LightPart>& parts)
@@ -139,6 +146,8 @@ public:
             writeWebPart(folder_, "geometry", "application/octet-stream", geometry.bytes);
         json["meshes"] = std::move(geometry.meshes);
         json["pages"] = texturesOfPages();
+        if (options_.timeline != nullptr)
+            json["timeline"] = webTimeline(*options_.timeline, lighting);
         json["fixtures"] = room_.captured.fixtures.size();
         writePreview(lighting, json);
         json["lights"] = lights(parts);
@@ -179,17 +188,18 @@ private:
             const std::vector<uint8_t> covered = coveredPixels(relighter_, p);
             ordered_json item;
             item["albedo"] =
-                writeWebPicture(folder_, numbered("albedo", p), srgbBytes(albedo.half()),
-                                albedo.width, albedo.height, WebPicture::jpeg);
+                pictures_.texture(numbered("albedo", p),
+                                  {srgbBytes(albedo.half()), albedo.width, albedo.height}, kSides);
             if (p < scans.size())
-                item["scan"] =
-                    writeWebPicture(folder_, numbered("scan", p), scannedBytes(scans[p], covered),
-                                    scans[p].width, scans[p].height, WebPicture::jpeg);
+                item["scan"] = pictures_.texture(
+                    numbered("scan", p),
+                    {scannedBytes(scans[p], covered), scans[p].width, scans[p].height},
+                    std::span(kSides).first(1));
             if (p < room_.fixtures.size()) {
                 const FixtureMap& map = room_.fixtures[p];
-                item["shining"] = writeWebPicture(folder_, numbered("shining", p),
-                                                  shiningBytes(relighter_, map, covered), map.width,
-                                                  map.height, WebPicture::png);
+                item["shining"] =
+                    pictures_.exact(numbered("shining", p), {shiningBytes(relighter_, map, covered),
+                                                             map.width, map.height});
                 item["shiningAlbedo"] = arrayOf(meanShiningAlbedo(room_.albedo[p], map));
             }
             pages.push_back(std::move(item));
@@ -248,9 +258,9 @@ private:
             for (size_t p = 0; p < pages; ++p) {
                 const Image map = relighter_.shading(p, side, progress_);
                 const float scale = scaleOfLightmap(map.half());
-                ordered_json file = writeWebPicture(
-                    folder_, numbered(fmt::format("light_{:02}", i).c_str(), p),
-                    lightmapBytes(map.half(), scale), map.width, map.height, WebPicture::jpeg);
+                ordered_json file = pictures_.photo(
+                    numbered(fmt::format("light_{:02}", i).c_str(), p),
+                    {lightmapBytes(map.half(), scale), map.width, map.height}, kLightmapQuality);
                 file["scale"] = scale;
                 item["maps"].push_back(std::move(file));
             }
@@ -291,6 +301,7 @@ private:
     const PageOptions& options_;
     Progress& progress_;
     ListedFolder folder_;
+    WebPictureWriter pictures_;
     ordered_json probes_; // what room.js says of them
     WrittenPage written_;
 };

@@ -1,6 +1,8 @@
 #include "relamp/page.h"
 
 #include "base/file.h"
+#include "base/half.h"
+#include "image/light_meter.h"
 #include "image/view_transform.h"
 #include "output/web_geometry.h"
 #include "relight/photometry.h"
@@ -37,18 +39,8 @@ glm::vec3 vectorFrom(const json& list)
 class WebPage : public testing::Test
 {
 protected:
-    WebPage()
+    WebPage() : room(scenes::litDelitRoom("panel </script>\"7\""))
     {
-        const scenes::LitRoom lit;
-        room.scan = scenes::copyOf(lit.scan);
-        room.albedo.push_back(
-            scenes::room(scenes::LitRoom::kSize, 96, scenes::LitRoom::albedo).pages[0].image);
-        room.captured.fixtures.push_back({.centre = scenes::LitRoom::kLampCentre,
-                                          .normal = {0, -1, 0},
-                                          .area = scenes::LitRoom::kLampArea,
-                                          .radiance = scenes::LitRoom::kLampRadiance,
-                                          .id = 7,
-                                          .name = "panel </script>\"7\""});
         lighting = asCaptured(room.captured);
         lighting.sky.radiance = {0.1f, 0.2f, 0.4f};
         std::filesystem::create_directory(folder / "viewer");
@@ -101,12 +93,13 @@ TEST_F(WebPage, HasALightmapOfEachLightInAScriptAndTheViewer)
         EXPECT_TRUE(std::filesystem::exists(folder / "page" / name)) << name;
 
     const json part = page["lights"][0]["maps"][0]; // handed over as base64
+    EXPECT_EQ(part["type"], "image/webp");
     const auto file = readFile(folder / "page" / (part["file"].get<std::string>() + ".js"));
     const std::string script(reinterpret_cast<const char*>(file.data()), file.size());
     const std::string start = "relampPart(\"" + part["file"].get<std::string>() + "\", \"";
     ASSERT_THAT(script, StartsWith(start));
     const std::string base64 = script.substr(start.size(), script.size() - start.size() - 4);
-    const auto jpeg = decodeDataUri("data:image/jpeg;base64," + base64, "light");
+    const auto jpeg = decodeDataUri("data:image/webp;base64," + base64, "light");
     EXPECT_EQ(jpeg.size(), part["bytes"].get<size_t>());
     const Image map = readImage(std::as_bytes(std::span(jpeg)), "light");
     EXPECT_EQ(map.width, part["width"].get<int>());
@@ -202,6 +195,20 @@ TEST_F(WebFormulas, AgxIsAsThePageHasIt)
         const glm::vec3 apart = glm::abs(shown - vectorFrom(row["shown"]));
         EXPECT_LT(std::max({apart.r, apart.g, apart.b}), 1e-4f)
             << row["light"] << ": " << shown.r << ", " << shown.g << ", " << shown.b;
+    }
+}
+
+TEST_F(WebFormulas, ExposureIsAsThePageHasIt)
+{
+    ASSERT_GE(numbers["meter"].size(), 4u);
+    for (const json& row : numbers["meter"]) {
+        Image picture{.width = static_cast<int>(row["light"].size()), .height = 1};
+        auto& half = picture.rgb.emplace<std::vector<uint16_t>>();
+        for (const json& rgb : row["light"])
+            for (const json& value : rgb) half.push_back(halfFromFloat(value.get<float>()));
+        LightMeter meter;
+        meter.add(picture);
+        EXPECT_NEAR(meter.exposure(), row["stops"].get<float>(), 2e-3f) << row["light"];
     }
 }
 

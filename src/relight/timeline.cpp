@@ -22,6 +22,7 @@ constexpr size_t kMostKeys = 1000;
 struct Key
 {
     double time = 0.0;
+    std::string name;                             // for people
     std::shared_ptr<const JsonDocument> document; // that it stands in
     json light;
     std::string what; // "day.json: key 1"
@@ -160,6 +161,7 @@ void takeLight(const JsonItem& item, const std::filesystem::path& folder,
 
 struct Timeline::State
 {
+    std::filesystem::path file;
     Lights captured;
     double seconds = 10.0;
     std::vector<Key> keys; // two or more, ascending in time
@@ -188,6 +190,7 @@ void Timeline::State::read(const std::filesystem::path& file, std::vector<std::s
         item.warnOfUnknown({"time", "light", "name"}, warnings);
         Key key;
         key.time = item.numberAt("time");
+        key.name = item.text("name", "");
         if (!keys.empty() && !(key.time > keys.back().time))
             item.refuse("\"time\" must be later than that of the key before", "time");
         if (keys.size() == kMostKeys) item.refuse("is one key too many");
@@ -208,6 +211,7 @@ Timeline::Timeline(const std::filesystem::path& file, const Lights& captured,
                    std::vector<std::string>& warnings)
     : state_(std::make_unique<State>())
 {
+    state_->file = file;
     state_->captured = captured;
     state_->read(file, warnings);
     state_->check(warnings);
@@ -220,6 +224,21 @@ Timeline& Timeline::operator=(Timeline&&) noexcept = default;
 double Timeline::seconds() const
 {
     return state_->seconds;
+}
+
+const std::filesystem::path& Timeline::file() const
+{
+    return state_->file;
+}
+
+std::vector<TimelineKey> Timeline::keys() const
+{
+    std::vector<TimelineKey> list;
+    const double first = state_->keys.front().time;
+    const double whole = state_->keys.back().time - first;
+    for (const Key& key : state_->keys)
+        list.push_back({key.time, (key.time - first) / whole, key.name});
+    return list;
 }
 
 Relighting Timeline::at(double part) const

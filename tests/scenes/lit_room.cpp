@@ -1,5 +1,7 @@
 #include "scenes/lit_room.h"
 
+#include "scenes/scenes.h"
+
 #include <cmath>
 
 namespace relamp::scenes
@@ -33,5 +35,20 @@ LitRoom::LitRoom()
     : box(kSize, {ceilingPanel()}, albedo),
       scan(room(kSize, kPixels, [this](glm::vec3 p, glm::vec3 n) { return box.photo(p, n); }))
 {}
+
+DelitRoom litDelitRoom(const std::string& panel)
+{
+    const LitRoom lit;
+    DelitRoom delit;
+    delit.scan = copyOf(lit.scan);
+    delit.albedo.push_back(room(LitRoom::kSize, kPixels, LitRoom::albedo).pages[0].image);
+    delit.captured.fixtures.push_back({.centre = LitRoom::kLampCentre,
+                                       .normal = {0, -1, 0},
+                                       .area = LitRoom::kLampArea,
+                                       .radiance = LitRoom::kLampRadiance,
+                                       .id = kLitRoomPanel,
+                                       .name = panel});
+    return delit;
+}
 
 } // namespace relamp::scenes

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "relamp/relight.h"
 #include "scenes/radiosity.h"
+
+#include <string>
 
 namespace relamp::scenes
 {
@@ -22,5 +25,10 @@ struct LitRoom
 
     static glm::vec3 albedo(glm::vec3 place, glm::vec3 normal);
 };
+
+constexpr int kLitRoomPanel = 7; // the panel's number in litDelitRoom()
+
+/// The same room without its light, and its panel as a fixture of this name.
+DelitRoom litDelitRoom(const std::string& panel);
 
 } // namespace relamp::scenes

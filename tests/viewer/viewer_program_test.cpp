@@ -241,6 +241,13 @@ TEST(ViewerProgram, AlbedoFollowsALampOfTheDayOfTheScan)
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0f, 0.2f);
 }
 
+/// Whether what a page runs in the browser was made, for which Node.js is needed.
+bool hasPages()
+{
+    return std::filesystem::exists(std::filesystem::path(RELAMP_PROGRAM).parent_path() /
+                                   "../web/page/viewer.js");
+}
+
 glm::vec3 meanAlbedoIn(const std::filesystem::path& folder)
 {
     return meanOf(readImage(folder / "albedo.exr"));
@@ -253,17 +260,18 @@ TEST(ViewerProgram, SavesWhatWasSaidOfTheDayOfTheScan)
 {
     const scenes::TemporaryFolder out;
     const auto file = [&](const char* name) { return (out / name).string(); };
-    const Outcome outcome =
-        view({"--engine", "gpu", "--gpu", "0"},
-             "set quality draft\nset panels off\nopen " + (kBedroom / "scan.glb").string() +
-                 "\nwait solve\nsave lights " + file("found.json") + "\nsave result " +
-                 file("found") + "\nwait rest\ndrop " + file("none.glb") + "\ndrop " +
-                 out.write("broken.glb", "glTF").string() +
-                 "\nwait rest\nset scanned.0.dim 2\nset scanned.ambient 1 0.8 0.6\n" +
-                 "set scanned.ambient 1 0.5 0.25\nwait solve\nwait relit\nsave result " +
-                 file("said") + "\nsave baked " + file("said.glb") + "\nwait rest\nsave lights " +
-                 file("said.json") + "\npress ctrl+z\npress ctrl+z\npress ctrl+z\nwait solve\n" +
-                 "save lights " + file("undone.json") + "\nsave result " + file("undone") + "\n");
+    const std::string page = hasPages() ? "\nsave page " + file("page") + "\nwait rest" : "";
+    const Outcome outcome = view(
+        {"--engine", "gpu", "--gpu", "0"},
+        "set quality draft\nset panels off\nopen " + (kBedroom / "scan.glb").string() +
+            "\nwait solve\nsave lights " + file("found.json") + "\nsave result " + file("found") +
+            "\nwait rest\ndrop " + file("none.glb") + "\ndrop " +
+            out.write("broken.glb", "glTF").string() +
+            "\nwait rest\nset scanned.0.dim 2\nset scanned.ambient 1 0.8 0.6\n" +
+            "set scanned.ambient 1 0.5 0.25\nwait solve\nwait relit\nsave result " + file("said") +
+            "\nsave baked " + file("said.glb") + "\nwait rest" + page + "\nsave lights " +
+            file("said.json") + "\npress ctrl+z\npress ctrl+z\npress ctrl+z\nwait solve\n" +
+            "save lights " + file("undone.json") + "\nsave result " + file("undone") + "\n");
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
 
     std::vector<std::string> notes;
@@ -284,6 +292,11 @@ TEST(ViewerProgram, SavesWhatWasSaidOfTheDayOfTheScan)
     EXPECT_EQ(textOf(file("undone.json")), textOf(file("found.json")));
     EXPECT_EQ(textOf(file("undone/lights.json")), textOf(file("found/lights.json")));
     EXPECT_EQ(textOf(file("undone/albedo.exr")), textOf(file("found/albedo.exr")));
+    if (page.empty()) return;
+    const nlohmann::json room = nlohmann::json::parse(textOf(file("page/room.json")));
+    ASSERT_EQ(room["lights"].size(), said.fixtures.size() + 1); // and the sky
+    EXPECT_FLOAT_EQ(room["lights"][0]["colour"][0], said.fixtures[0].radiance.r);
+    EXPECT_TRUE(std::filesystem::exists(file("page/index.html")));
 }
 
 // Parameters, each of which has to reach the solver, and all to come back.

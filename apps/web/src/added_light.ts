@@ -10,7 +10,7 @@ import { Bounces, transportFrom } from "./bounces";
 import type { Transport } from "./bounces";
 import { VIEW_TRANSFORM } from "./formulas";
 import type { Parts } from "./parts";
-import { isPhone } from "./pictures";
+import { isPhone } from "./levels";
 import type { MeshOfRoom, Room } from "./room";
 import type { RoomScene } from "./room_scene";
 import { ShadowTiles } from "./shadow_tiles";
@@ -27,8 +27,8 @@ uniform vec3 radiance;
 layout(location = 0) out vec4 pixel;
 ${VIEW_TRANSFORM}
 void main() {
-    if (view != 2) discard;
-    pixel = vec4(srgbOf(agxOf(exposure * radiance)), 1.0);
+    if (view < 2) discard;
+    pixel = vec4(view == 3 ? radiance : srgbOf(agxOf(exposure * radiance)), 1.0);
 }`;
 
 export class AddedLight {

@@ -24,7 +24,10 @@ export function verticalView(camera: RoomCamera, aspect: number): number {
 
 export function forwardOf({ yaw, pitch }: Pose): THREE.Vector3 {
     return new THREE.Vector3(
-        -Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), -Math.cos(yaw) * Math.cos(pitch));
+        -Math.sin(yaw) * Math.cos(pitch),
+        Math.sin(pitch),
+        -Math.cos(yaw) * Math.cos(pitch),
+    );
 }
 
 export function turned(pose: Pose, yaw: number, pitch: number): Pose {

@@ -33,9 +33,17 @@ export function geometryOf(mesh: MeshOfRoom, bytes: Uint8Array): THREE.BufferGeo
     const corners = new Uint32Array(mesh.triangles * 3);
     try {
         MeshoptDecoder.decodeVertexBuffer(
-            vertices, mesh.vertices, BYTES_OF_VERTEX, cut(bytes, mesh.vertexData));
+            vertices,
+            mesh.vertices,
+            BYTES_OF_VERTEX,
+            cut(bytes, mesh.vertexData),
+        );
         MeshoptDecoder.decodeIndexBuffer(
-            new Uint8Array(corners.buffer), corners.length, 4, cut(bytes, mesh.indexData));
+            new Uint8Array(corners.buffer),
+            corners.length,
+            4,
+            cut(bytes, mesh.indexData),
+        );
     } catch {
         throw new Trouble("geometry.js is damaged; write the page again with relamp page.");
     }

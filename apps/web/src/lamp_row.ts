@@ -46,8 +46,7 @@ export class LampRow {
             (share) => this.change({ ...this.setting(), share }),
         );
         this.colour = element("select", { "aria-label": `colour of ${light.name}` });
-        for (const [value, text] of COLOURS)
-            this.colour.append(element("option", { value }, text));
+        for (const [value, text] of COLOURS) this.colour.append(element("option", { value }, text));
         this.picked = element("input", {
             type: "color",
             "aria-label": `own colour of ${light.name}`,
@@ -81,7 +80,11 @@ export class LampRow {
 
     private recolour(): void {
         const { value } = this.colour;
-        const setting = { ...this.setting(), kelvin: null as number | null, colour: null as string | null };
+        const setting = {
+            ...this.setting(),
+            kelvin: null as number | null,
+            colour: null as string | null,
+        };
         if (value === "pick") setting.colour = this.picked.value;
         else if (value) setting.kelvin = Number(value);
         this.change(setting);

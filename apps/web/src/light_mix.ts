@@ -18,6 +18,18 @@ function linearFromByte(byte: number): number {
     return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
 }
 
+/** The colour at its brightest, "#rrggbb". */
+export function hexFromColour(rgb: Rgb): string {
+    const most = Math.max(...rgb, 1e-9);
+    const byte = (value: number) => {
+        const srgb = value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055;
+        return Math.round(255 * srgb)
+            .toString(16)
+            .padStart(2, "0");
+    };
+    return `#${rgb.map((value) => byte(Math.max(value, 0) / most)).join("")}`;
+}
+
 /** Linear, of luminance 1; grey for black. */
 export function colourFromHex(hex: string): Rgb {
     const rgb = [1, 3, 5].map((at) => linearFromByte(parseInt(hex.slice(at, at + 2), 16))) as Rgb;

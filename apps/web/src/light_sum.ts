@@ -39,9 +39,18 @@ export class LightSum {
     ) {
         const count = scales.length;
         this.maps = new THREE.DataArrayTexture(
-            new Uint8Array(4 * width * height * count), width, height, count);
+            new Uint8Array(4 * width * height * count),
+            width,
+            height,
+            count,
+        );
         this.weights = new THREE.DataTexture(
-            new Float32Array(4 * count), count, 1, THREE.RGBAFormat, THREE.FloatType);
+            new Float32Array(4 * count),
+            count,
+            1,
+            THREE.RGBAFormat,
+            THREE.FloatType,
+        );
         this.target = new THREE.WebGLRenderTarget(width, height, {
             type: THREE.HalfFloatType,
             minFilter: THREE.LinearFilter,
@@ -62,7 +71,9 @@ export class LightSum {
         });
         const triangle = new THREE.BufferGeometry();
         triangle.setAttribute(
-            "position", new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3));
+            "position",
+            new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3),
+        );
         const mesh = new THREE.Mesh(triangle, material);
         mesh.frustumCulled = false;
         this.scene.add(mesh);

@@ -8,6 +8,7 @@ import { LampPlacing } from "./lamp_placing";
 import { ModelPlacing } from "./model_placing";
 import { poseOf } from "./camera";
 import { byId } from "./dom";
+import { fittingRoom, mostSide } from "./levels";
 import { Panel } from "./panel";
 import { Parts, loadRoom } from "./parts";
 import { Picture } from "./picture";
@@ -15,6 +16,7 @@ import { Trouble } from "./room";
 import type { Room } from "./room";
 import { RoomScene } from "./room_scene";
 import { Steering } from "./steering";
+import { takeTime } from "./timeline";
 import { hashOf, stateFrom } from "./url_state";
 import type { State } from "./url_state";
 import { Wipe } from "./wipe";
@@ -44,23 +46,28 @@ class App {
     private timer = 0;
 
     constructor(private readonly room: Room) {
-        this.state = stateFrom(location.hash, room.lights.length);
+        this.state = this.stateOfAddress();
         this.picture = new Picture(
-            byId("canvas") as HTMLCanvasElement, room, () => this.state, () => this.pose());
+            byId("canvas") as HTMLCanvasElement,
+            room,
+            () => this.state,
+            () => this.pose(),
+        );
     }
 
     async start(): Promise<void> {
-        const scene = new RoomScene(this.room);
-        if (!scene.hasScan && this.state.show === "scan") this.state.show = "relit";
-        const panel = this.controls(scene);
         const { capabilities } = this.picture.renderer;
         const limits = {
             anisotropy: capabilities.getMaxAnisotropy(),
-            most: capabilities.maxTextureSize,
+            most: mostSide(capabilities.maxTextureSize),
         };
-        const parts = new Parts("", this.room, showProgress);
-        const added = new AddedLight(this.room, scene);
-        const models = new DroppedModels(this.room, scene, added);
+        const room = fittingRoom(this.room, limits.most);
+        const scene = new RoomScene(room);
+        if (!scene.hasScan && this.state.show === "scan") this.state.show = "relit";
+        const panel = this.controls(scene);
+        const parts = new Parts("", room, showProgress);
+        const added = new AddedLight(room, scene);
+        const models = new DroppedModels(room, scene, added);
         this.picture.added = added;
         this.picture.models = models;
         new ModelPlacing(scene, this.picture, models, () => {
@@ -79,6 +86,12 @@ class App {
         document.body.dataset["state"] = "ready";
     }
 
+    private stateOfAddress(): State {
+        const state = stateFrom(location.hash, this.room.lights.length);
+        takeTime(this.room, state);
+        return state;
+    }
+
     private pose() {
         return this.state.pose ?? poseOf(this.room.camera);
     }
@@ -86,7 +99,11 @@ class App {
     private controls(scene: RoomScene): Panel {
         const { low, high } = this.room.box;
         const centre = new THREE.Vector3(...low).add(new THREE.Vector3(...high)).divideScalar(2);
-        const wipe = new Wipe(byId("wipe"), () => this.state, () => this.changed(false));
+        const wipe = new Wipe(
+            byId("wipe"),
+            () => this.state,
+            () => this.changed(false),
+        );
         const steering = new Steering(byId("canvas"), centre, {
             pose: () => this.pose(),
             move: (pose) => {
@@ -116,7 +133,7 @@ class App {
         });
         byId("panel").hidden = !this.state.hasPanel;
         window.addEventListener("hashchange", () => {
-            this.state = stateFrom(location.hash, this.room.lights.length);
+            this.state = this.stateOfAddress();
             byId("panel").hidden = !this.state.hasPanel;
             panel.show();
             wipe.show();
@@ -131,7 +148,8 @@ class App {
         const fixture = scene.fixtureAlong(this.picture.rayAt(x, y));
         if (fixture === null) return;
         const light = this.room.lights.findIndex(
-            ({ shines, kind }) => kind !== "sky" && shines.some(({ place }) => place === fixture));
+            ({ shines, kind }) => kind !== "sky" && shines.some(({ place }) => place === fixture),
+        );
         if (light >= 0) panel.toggle(light);
     }
 

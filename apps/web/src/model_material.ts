@@ -55,11 +55,12 @@ void main() {
     if (view == 0 || albedo.a < leastAlpha) discard; // a scan does not show it
     vec3 normal = normalize(gl_FrontFacing ? towards : -towards);
     vec3 radiance = albedo.rgb;
-    if (view == 2) {
+    if (view >= 2) {
         vec3 straight = addedLight(place, normal, turnOf(gl_FragCoord.xy));
         radiance = albedo.rgb * (light + straight) + glow;
     }
-    pixel = vec4(srgbOf(view == 1 ? radiance : agxOf(exposure * radiance)), albedo.a);
+    vec3 seen = view == 3 ? radiance : srgbOf(view == 1 ? radiance : agxOf(exposure * radiance));
+    pixel = vec4(seen, albedo.a);
 }`;
 
 type Uniforms = Record<string, { value: unknown }>;
@@ -107,7 +108,7 @@ uniform int view;
 in vec2 at;
 layout(location = 0) out vec4 pixel;
 void main() {
-    if (view != 2) discard;
+    if (view < 2) discard;
     pixel = vec4(0.0, 0.0, 0.0, 0.5 * (1.0 - smoothstep(0.3, 1.0, length(at))));
 }`;
 

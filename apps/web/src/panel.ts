@@ -5,6 +5,8 @@ import { LampRow } from "./lamp_row";
 import { presetsFor } from "./light_mix";
 import type { Room } from "./room";
 import type { Way } from "./steering";
+import { TimeRow } from "./time_row";
+import { takeTime } from "./timeline";
 import { SHOWS, WORDS } from "./url_state";
 import type { Show, State } from "./url_state";
 
@@ -17,8 +19,10 @@ export interface PanelActions {
 
 export class Panel {
     private readonly rows: LampRow[];
+    private readonly time: TimeRow | null;
     private readonly shows: HTMLInputElement[] = [];
     private readonly against: HTMLSelectElement;
+    private readonly isMetered = element("input", { type: "checkbox", role: "switch" });
     private readonly stops: { input: HTMLInputElement; set: (value: number) => void };
 
     constructor(
@@ -27,11 +31,17 @@ export class Panel {
         private readonly actions: PanelActions,
     ) {
         const { state, changed } = actions;
-        this.rows = room.lights.map((light, i) =>
-            new LampRow(light, () => state().settings[i]!, (setting) => {
-                state().settings[i] = setting;
-                this.lightChanged();
-            }));
+        this.rows = room.lights.map(
+            (light, i) =>
+                new LampRow(
+                    light,
+                    () => state().settings[i]!,
+                    (setting) => {
+                        state().settings[i] = setting;
+                        this.lightChanged();
+                    },
+                ),
+        );
         this.against = element("select", { "aria-label": "compare with" });
         this.against.append(element("option", { value: "" }, "nothing"));
         for (const show of this.possible())
@@ -49,9 +59,17 @@ export class Panel {
                 changed(false);
             },
         );
+        this.time = this.timeRow(room);
         byId("panel").append(
-            this.views(), this.presets(room), element("section", { id: "added" }), this.lights(),
-            element("section", { id: "models" }), this.exposure(), this.moving());
+            this.views(),
+            this.presets(room),
+            ...(this.time ? [this.time.root] : []),
+            element("section", { id: "added" }),
+            this.lights(),
+            element("section", { id: "models" }),
+            this.exposure(),
+            this.moving(),
+        );
         this.show();
     }
 
@@ -63,8 +81,10 @@ export class Panel {
         const state = this.actions.state();
         for (const input of this.shows) input.checked = input.value === state.show;
         this.against.value = state.against ?? "";
+        this.isMetered.checked = state.isMetered;
         this.stops.set(state.stops);
         for (const row of this.rows) row.show();
+        this.time?.show();
     }
 
     private possible(): Show[] {
@@ -78,7 +98,8 @@ export class Panel {
         this.show();
     }
 
-    private lightChanged(): void {
+    private lightChanged(time: number | null = null): void {
+        this.actions.state().time = time;
         this.relit();
         this.actions.changed(true);
     }
@@ -111,14 +132,41 @@ export class Panel {
         return element("section", {}, element("h2", {}, "Light"), group);
     }
 
+    private timeRow(room: Room): TimeRow | null {
+        const { state } = this.actions;
+        if (!room.timeline) return null;
+        return new TimeRow(
+            room.timeline,
+            () => state().time,
+            (time) => {
+                state().time = time;
+                takeTime(room, state());
+                this.lightChanged(time);
+            },
+        );
+    }
+
     private lights(): HTMLElement {
         return element(
-            "ul", { class: "lamps", "aria-label": "lights" }, ...this.rows.map((row) => row.root));
+            "ul",
+            { class: "lamps", "aria-label": "lights" },
+            ...this.rows.map((row) => row.root),
+        );
     }
 
     private exposure(): HTMLElement {
+        this.isMetered.addEventListener("change", () => {
+            this.actions.state().isMetered = this.isMetered.checked;
+            this.actions.changed(false);
+        });
+        const metered = element("label", { class: "name" }, this.isMetered, "by what is seen");
         return element(
-            "section", { class: "exposure" }, element("h2", {}, "Exposure"), this.stops.input);
+            "section",
+            { class: "exposure" },
+            element("h2", {}, "Exposure"),
+            metered,
+            this.stops.input,
+        );
     }
 
     private moving(): HTMLElement {
@@ -131,10 +179,16 @@ export class Panel {
         const home = element("button", { type: "button" }, "Back to the start");
         home.addEventListener("click", () => this.actions.goHome());
         const help = element(
-            "p", { class: "help" },
-            "Drag to look, scroll or W A S D to walk, Q E down and up; click a lamp to switch it.");
+            "p",
+            { class: "help" },
+            "Drag to look, scroll or W A S D to walk, Q E down and up; click a lamp to switch it.",
+        );
         return element(
-            "section", {}, element("h2", {}, "Move"),
-            element("div", { class: "presets" }, way, home), help);
+            "section",
+            {},
+            element("h2", {}, "Move"),
+            element("div", { class: "presets" }, way, home),
+            help,
+        );
     }
 }

@@ -4,12 +4,13 @@ import * as THREE from "three";
 
 import type { AddedLight } from "./added_light";
 import { place, verticalView } from "./camera";
-import { weightOf } from "./light_mix";
+import { LightMeter } from "./light_meter";
 import type { Rgb, Room } from "./room";
 import { Trouble } from "./room";
 import type { DroppedModels } from "./dropped_models";
 import type { RoomScene } from "./room_scene";
 import { VIEWS } from "./surface";
+import { weightsOf } from "./timeline";
 import type { Pose, Show, State } from "./url_state";
 
 const FADE = 200; // ms in which a lamp comes on
@@ -35,8 +36,11 @@ export class Picture {
     onDrawn: () => void = () => undefined;
     private room: RoomScene | null = null;
     private shown: Rgb[] = []; // weights on the screen
+    private readonly meter = new LightMeter((isWorthMeasuring) => this.ask(isWorthMeasuring));
     private isLightOld = true;
     private isAsked = false;
+    private isMeterOld = true;
+    private calls = 0; // to the GPU, of the last frame
     private frame = 0; // ms, of the last one
 
     constructor(
@@ -62,8 +66,9 @@ export class Picture {
         this.ask();
     }
 
-    /** To be called after anything else was changed. */
-    ask(): void {
+    /** To be called after anything else was changed; whether the meter may see other light. */
+    ask(isWorthMeasuring = true): void {
+        this.isMeterOld ||= isWorthMeasuring;
         if (this.isAsked) return;
         this.isAsked = true;
         requestAnimationFrame((now) => this.draw(now));
@@ -92,10 +97,12 @@ export class Picture {
         this.ask();
     }
 
-    /** Weights on the way from those on the screen to those that are wanted. */
+    /** Weights on the way from those on the screen to those that are wanted; time changes them by itself. */
     private fade(wanted: Rgb[], now: number): boolean {
         const isStill =
-            matchMedia("(prefers-reduced-motion: reduce)").matches || this.shown.length === 0;
+            this.state().time !== null ||
+            matchMedia("(prefers-reduced-motion: reduce)").matches ||
+            this.shown.length === 0;
         const share = isStill ? 1 : Math.min((now - this.frame) / FADE, 0.5);
         let isThere = true;
         this.shown = wanted.map((weight, i) => {
@@ -114,9 +121,7 @@ export class Picture {
         this.isAsked = false;
         if (!this.room) return;
         if (this.isLightOld) {
-            const { settings } = this.state();
-            const wanted = this.facts.lights.map((light, i) =>
-                weightOf(light, settings[i] ?? { share: 1, kelvin: null, colour: null }));
+            const wanted = weightsOf(this.facts, this.state());
             if (this.frame < now - 100) this.frame = now - 16;
             this.isLightOld = !this.fade(wanted, now);
             this.room.setLight(this.renderer, this.shown);
@@ -125,24 +130,39 @@ export class Picture {
         this.frame = now;
         const isNew = this.added?.update(this.renderer, this.state().added) ?? false;
         this.models?.update(this.renderer, this.shown, isNew);
-        this.drawViews(this.room);
+        this.drawViews(this.room, now);
+        this.measure(this.room);
         this.onDrawn();
         this.canvas.dataset["drawn"] = String(Number(this.canvas.dataset["drawn"] ?? 0) + 1);
     }
 
-    private drawViews(room: RoomScene): void {
+    private measure(room: RoomScene): void {
+        if (!this.state().isMetered) return this.meter.reset();
+        if (!this.isMeterOld) return;
+        this.isMeterOld = false;
+        void this.meter.measure(this.renderer, room.scene, this.camera, room.uniforms);
+    }
+
+    private drawViews(room: RoomScene, now: number): void {
         const state = this.state();
         place(this.camera, this.pose());
         const box = new THREE.Box3(
-            new THREE.Vector3(...this.facts.box.low), new THREE.Vector3(...this.facts.box.high));
+            new THREE.Vector3(...this.facts.box.low),
+            new THREE.Vector3(...this.facts.box.high),
+        );
         room.backs.visible = box.containsPoint(this.camera.position);
-        room.uniforms.exposure.value = 2 ** (this.facts.exposure + state.stops);
+        const { exposure } = this.facts;
+        const stops = state.stops + (state.isMetered ? this.meter.stops(now, exposure) : exposure);
+        room.uniforms.exposure.value = 2 ** stops;
+        this.canvas.dataset["stops"] = stops.toFixed(2);
         const { width, height } = this.renderer.getSize(new THREE.Vector2());
         const cut = state.against ? Math.round(state.wipe * width) : width;
+        this.calls = 0;
         this.renderer.setScissorTest(state.against !== null);
         this.drawPart(room, state.show, 0, cut, height);
         if (state.against) this.drawPart(room, state.against, cut, width - cut, height);
         this.renderer.setScissorTest(false);
+        this.canvas.dataset["calls"] = String(this.calls);
     }
 
     private drawPart(room: RoomScene, show: Show, x: number, width: number, height: number): void {
@@ -151,5 +171,6 @@ export class Picture {
         room.uniforms.view.value = VIEWS[show];
         this.renderer.clear();
         this.renderer.render(room.scene, this.camera);
+        this.calls += this.renderer.info.render.calls;
     }
 }

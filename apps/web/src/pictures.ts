@@ -26,10 +26,7 @@ async function bitmapOf(
 }
 
 /** RGBA, row 0 on top. */
-export async function pixelsOf(
-    parts: Parts,
-    picture: Picture,
-): Promise<Uint8Array<ArrayBuffer>> {
+export async function pixelsOf(parts: Parts, picture: Picture): Promise<Uint8Array<ArrayBuffer>> {
     const bitmap = await bitmapOf(parts, picture);
     const canvas = document.createElement("canvas");
     canvas.width = bitmap.width;
@@ -39,18 +36,6 @@ export async function pixelsOf(
     context.drawImage(bitmap, 0, 0);
     bitmap.close();
     return new Uint8Array(context.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
-}
-
-const SIDE_OF_PHONE = 2048; // 4096 of several textures is more than its memory
-const WIDTH_OF_PHONE = 600; // CSS pixels of a screen's shorter side
-
-export function isPhone(): boolean {
-    return Math.min(screen.width, screen.height) < WIDTH_OF_PHONE;
-}
-
-/** Pixels to which the longer side of a texture is scaled down, so that this device can hold it. */
-export function mostSide(largest: number): number {
-    return isPhone() ? Math.min(largest, SIDE_OF_PHONE) : largest;
 }
 
 function resizeOf({ width, height }: Picture, most: number): ImageBitmapOptions {
@@ -63,14 +48,13 @@ function resizeOf({ width, height }: Picture, most: number): ImageBitmapOptions 
     };
 }
 
-/** An sRGB texture that is smooth from near and far; `most` is what the GPU takes. */
+/** An sRGB texture that is smooth from near and far; of more pixels than `most` it is scaled down. */
 export async function textureOf(
     parts: Parts,
     picture: Picture,
     { anisotropy, most }: { anisotropy: number; most: number },
 ): Promise<THREE.Texture> {
-    const texture = new THREE.Texture(
-        await bitmapOf(parts, picture, resizeOf(picture, mostSide(most))));
+    const texture = new THREE.Texture(await bitmapOf(parts, picture, resizeOf(picture, most)));
     texture.colorSpace = THREE.SRGBColorSpace;
     texture.flipY = false;
     texture.generateMipmaps = true;

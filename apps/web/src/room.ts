@@ -13,6 +13,10 @@ export interface Picture extends Part {
     height: number;
 }
 
+export interface Texture extends Picture {
+    smaller?: Picture[]; // the same, largest first
+}
+
 export interface Lightmap extends Picture {
     scale: number; // irradiance / pi = scale (byte / 255)^4
 }
@@ -39,8 +43,9 @@ export interface MeshOfRoom {
 }
 
 export interface PageOfRoom {
-    albedo: Picture;
-    scan?: Picture;
+    first?: Picture; // of albedo, until that has come
+    albedo: Texture;
+    scan?: Texture;
     shining?: Picture;
     shiningAlbedo?: Rgb; // linear; shown in place of what a lamp hides
 }
@@ -97,8 +102,16 @@ export interface Room {
     camera: RoomCamera;
     box: { low: Rgb; high: Rgb };
     lights: Light[];
+    timeline?: TimelineOfRoom;
     bounces?: BouncesOfRoom;
     probes?: ProbesOfRoom;
+}
+
+export interface TimelineOfRoom {
+    seconds: number; // that it lasts
+    keys: { time: number; name?: string }[];
+    times: number[]; // ascending, from the first key to the last
+    weights: Rgb[][]; // of each time, of each light
 }
 
 const FORMAT = "relamp page 1";
@@ -128,10 +141,11 @@ export function asRoom(data: unknown): Room {
 /** All files of a room but room.js, in the order in which they are worth having. */
 export function partsOf(room: Room): Part[] {
     const parts: Part[] = [room.geometry];
-    for (const page of room.pages) parts.push(page.albedo);
+    for (const page of room.pages) parts.push(page.first ?? page.albedo);
     for (const light of room.lights) parts.push(...light.maps);
     for (const page of room.pages) {
         if (page.shining) parts.push(page.shining);
+        if (page.first) parts.push(page.albedo);
         if (page.scan) parts.push(page.scan);
     }
     if (room.bounces) parts.push(room.bounces);

@@ -8,7 +8,14 @@ import { LightSum } from "./light_sum";
 import type { Parts } from "./parts";
 import { pixelsOf, textureOf } from "./pictures";
 import type { MeshOfRoom, PageOfRoom, Rgb, Room } from "./room";
-import { backMaterial, beyondHoles, commonUniforms, emissionTexture, surfaceMaterial, wrappingOf } from "./surface";
+import {
+    backMaterial,
+    beyondHoles,
+    commonUniforms,
+    emissionTexture,
+    surfaceMaterial,
+    wrappingOf,
+} from "./surface";
 
 /** What the GPU takes. */
 export interface Limits {
@@ -66,7 +73,7 @@ export class RoomScene {
         const bytes = await parts.take(this.room.geometry);
         for (const mesh of this.room.meshes) this.addMesh(mesh, bytes);
         for (const [p, page] of this.room.pages.entries())
-            this.setTexture(p, "albedo", await textureOf(parts, page.albedo, limits));
+            this.setTexture(p, "albedo", await textureOf(parts, page.first ?? page.albedo, limits));
         for (const [i, light] of this.room.lights.entries())
             for (const [p, map] of light.maps.entries()) {
                 this.sums[p]?.setMap(i, await pixelsOf(parts, map));
@@ -102,23 +109,28 @@ export class RoomScene {
         const sum = new THREE.Vector3();
         this.room.lights.forEach((light, i) => {
             if (light.kind === "sky")
-                sum.add(new THREE.Vector3(...light.colour)
-                    .multiply(new THREE.Vector3(...(weights[i] ?? [0, 0, 0]))));
+                sum.add(
+                    new THREE.Vector3(...light.colour).multiply(
+                        new THREE.Vector3(...(weights[i] ?? [0, 0, 0])),
+                    ),
+                );
         });
         return sum;
     }
 
     /** Light of added lamps by way of surfaces; null: none. */
     setBounced(page: number, texture: THREE.Texture | null): void {
-        for (const material of this.materials[page] ?? []) material.uniforms["bounced"]!.value = texture;
+        for (const material of this.materials[page] ?? [])
+            material.uniforms["bounced"]!.value = texture;
     }
 
     /** The first front that a ray meets. */
     frontAlong(ray: THREE.Raycaster): THREE.Intersection | undefined {
         return ray.intersectObjects(this.meshes, false).find(({ face, object }) => {
             if (!face) return false;
-            const normal = face.normal.clone().applyNormalMatrix(
-                new THREE.Matrix3().getNormalMatrix(object.matrixWorld));
+            const normal = face.normal
+                .clone()
+                .applyNormalMatrix(new THREE.Matrix3().getNormalMatrix(object.matrixWorld));
             return normal.dot(ray.ray.direction) < 0;
         });
     }
@@ -165,6 +177,7 @@ export class RoomScene {
     }
 
     private setTexture(page: number, name: string, texture: THREE.Texture): void {
+        (this.materials[page]?.[0]?.uniforms[name]?.value as THREE.Texture | null)?.dispose();
         const wrap = this.room.meshes.find((mesh) => mesh.page === page)?.wrap;
         if (wrap && name !== "shining") {
             texture.wrapS = wrappingOf(wrap[0]);
@@ -194,6 +207,7 @@ export class RoomScene {
             texture.needsUpdate = true;
             this.setTexture(p, "shining", texture);
         }
+        if (page.first) this.setTexture(p, "albedo", await textureOf(parts, page.albedo, limits));
         if (page.scan) this.setTexture(p, "scan", await textureOf(parts, page.scan, limits));
     }
 }

@@ -7,7 +7,7 @@ import type { AddedUniforms } from "./added_shader";
 import { VIEW_TRANSFORM } from "./formulas";
 import { DIRECTION } from "./sites";
 
-export const VIEWS = { scan: 0, albedo: 1, relit: 2 };
+export const VIEWS = { scan: 0, albedo: 1, relit: 2, light: 3 }; // light: linear, for the meter
 
 const VERTEX = `
 uniform vec4 uvBox; // low, extent
@@ -67,9 +67,13 @@ void main() {
     vec4 lamp = glow();
     vec3 paint = texture(albedo, at).rgb;
     vec3 light = view == 1 ? vec3(1.0) : texture(shading, at).rgb;
-    if (view == 2 && lamps > 0)
+    if (view >= 2 && lamps > 0)
         light += texture(bounced, at).rgb + addedLight(place, normalize(towards), turnOf(gl_FragCoord.xy));
     vec3 radiance = mix(paint * light, vec3(0.0), lamp.a) + lamp.rgb;
+    if (view == 3) {
+        pixel = vec4(radiance, 1.0);
+        return;
+    }
     pixel = vec4(srgbOf(view == 1 ? radiance : agxOf(exposure * radiance)), 1.0);
 }`;
 
@@ -81,7 +85,7 @@ uniform vec3 sky; // radiance
 layout(location = 0) out vec4 pixel;
 ${VIEW_TRANSFORM}
 void main() {
-    pixel = vec4(view == 2 ? srgbOf(agxOf(exposure * sky)) : vec3(0.0), 1.0);
+    pixel = vec4(view == 2 ? srgbOf(agxOf(exposure * sky)) : view == 3 ? sky : vec3(0.0), 1.0);
 }`;
 
 export interface SurfaceTextures {
@@ -144,14 +148,21 @@ export function surfaceMaterial(
 export function emissionTexture(fixtures: number): THREE.DataTexture {
     const count = Math.max(fixtures, 1);
     return new THREE.DataTexture(
-        new Float32Array(4 * count), count, 1, THREE.RGBAFormat, THREE.FloatType);
+        new Float32Array(4 * count),
+        count,
+        1,
+        THREE.RGBAFormat,
+        THREE.FloatType,
+    );
 }
 
 /** What is seen through holes of the scan, behind everything. */
 export function beyondHoles(common: CommonUniforms): THREE.Mesh {
     const triangle = new THREE.BufferGeometry();
     triangle.setAttribute(
-        "position", new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3));
+        "position",
+        new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3),
+    );
     const material = new THREE.ShaderMaterial({
         glslVersion: THREE.GLSL3,
         vertexShader: "void main() { gl_Position = vec4(position.xy, 1.0, 1.0); }",

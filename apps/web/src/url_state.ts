@@ -19,8 +19,10 @@ export interface State {
     show: Show;
     against: Show | null; // to the right of the wipe
     wipe: number; // share of the width
-    stops: number; // more than the room's own exposure
+    isMetered: boolean; // exposed by what is seen; else as the room as it was scanned
+    stops: number; // more than that
     settings: Setting[]; // a light each
+    time: number | null; // of the timeline, which then has the lights; null: they are as set
     added: AddedLamp[]; // lamps that a visitor put up
     pose: Pose | null; // null: where the page begins
     hasPanel: boolean;
@@ -31,8 +33,10 @@ export function initialState(lights: number): State {
         show: "relit",
         against: null,
         wipe: 0.5,
+        isMetered: false,
         stops: 0,
         settings: Array.from({ length: lights }, asFound),
+        time: null,
         added: [],
         pose: null,
         hasPanel: true,
@@ -53,11 +57,13 @@ export function hashOf(state: State): string {
     const words: string[] = [];
     if (state.show !== "relit") words.push(`show=${state.show}`);
     if (state.against) words.push(`against=${state.against}`, `wipe=${short(state.wipe)}`);
+    if (state.isMetered) words.push("exposure=auto");
     if (state.stops !== 0) words.push(`stops=${short(state.stops)}`);
     state.settings.forEach((setting, i) => {
         const word = wordOf(setting);
-        if (word !== "1") words.push(`light${i}=${word}`);
+        if (word !== "1" && state.time === null) words.push(`light${i}=${word}`);
     });
+    if (state.time !== null) words.push(`time=${short(state.time)}`);
     words.push(...wordsOfLamps(state.added));
     if (state.pose) {
         const { position, yaw, pitch } = state.pose;
@@ -90,11 +96,13 @@ export function stateFrom(hash: string, lights: number): State {
     state.show = showIn(words.get("show")) ?? state.show;
     state.against = showIn(words.get("against"));
     state.wipe = numberIn(words.get("wipe") ?? undefined, 0, 1) ?? state.wipe;
+    state.isMetered = words.get("exposure") === "auto";
     state.stops = numberIn(words.get("stops") ?? undefined, -10, 10) ?? 0;
     state.settings = state.settings.map((setting, i) => {
         const word = words.get(`light${i}`);
         return word === null ? setting : settingFrom(word);
     });
+    state.time = numberIn(words.get("time") ?? undefined, -1e9, 1e9);
     state.added = lampsFrom(words);
     const at = (words.get("at") ?? "").split(",").map((text) => numberIn(text, -1e5, 1e5));
     const [x, y, z, yaw, pitch] = at;

@@ -9,7 +9,9 @@ export class Wipe {
         private readonly state: () => State,
         private readonly changed: () => void,
     ) {
-        handle.addEventListener("pointerdown", (event) => handle.setPointerCapture(event.pointerId));
+        handle.addEventListener("pointerdown", (event) =>
+            handle.setPointerCapture(event.pointerId),
+        );
         handle.addEventListener("pointermove", (event) => {
             if (!handle.hasPointerCapture(event.pointerId)) return;
             const box = handle.parentElement?.getBoundingClientRect();

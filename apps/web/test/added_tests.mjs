@@ -3,9 +3,8 @@
 import assert from "node:assert/strict";
 import { writeFile } from "node:fs/promises";
 import { join } from "node:path";
-import { test } from "node:test";
 
-import { drawn, show } from "./browser.mjs";
+import { drawn, show, test } from "./browser.mjs";
 
 const LIKENESS = 28; // dB at least
 const LAMP = { position: [3.2, 0.9, -0.6], lumens: 6400, kelvin: 4000 };

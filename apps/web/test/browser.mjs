@@ -5,9 +5,16 @@ import { createReadStream, existsSync } from "node:fs";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { join, normalize } from "node:path";
+import { test as testOfNode } from "node:test";
 import { promisify } from "node:util";
 
 const run = promisify(execFile);
+const MOST = 60000; // ms of a test: a browser that hangs must not keep the others
+
+/** A test of node's runner that ends. */
+export function test(name, body) {
+    testOfNode(name, { timeout: MOST }, body);
+}
 
 /** From the environment, which CMakeLists.txt sets. */
 export const place = {
@@ -18,7 +25,7 @@ export const place = {
 };
 
 export function relamp(...words) {
-    return run(place.program, [...words.map(String), "-q"]);
+    return run(place.program, [...words.map(String), "-q"], { timeout: MOST });
 }
 
 // SwiftShader draws where there is no GPU.
@@ -39,7 +46,7 @@ export function launch(flags = []) {
 
 const TYPES = { html: "text/html", js: "text/javascript", css: "text/css", jpg: "image/jpeg" };
 
-/** Serves a folder as any static server would; gives its address and a way to end it. */
+/** Serves a folder as any static server would; gives its address and a way to end it. It ends with node, too. */
 export function serve(folder) {
     const server = createServer((request, response) => {
         const path = normalize(new URL(request.url, "http://localhost").pathname);
@@ -48,12 +55,17 @@ export function serve(folder) {
         response.writeHead(200, { "content-type": TYPES[file.split(".").pop()] ?? "text/plain" });
         createReadStream(file).pipe(response);
     });
+    server.unref();
     return new Promise((resolve) => {
         server.listen(0, "127.0.0.1", () =>
             resolve({
                 url: `http://127.0.0.1:${server.address().port}/`,
-                close: () => server.close(),
-            }));
+                close: () => {
+                    server.close();
+                    server.closeAllConnections();
+                },
+            }),
+        );
     });
 }
 
@@ -64,6 +76,7 @@ export async function open(browser, options = {}) {
         reducedMotion: "reduce",
         ...options,
     });
+    context.setDefaultTimeout(MOST / 3);
     const page = await context.newPage();
     const complaints = [];
     const loaded = [];
@@ -77,14 +90,15 @@ export async function open(browser, options = {}) {
 
 /** Until all of the page is there, or it says why not. */
 export async function settled(page) {
-    await page.waitForFunction(() => document.body.dataset.state, null, { timeout: 60000 });
+    await page.waitForFunction(() => document.body.dataset.state);
     await drawn(page);
 }
 
 /** Until the canvas shows what was set. */
 export function drawn(page) {
     return page.evaluate(
-        () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+        () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+    );
 }
 
 /** Goes to another state of the same page, without loading it again. */
@@ -101,7 +115,8 @@ export async function decibels(page, first, second) {
             given.map(async (base64) => {
                 const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
                 return createImageBitmap(new Blob([bytes], { type: "image/png" }));
-            }));
+            }),
+        );
         const [width, height] = [bitmaps[1].width, bitmaps[1].height];
         const [a, b] = bitmaps.map((bitmap) => {
             const canvas = document.createElement("canvas");
@@ -123,4 +138,3 @@ export async function decibels(page, first, second) {
         return 10 * Math.log10((255 * 255 * a.length) / Math.max(sum, 1e-9));
     }, pictures);
 }
-

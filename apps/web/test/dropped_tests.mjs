@@ -1,9 +1,8 @@
 // Models that are dropped onto the page, in Chromium: a part of page_test.mjs.
 
 import assert from "node:assert/strict";
-import { test } from "node:test";
 
-import { drawn, show } from "./browser.mjs";
+import { drawn, show, test } from "./browser.mjs";
 import { ballGlb, drop } from "./glb.mjs";
 
 const STAND = "panel=off&at=2.2,1.5,-3.6,3.14,-0.3";

@@ -16,19 +16,28 @@ void main() { shown = vec4(agxOf(texelFetch(lights, ivec2(gl_FragCoord.xy), 0).r
 function agxOnGpu(lights: number[][]): number[][] {
     const count = lights.length;
     const input = new THREE.DataTexture(
-        new Float32Array(lights.flatMap((rgb) => [...rgb, 1])), count, 1,
-        THREE.RGBAFormat, THREE.FloatType);
+        new Float32Array(lights.flatMap((rgb) => [...rgb, 1])),
+        count,
+        1,
+        THREE.RGBAFormat,
+        THREE.FloatType,
+    );
     input.needsUpdate = true;
     const triangle = new THREE.BufferGeometry();
     triangle.setAttribute(
-        "position", new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3));
-    const mesh = new THREE.Mesh(triangle, new THREE.RawShaderMaterial({
-        glslVersion: THREE.GLSL3,
-        vertexShader: "in vec3 position; void main() { gl_Position = vec4(position, 1.0); }",
-        fragmentShader: FRAGMENT,
-        uniforms: { lights: { value: input } },
-        depthTest: false,
-    }));
+        "position",
+        new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3),
+    );
+    const mesh = new THREE.Mesh(
+        triangle,
+        new THREE.RawShaderMaterial({
+            glslVersion: THREE.GLSL3,
+            vertexShader: "in vec3 position; void main() { gl_Position = vec4(position, 1.0); }",
+            fragmentShader: FRAGMENT,
+            uniforms: { lights: { value: input } },
+            depthTest: false,
+        }),
+    );
     mesh.frustumCulled = false;
     const scene = new THREE.Scene();
     scene.add(mesh);

@@ -1,17 +1,31 @@
 // The page of the sample in Chromium: against the program's own pictures, and as a person uses it.
 
 import assert from "node:assert/strict";
-import { cp, mkdtemp, readFile, readdir, rm, stat, writeFile } from "node:fs/promises";
+import { cp, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { after, before } from "node:test";
 import { pathToFileURL } from "node:url";
 
+import {
+    decibels,
+    drawn,
+    launch,
+    open,
+    place,
+    relamp,
+    serve,
+    settled,
+    show,
+    test,
+} from "./browser.mjs";
+import { testDelightPage } from "./delight_page.mjs";
+import { testExample } from "./lightmaps_example.mjs";
+import { DAY, testTimeline } from "./timeline_tests.mjs";
+import { testWeight } from "./weight.mjs";
 import { testAddedLamps } from "./added_tests.mjs";
 import { testDroppedModels } from "./dropped_tests.mjs";
-import { decibels, drawn, launch, open, place, relamp, serve, settled, show } from "./browser.mjs";
 
-const MOST_BYTES = 8e6; // of the sample's page
 const SIZE = ["--size", "640x360"];
 const LIKENESS = { scan: 32, albedo: 32, lamp: 30, all: 30 }; // dB at least
 
@@ -21,18 +35,21 @@ let room;
 let page; // the folder, and as a tab that all tests but those of loading share
 let tab;
 
-before(async () => {
-    folder = await mkdtemp(join(tmpdir(), "relamp-page-"));
-    const out = join(folder, "out");
-    await relamp("delight", join(place.samples, "bedroom/scan.glb"), "-o", out);
-    page = join(folder, "page");
-    await relamp("page", out, "-o", page);
-    room = JSON.parse(await readFile(join(page, "room.json"), "utf8"));
-    browser = await launch();
-    tab = await open(browser);
-    await tab.page.goto(`${pathToFileURL(join(page, "index.html"))}#panel=off`);
-    await settled(tab.page);
-});
+before(
+    async () => {
+        folder = await mkdtemp(join(tmpdir(), "relamp-page-"));
+        const out = join(folder, "out");
+        await relamp("delight", join(place.samples, "bedroom/scan.glb"), "-o", out, "--page");
+        page = join(folder, "page");
+        await relamp("page", out, "-o", page, "--timeline", DAY);
+        room = JSON.parse(await readFile(join(page, "room.json"), "utf8"));
+        browser = await launch();
+        tab = await open(browser);
+        await tab.page.goto(`${pathToFileURL(join(page, "index.html"))}#panel=off`);
+        await settled(tab.page);
+    },
+    { timeout: 120000 },
+);
 
 after(async () => {
     await browser?.close();
@@ -54,8 +71,7 @@ async function compare(t, name, hash, words, atLeast) {
     assert.ok(found >= atLeast, `${name}: ${found} dB, less than ${atLeast}`);
 }
 
-const alone = (wanted) =>
-    room.lights.map((_, i) => `light${i}=${i === wanted ? 1 : 0}`).join("&");
+const alone = (wanted) => room.lights.map((_, i) => `light${i}=${i === wanted ? 1 : 0}`).join("&");
 
 test("opened from a disk it is whole, without a complaint, and loads nothing from elsewhere", () => {
     assert.deepEqual(tab.complaints, []);
@@ -64,12 +80,7 @@ test("opened from a disk it is whole, without a complaint, and loads nothing fro
         assert.ok(url.startsWith(pathToFileURL(page).href) || url.startsWith("data:"), url);
 });
 
-test("all of its files are less than the bound", async (t) => {
-    let bytes = 0;
-    for (const name of await readdir(page)) bytes += (await stat(join(page, name))).size;
-    t.diagnostic(`${(1e-6 * bytes).toFixed(2)} MB`);
-    assert.ok(bytes < MOST_BYTES, `${bytes} bytes`);
-});
+testWeight(() => ({ page, browser, tab, room }));
 
 test("it shows the scan as the program does", (t) =>
     compare(t, "scan", "show=scan", ["--show", "scan"], LIKENESS.scan));
@@ -81,20 +92,65 @@ test("each lamp alone lights the room as the program has it", async (t) => {
     const lamps = room.lights.filter((light) => light.fixture !== undefined);
     assert.equal(lamps.length, 3);
     for (const lamp of lamps)
-        await compare(t, `lamp${lamp.fixture}`, alone(room.lights.indexOf(lamp)),
-            ["--fixture", `${lamp.fixture}=on`, `--exposure=${room.exposure}`], LIKENESS.lamp);
+        await compare(
+            t,
+            `lamp${lamp.fixture}`,
+            alone(room.lights.indexOf(lamp)),
+            ["--fixture", `${lamp.fixture}=on`, `--exposure=${room.exposure}`],
+            LIKENESS.lamp,
+        );
 });
 
 test("all lights light the room as the program has it", (t) =>
-    compare(t, "all", "", ["--lights", join(folder, "out/lights.json"),
-        `--exposure=${room.exposure}`], LIKENESS.all));
+    compare(
+        t,
+        "all",
+        "",
+        ["--lights", join(folder, "out/lights.json"), `--exposure=${room.exposure}`],
+        LIKENESS.all,
+    ));
 
 test("a lamp of another colour temperature and brightness is as the program has it", (t) => {
     const at = room.lights.findIndex((light) => light.fixture === 2);
     const others = alone(at).replace(`light${at}=1`, `light${at}=0.5,2700K`);
-    return compare(t, "warm", others,
-        ["--fixture", "2=2700K,50%", `--exposure=${room.exposure}`], LIKENESS.lamp);
+    return compare(
+        t,
+        "warm",
+        others,
+        ["--fixture", "2=2700K,50%", `--exposure=${room.exposure}`],
+        LIKENESS.lamp,
+    );
 });
+
+test("the sky alone lights the room as the program has it", async (t) => {
+    const at = room.lights.findIndex((light) => light.kind === "sky");
+    const file = join(folder, "sky.json");
+    const pane = { id: 0, dim: 1e-6 }; // on, or it would be open to the sky, which it was not
+    await writeFile(
+        file,
+        JSON.stringify({ sky: { radiance: room.lights[at].colour }, fixtures: [pane] }),
+    );
+    await compare(
+        t,
+        "sky",
+        `${alone(at)}&stops=4`,
+        ["--lights", file, `--exposure=${room.exposure + 4}`],
+        LIKENESS.lamp,
+    );
+});
+
+test("where one asks for it, a dim lamp alone is exposed as the program exposes it", async (t) => {
+    const lamp = alone(room.lights.findIndex((light) => light.fixture === 60));
+    await show(tab.page, `panel=off&${lamp}&exposure=auto`);
+    await tab.page.waitForFunction(
+        (stops) => Number(document.getElementById("canvas").dataset.stops) > stops + 1,
+        room.exposure,
+    );
+    await drawn(tab.page);
+    await compare(t, "metered", `${lamp}&exposure=auto`, ["--fixture", "60=on"], LIKENESS.lamp);
+});
+
+testTimeline(() => ({ folder, room, tab }));
 
 testAddedLamps(() => ({ tab, room, folder, compare }));
 testDroppedModels(() => ({ tab, room }));
@@ -104,11 +160,15 @@ test("the shader's view transform gives the numbers of the program's", async () 
     const other = await open(browser);
     await other.page.addScriptTag({ path: join(place.libraries, "formulas_probe.js") });
     const shown = await other.page.evaluate(
-        (lights) => window.agxOnGpu(lights), numbers.agx.map(({ light }) => light));
-    numbers.agx.forEach((row, i) => row.shown.forEach((value, c) => {
-        const apart = Math.abs(shown[i][c] - value);
-        assert.ok(apart < 1e-3, `${row.light}: ${shown[i]}, not ${row.shown}`);
-    }));
+        (lights) => window.agxOnGpu(lights),
+        numbers.agx.map(({ light }) => light),
+    );
+    numbers.agx.forEach((row, i) =>
+        row.shown.forEach((value, c) => {
+            const apart = Math.abs(shown[i][c] - value);
+            assert.ok(apart < 1e-3, `${row.light}: ${shown[i]}, not ${row.shown}`);
+        }),
+    );
     await other.close();
 });
 
@@ -156,7 +216,10 @@ test("drag turns, keys walk, a narrow window is filled", async () => {
 test("from a server, on a phone, lamps are switched and dimmed by the panel", async () => {
     const server = await serve(page);
     const phone = await open(browser, {
-        viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true, colorScheme: "dark",
+        viewport: { width: 390, height: 780 },
+        hasTouch: true,
+        isMobile: true,
+        colorScheme: "dark",
     });
     await phone.page.goto(`${server.url}#light0=0`);
     await settled(phone.page);
@@ -174,8 +237,10 @@ test("from a server, on a phone, lamps are switched and dimmed by the panel", as
 });
 
 test("<relamp-room> shows the room on another page", async () => {
-    await writeFile(join(folder, "other.html"),
-        '<link rel="icon" href="data:,"><script src="page/relamp-room.js"></script><relamp-room src="page/"></relamp-room>');
+    await writeFile(
+        join(folder, "other.html"),
+        '<link rel="icon" href="data:,"><script src="page/relamp-room.js"></script><relamp-room src="page/"></relamp-room>',
+    );
     const server = await serve(folder);
     const other = await open(browser);
     await other.page.goto(`${server.url}other.html`);
@@ -186,6 +251,10 @@ test("<relamp-room> shows the room on another page", async () => {
     await other.close();
     server.close();
 });
+
+testDelightPage(() => ({ folder, browser, room }));
+
+testExample(() => ({ folder, browser, room, programs }));
 
 test("a damaged or missing file is told of in a sentence", async () => {
     const broken = join(folder, "broken");

@@ -3,15 +3,25 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { LAMP_RADIUS, intensityOf, lampsFrom, lumensFor, radianceOf, wordsOfLamps } from "../src/added_lamp";
+import {
+    LAMP_RADIUS,
+    intensityOf,
+    lampsFrom,
+    lumensFor,
+    radianceOf,
+    wordsOfLamps,
+} from "../src/added_lamp";
 import { blackbodyColour, luminance } from "../src/blackbody";
 import { transportFrom } from "../src/bounces";
 import { orbited, poseOf, turned, verticalView, walked } from "../src/camera";
 import { ClusterCells } from "../src/cluster_cells";
 import { glslFrom } from "../src/formulas";
+import { fittingRoom } from "../src/levels";
+import { stopsOf } from "../src/light_meter";
 import { asFound, colourFromHex, presetsFor, weightOf } from "../src/light_mix";
 import { Trouble, asRoom, partsOf } from "../src/room";
-import type { Light, Rgb, RoomCamera } from "../src/room";
+import type { Light, Rgb, Room, RoomCamera, TimelineOfRoom } from "../src/room";
+import { keyBeside, settingOf, takeTime, weightsAt, weightsOf, wordsAt } from "../src/timeline";
 import { directionFrom, siteFrom } from "../src/sites";
 import { directionOfRay, harmonicsOf } from "../src/harmonics";
 import { sensibleScale } from "../src/model_file";
@@ -32,6 +42,12 @@ test("a blackbody has the colour that the program gives it", () => {
     assert.ok(numbers.blackbody.length >= 5);
     for (const { kelvin, colour } of numbers.blackbody)
         blackbodyColour(kelvin).forEach((value, i) => near(value, colour[i]!, 1e-4));
+});
+
+test("the exposure is that which the program finds by what is seen", () => {
+    assert.ok(numbers.meter.length >= 4);
+    for (const { light: pixels, stops } of numbers.meter)
+        near(stopsOf(pixels.flatMap((rgb) => [...rgb, 1])), stops, 2e-3);
 });
 
 test("a lamp as it was found is its lightmap, and half of it at half its brightness", () => {
@@ -62,11 +78,15 @@ test("a lamp without blue gives none in any colour", () => {
 test("night has the lamps alone, day all but the lamps", () => {
     const lights = [light("lamp"), light("window"), light("sky")];
     const share = (name: string) =>
-        lights.map(presetsFor(lights).find((preset) => preset.name === name)!.settings)
+        lights
+            .map(presetsFor(lights).find((preset) => preset.name === name)!.settings)
             .map((setting) => setting.share);
     assert.deepEqual(share("Night"), [1, 0, 0]);
     assert.deepEqual(share("Day"), [0, 1, 1]);
-    assert.deepEqual(presetsFor([light("lamp")]).map(({ name }) => name), ["As scanned", "Evening"]);
+    assert.deepEqual(
+        presetsFor([light("lamp")]).map(({ name }) => name),
+        ["As scanned", "Evening"],
+    );
 });
 
 test("the address holds all that a person sets, and nothing of what is as at first", () => {
@@ -76,6 +96,7 @@ test("the address holds all that a person sets, and nothing of what is as at fir
     state.against = "albedo";
     state.wipe = 0.25;
     state.stops = -1.5;
+    state.isMetered = true;
     state.settings = [
         { share: 0, kelvin: null, colour: null },
         { share: 0.5, kelvin: 2700, colour: null },
@@ -97,21 +118,84 @@ test("an address that means nothing is as none", () => {
     assert.equal(stateFrom("#light0=-3,99K", 1).settings[0]!.share, 0);
 });
 
+const timeline: TimelineOfRoom = {
+    seconds: 4,
+    keys: [{ time: 6, name: "dawn" }, { time: 10 }],
+    times: [6, 8, 10],
+    weights: [[[0, 0, 0]], [[1, 0.5, 0]], [[1, 1, 1]]],
+};
+
+test("between two times of a timeline light changes evenly, beyond its ends not at all", () => {
+    const at = (time: number) => weightsAt(timeline, time)[0];
+    assert.deepEqual(
+        [at(5), at(6), at(10), at(99)],
+        [
+            [0, 0, 0],
+            [0, 0, 0],
+            [1, 1, 1],
+            [1, 1, 1],
+        ],
+    );
+    assert.deepEqual(
+        [at(7), at(8), at(9)],
+        [
+            [0.5, 0.25, 0],
+            [1, 0.5, 0],
+            [1, 0.75, 0.5],
+        ],
+    );
+    assert.deepEqual([keyBeside(timeline, 6, 1), keyBeside(timeline, 7, -1)], [10, 6]);
+    assert.deepEqual([wordsAt(timeline, 7.25), wordsAt(timeline, 10)], ["7.3, dawn", "10"]);
+});
+
+test("a lamp can be set to what a timeline makes of it", () => {
+    const lamp = light("lamp");
+    for (const weight of [
+        [1, 0.6, 0.2],
+        [0.5, 0.5, 0.5],
+        [0.3, 2, 1],
+    ] as Rgb[])
+        weightOf(lamp, settingOf(lamp, weight)).forEach((value, i) =>
+            near(value / weight[i]!, 1, 0.02),
+        );
+});
+
+test("the address has the time in place of the lamps, and a page without one passes it over", () => {
+    const room = { lights: [light("lamp")], timeline } as Room;
+    const state = { ...initialState(1), time: 8 };
+    takeTime(room, state);
+    assert.deepEqual(weightsOf(room, state), [[1, 0.5, 0]]);
+    assert.notDeepEqual(state.settings, initialState(1).settings);
+    assert.equal(hashOf(state), "time=8");
+    const other = stateFrom("#time=8", 1);
+    takeTime({ lights: [light("lamp")] } as Room, other);
+    assert.deepEqual(other, initialState(1));
+});
+
 const camera: RoomCamera = {
-    position: [1, 2, 3], forward: [0.6, 0, -0.8], up: [0, 1, 0], fieldOfView: 1.3, across: "width",
+    position: [1, 2, 3],
+    forward: [0.6, 0, -0.8],
+    up: [0, 1, 0],
+    fieldOfView: 1.3,
+    across: "width",
 };
 
 test("a visitor begins where the program's camera stands, and walks where it looks", () => {
     const pose = poseOf(camera);
     const ahead = walked(pose, 0, 0, 2);
     ahead.position.forEach((value, i) =>
-        near(value, camera.position[i]! + 2 * camera.forward[i]!, 1e-9));
+        near(value, camera.position[i]! + 2 * camera.forward[i]!, 1e-9),
+    );
     near(walked(pose, 1, 0, 0).position[0], 1 + 0.8, 1e-9);
     assert.ok(turned(pose, 0, 9).pitch < Math.PI / 2);
 });
 
 test("the picture is as wide as the program's, and no more than that on a phone", () => {
-    near(verticalView(camera, 16 / 9), (360 / Math.PI) * Math.atan((Math.tan(0.65) * 9) / 16), 1e-9);
+    near(
+        verticalView(camera, 16 / 9),
+        (360 / Math.PI) * Math.atan((Math.tan(0.65) * 9) / 16),
+        1e-9,
+    );
     assert.ok(verticalView(camera, 0.46) < 90);
 });
 
@@ -127,18 +211,54 @@ test("a damaged room is told of in a sentence", () => {
         assert.throws(() => asRoom(data), Trouble);
     const part = { file: "a", type: "b", bytes: 1 };
     const room = {
-        format: "relamp page 1", meshes: [], geometry: part, camera, lights: [],
+        format: "relamp page 1",
+        meshes: [],
+        geometry: part,
+        camera,
+        lights: [],
         pages: [{ albedo: { ...part, file: "albedo" } }],
     };
-    assert.deepEqual(partsOf(asRoom(room)).map(({ file }) => file), ["a", "albedo"]);
+    assert.deepEqual(
+        partsOf(asRoom(room)).map(({ file }) => file),
+        ["a", "albedo"],
+    );
     assert.throws(() => asRoom({ ...room, format: "relamp page 9" }), /another version/);
+});
+
+test("a phone loads the smaller textures, and a small one is seen first", () => {
+    const level = (side: number) => ({
+        file: `a_${side}`,
+        type: "image/webp",
+        bytes: 9,
+        width: side,
+        height: side / 2,
+    });
+    const room = {
+        geometry: { file: "g", type: "b", bytes: 1 },
+        lights: [] as Light[],
+        pages: [
+            {
+                albedo: { ...level(4096), smaller: [level(2048), level(1024)] },
+                scan: { ...level(4096), smaller: [level(2048)] },
+            },
+        ],
+    } as unknown as Room;
+    const files = (most: number) => partsOf(fittingRoom(room, most)).map(({ file }) => file);
+    assert.deepEqual(files(16384), ["g", "a_1024", "a_4096", "a_4096"]);
+    assert.deepEqual(files(2048), ["g", "a_1024", "a_2048", "a_2048"]);
+    room.pages[0]!.albedo = level(1024);
+    assert.deepEqual(files(2048), ["g", "a_1024", "a_2048"]);
 });
 
 test("a shared header becomes GLSL ES without macros", () => {
     const glsl = glslFrom(
         '#pragma once\n#include "base/shared.h"\nSHARED_BEGIN\nSHARED_CONST kA = 2.0f;\n' +
-        "SHARED_FN float f(float x)\n{\n    const float b = kA * x;\n    return b;\n}\nSHARED_END\n");
-    assert.equal(glsl, "const float kA = 2.0f;\n float f(float x)\n{\n    float b = kA * x;\n    return b;\n}");
+            "SHARED_FN float f(float x)\n{\n    const float b = kA * x;\n    return b;\n}\nSHARED_END\n",
+    );
+    assert.equal(
+        glsl,
+        "const float kA = 2.0f;\n float f(float x)\n{\n    float b = kA * x;\n    return b;\n}",
+    );
 });
 
 test("an added lamp sends its lumens all around, from its surface", () => {
@@ -153,7 +273,8 @@ test("an added lamp sends its lumens all around, from its surface", () => {
 
 test("added lamps that an address has wrong are passed over", () => {
     const words = new URLSearchParams(
-        "lamp0=1,2,3&lamp1=1,2,x,800,2700K&lamp2=1,2,3,1e9,99K&lamp3=1,2,3,-1,2700K&lamp4=0,0,0,800,2700K");
+        "lamp0=1,2,3&lamp1=1,2,x,800,2700K&lamp2=1,2,3,1e9,99K&lamp3=1,2,3,-1,2700K&lamp4=0,0,0,800,2700K",
+    );
     assert.deepEqual(wordsOfLamps(lampsFrom(words)), ["lamp0=1,2,3,25600,1000K"]);
 });
 
@@ -180,12 +301,33 @@ test("rays, harmonics and packed directions are the program's", () => {
 
 test("probes add up the lights, each times its weight, and what is cut short is told of", () => {
     const about = {
-        file: "probes", type: "", bytes: 0, low: [0, 0, 0] as Rgb, spacing: 1, count: [1, 1, 1] as Rgb,
-        rays: 1, scales: [2, 16],
+        file: "probes",
+        type: "",
+        bytes: 0,
+        low: [0, 0, 0] as Rgb,
+        spacing: 1,
+        count: [1, 1, 1] as Rgb,
+        rays: 1,
+        scales: [2, 16],
     };
     const even = new Array<number>(24).fill(127.5);
-    const bytes = Uint8Array.from([0, 0, 255, 255, 255, ...even, 255, 0, 127.5, 255, ...even.slice(1)]);
-    const light = new Probes(about, bytes).harmonicsAt(0, [[1, 0, 0.5], [1, 1, 0]]);
+    const bytes = Uint8Array.from([
+        0,
+        0,
+        255,
+        255,
+        255,
+        ...even,
+        255,
+        0,
+        127.5,
+        255,
+        ...even.slice(1),
+    ]);
+    const light = new Probes(about, bytes).harmonicsAt(0, [
+        [1, 0, 0.5],
+        [1, 1, 0],
+    ]);
     near(light[0]!, 2 + 16, 1e-9);
     near(light[1]!, 0, 1e-9);
     near(light[2]!, 1, 1e-9);
@@ -202,14 +344,26 @@ test("a model of absurd size is brought to one that can stand in the room", () =
 
 test("rays of clusters are sums of steps, and what is cut short is told of", () => {
     const about = {
-        file: "bounces", type: "", bytes: 0, clusters: 1, fronts: 1, size: 1, points: 1, rays: 2, box };
+        file: "bounces",
+        type: "",
+        bytes: 0,
+        clusters: 1,
+        fronts: 1,
+        size: 1,
+        points: 1,
+        rays: 2,
+        box,
+    };
     const site = [0, 0, 0, 0, 0, 0, 128, 128];
     const bytes = Uint8Array.from([...site, 255, 0, 128, ...site, 0, 1]);
     const { rays, clusters } = transportFrom(about, bytes);
     assert.deepEqual([...rays], [0, 1]);
     assert.equal(clusters[0]!.albedo[0], 1);
     assert.throws(() => transportFrom(about, bytes.subarray(0, bytes.length - 1)), Trouble);
-    assert.throws(() => transportFrom(about, Uint8Array.from([...bytes.subarray(0, -2), 0, 255])), Trouble);
+    assert.throws(
+        () => transportFrom(about, Uint8Array.from([...bytes.subarray(0, -2), 0, 255])),
+        Trouble,
+    );
 });
 
 test("a cell lists all clusters that its places are near", () => {
@@ -219,10 +373,17 @@ test("a cell lists all clusters that its places are near", () => {
         albedo: [1, 1, 1] as Rgb,
     }));
     const reach = 0.6;
-    const cells = new ClusterCells({ clusters, fronts: 60, size: 0.4, points: [], rays: new Uint16Array() }, reach);
+    const cells = new ClusterCells(
+        { clusters, fronts: 60, size: 0.4, points: [], rays: new Uint16Array() },
+        reach,
+    );
     for (let n = 0; n < 200; ++n) {
         const place = new Vector3((n * 0.7) % 4, (n * 0.31) % 2, (n * 0.13) % 1);
-        const at = place.clone().sub(cells.low).divideScalar(cells.size).floor()
+        const at = place
+            .clone()
+            .sub(cells.low)
+            .divideScalar(cells.size)
+            .floor()
             .clamp(new Vector3(), cells.count.clone().subScalar(1));
         const list = cells.lists[(at.z * cells.count.y + at.y) * cells.count.x + at.x]!;
         clusters.forEach((cluster, i) => {
