@@ -76,7 +76,8 @@ Scan readScan(const std::filesystem::path& file, const ScanOptions& options, Pro
     scan.options = options;
     checkCounts(scan, file.string());
     shortenWarnings(scan.warnings);
-    return options.longestSide > 0 ? coarsened(std::move(scan), options.longestSide) : scan;
+    if (options.longestSide > 0) return coarsened(std::move(scan), options.longestSide);
+    return scan;
 }
 
 } // namespace relamp
