@@ -1,5 +1,7 @@
 #include "relamp/estimate.h"
 
+#include "scan/large_scan.h"
+
 #include <algorithm>
 
 namespace relamp
@@ -57,10 +59,12 @@ double sum(const Rates& rates, const Sizes& of)
 
 // Bytes.
 constexpr Rates kDelightMemory{9.2e7, 35, 12, 0.0, 4.6e2, 5.1e5, 0.0, 2.4e4};
+// Of a large scan, whose pages lie in files (large_scan.h).
+constexpr Rates kLargeDelightMemory{9.2e7, 0.37, 47, 0.0, 4.6e2, 5.1e5, 0.0, 2.4e4};
 constexpr Rates kVerifyMemory{2e8, 15, 0.0, 22, 2.8e2, 7.6e4, 1.5e4, 1.8e4};
 constexpr Rates kRelightMemory{1.9e8, 16, 7.8, 24, 2.9e2, 8.2e4, 3.5e4, 2.3e4};
 // Seconds of a core.
-constexpr Rates kDelightSeconds{1.1, 0.0, 1.8e-07, 9.5e-07, 2.4e-05, 0.0, 0.0015, 0.0023};
+constexpr Rates kDelightSeconds{1.1, 0.0, 1.8e-07, 8.3e-07, 2.4e-05, 0.0, 0.0015, 0.0023};
 constexpr Rates kVerifySeconds{1.9, 0.0, 2.5e-07, 2.9e-07, 3.2e-05, 0.0, 0.00065, 0.0012};
 constexpr Rates kRelightSeconds{1.0, 0.0, 1.08e-06, 9e-07, 2.2e-05, 0.0, 0.0011, 0.0014};
 
@@ -69,7 +73,9 @@ constexpr Rates kRelightSeconds{1.0, 0.0, 1.08e-06, 9e-07, 2.2e-05, 0.0, 0.0011,
 Estimate estimate(const Inspection& found, size_t fixtures)
 {
     const Sizes sizes = sizesOf(found, fixtures);
-    return {.delight = {sum(kDelightMemory, sizes), sum(kDelightSeconds, sizes)},
+    const bool isLarge = sizes.pixels > static_cast<double>(pixelsInMemory());
+    const Rates& delightMemory = isLarge ? kLargeDelightMemory : kDelightMemory;
+    return {.delight = {sum(delightMemory, sizes), sum(kDelightSeconds, sizes)},
             .verify = {sum(kVerifyMemory, sizes), sum(kVerifySeconds, sizes)},
             .relight = {sum(kRelightMemory, sizes), sum(kRelightSeconds, sizes)}};
 }

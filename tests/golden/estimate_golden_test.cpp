@@ -65,8 +65,8 @@ void expectNear(const nlohmann::json& estimate, const Taken& taken, const std::s
     EXPECT_LT(seconds, 3.0) << command;
 }
 
-/// What delight took of a scan on 2026-11-27, memory of the rooms that evening
-/// (docs/dev/notebook.md).
+/// What delight took of a scan on 2026-11-27, memory of the rooms that evening, large ones a day
+/// later (docs/dev/notebook.md).
 struct Measured
 {
     const char* scan;
@@ -92,6 +92,9 @@ std::vector<Measured> measuredScans()
     const auto page = [](int width, int height, size_t charts) {
         return PageInspection{.width = width, .height = height, .charts = charts};
     };
+    const auto pagesOf8192 = [&](size_t count) {
+        return std::vector<PageInspection>(count, page(8192, 8192, 1900 / count));
+    };
     const std::vector<PageInspection> sixteen(16, page(1024, 1024, 1831));
     return {{"a small room", sized(151969, 558, 53.8, {page(448, 448, 279)}), 3, 123, 2.27},
             {"meeting room", sized(4916430, 27560, 121.9, {page(2048, 3840, 80)}), 11, 603, 12.3},
@@ -99,7 +102,11 @@ std::vector<Measured> measuredScans()
              19.9},
             {"sample, sixteen times the triangles",
              sized(545268, 637680, 87.3, {page(1024, 1024, 1831)}), 3, 488, 24.51},
-            {"sixteen rooms", sized(8724224, 637680, 1396.2, sixteen), 32, 2440, 232.7}};
+            {"sixteen rooms", sized(8724224, 637680, 1396.2, sixteen), 32, 2440, 232.7},
+            {"eight pages of 8192 pixels", sized(263815297, 39855, 87.1, pagesOf8192(8)), 3, 3490,
+             249.4},
+            {"thirty-two pages of 8192 pixels", sized(993011552, 39855, 87.1, pagesOf8192(32)), 3,
+             4090, 927.8}};
 }
 
 } // namespace
