@@ -8,7 +8,7 @@ import type { AddedUniforms } from "./added_shader";
 import { Trouble } from "./room";
 import type { BouncesOfRoom, Rgb } from "./room";
 import { ScreenPass, floatTexture, lightTarget } from "./screen_pass";
-import { siteFrom } from "./sites";
+import { isCount, siteFrom } from "./sites";
 
 // Of their rays, one that clusters ask in each bounce, as src/relight/follow_bounces.h has it:
 // what is to come is ever less, and ever more even. What is left after them is some
@@ -37,8 +37,9 @@ const CLUSTER = 11;
 export function transportFrom(about: BouncesOfRoom, bytes: Uint8Array): Transport {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     const count = about.clusters;
+    if (![count, about.points, about.rays].every(isCount) || !(about.size > 0)) throw damaged();
     const begin = { points: CLUSTER * count, rays: CLUSTER * count + SITE * count * about.points };
-    if (begin.rays > bytes.length) throw damaged();
+    if (begin.rays + count * about.rays > bytes.length) throw damaged(); // a byte each at least
     const clusters = Array.from({ length: count }, (_, i) => {
         const at = CLUSTER * i;
         const albedo = [8, 9, 10].map((c) => ((bytes[at + c] ?? 0) / 255) ** 2) as Rgb;

@@ -19,6 +19,7 @@ const OFF_WALL = 0.3; // m
 
 export class ModelPlacing {
     private readonly list = element("ul", { class: "lamps", "aria-label": "models" });
+    private readonly button = element("button", { type: "button" }, "Bring a model (GLB)");
     private dragged: Model | null = null;
 
     /** `changed` is called after models were brought, moved or taken away. */
@@ -35,10 +36,9 @@ export class ModelPlacing {
             if (file) void this.bring(file, canvas.clientWidth / 2, LOW * canvas.clientHeight);
             input.value = "";
         });
-        const button = element("button", { type: "button" }, "Bring a model (GLB)");
-        button.title = "Choose a file, or drop it into the picture";
-        button.addEventListener("click", () => input.click());
-        byId("models").append(element("h2", {}, "Models"), this.list, button, input);
+        this.button.title = "Choose a file, or drop it into the picture";
+        this.button.addEventListener("click", () => input.click());
+        byId("models").append(element("h2", {}, "Models"), this.list, this.button, input);
         this.takeDrops();
         this.takeDrags();
     }
@@ -46,15 +46,18 @@ export class ModelPlacing {
     /** A file that is dropped on a pixel of the picture. */
     async bring(file: File, x: number, y: number): Promise<void> {
         try {
-            if (!this.models.isReady)
+            if (!this.models.isPossible)
                 throw new Trouble(
-                    "The page is still loading, or has no light probes: relamp page writes them.",
+                    "This page was written by an older relamp; write it again with relamp page.",
                 );
-            if (this.models.models.length >= MOST_MODELS)
-                throw new Trouble(`There are ${MOST_MODELS} models already; remove one.`);
+            if (!this.models.isReady)
+                throw new Trouble("The page is still loading; bring the model in a moment.");
             const place = this.levelAt(x, y);
             if (!place) throw new Trouble("Nothing is there for a model to stand on.");
-            this.models.add(file.name.replace(/\.[^.]*$/, ""), await readModel(file), place);
+            const model = await readModel(file);
+            if (this.models.models.length >= MOST_MODELS)
+                throw new Trouble(`There are ${MOST_MODELS} models already; remove one.`);
+            this.models.add(file.name.replace(/\.[^.]*$/, ""), model, place);
             this.show();
             this.changed();
         } catch (trouble) {
@@ -117,8 +120,10 @@ export class ModelPlacing {
             stage.addEventListener(
                 name,
                 (event) => {
-                    if (this.dragged) event.stopPropagation();
+                    if (!this.dragged) return;
+                    event.stopPropagation();
                     this.dragged = null;
+                    this.show();
                 },
                 catching,
             );
@@ -165,13 +170,14 @@ export class ModelPlacing {
             word: string,
             label: string,
             range: { min: number; max: number; step: number },
+            unit: string,
             now: number,
             change: (value: number) => void,
         ) => {
             const made = slider(
                 `${label} ${model.name}`,
                 range,
-                (value) => String(value),
+                (value) => `${Number(value.toFixed(2))} ${unit}`,
                 set(change),
             );
             made.set(now);
@@ -188,6 +194,7 @@ export class ModelPlacing {
             this.models.remove(model);
             this.show();
             this.changed();
+            this.button.focus();
         });
         return element(
             "li",
@@ -202,13 +209,15 @@ export class ModelPlacing {
                 "turn",
                 "turn",
                 { min: -180, max: 180, step: 5 },
-                0,
+                "degrees",
+                THREE.MathUtils.radToDeg(rotation.y),
                 (value) => (rotation.y = THREE.MathUtils.degToRad(value)),
             ),
             line(
                 "x",
                 "move along x",
                 { min: low[0], max: high[0], step: 0.05 },
+                "metres",
                 position.x,
                 (value) => (position.x = value),
             ),
@@ -216,6 +225,7 @@ export class ModelPlacing {
                 "z",
                 "move along z",
                 { min: low[2], max: high[2], step: 0.05 },
+                "metres",
                 position.z,
                 (value) => (position.z = value),
             ),
