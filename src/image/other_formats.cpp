@@ -164,7 +164,7 @@ Picture readOtherFormat(const PictureFile& file, int64_t mostBytes, const Header
 std::vector<uint8_t> encodeWebp(std::span<const uint8_t> rgb, Size size, int quality,
                                 const Progress& progress)
 {
-    constexpr int kLargestSide = 16383; // of the format
+    constexpr int kLargestSide = 16383;     // of the format
     constexpr double kSecondsOfByte = 2e-5; // of what is encoded, at most
     constexpr size_t kMemoryOfByte = 16;
     static auto* const write =

@@ -7,7 +7,7 @@ import { ADDED_LIGHT } from "./added_shader";
 import type { AddedUniforms } from "./added_shader";
 import { Trouble } from "./room";
 import type { BouncesOfRoom, Rgb } from "./room";
-import { ScreenPass, floatTexture, lightTarget } from "./screen_pass";
+import { ScreenPass, floatTexture, lightTarget, wordTexture } from "./screen_pass";
 import { isCount, siteFrom } from "./sites";
 
 // Of their rays, one that clusters ask in each bounce, as src/relight/follow_bounces.h has it:
@@ -176,7 +176,7 @@ export class Bounces {
             direct: { value: this.direct.texture },
             albedo: { value: floatTexture(albedo, COLUMNS, rows) },
             sent: { value: null },
-            rays: { value: raysTexture(transport.rays, count) },
+            rays: { value: wordTexture(transport.rays, transport.rays.length / count, count) },
             clusters: { value: count },
             stride: { value: 0 },
             isLast: { value: false },
@@ -223,18 +223,4 @@ export function rgbaFrom(values: Rgb[], count: number): Float32Array {
     const data = new Float32Array(4 * count);
     values.forEach((value, i) => data.set(value, 4 * i));
     return data;
-}
-
-function raysTexture(rays: Uint16Array<ArrayBuffer>, clusters: number): THREE.DataTexture {
-    const texture = new THREE.DataTexture(
-        rays,
-        rays.length / clusters,
-        clusters,
-        THREE.RedIntegerFormat,
-        THREE.UnsignedShortType,
-    );
-    texture.internalFormat = "R16UI";
-    texture.unpackAlignment = 2;
-    texture.needsUpdate = true;
-    return texture;
 }

@@ -6,7 +6,7 @@ import * as THREE from "three";
 import { HARMONICS, directionOfRay, harmonicsOf } from "./harmonics";
 import { Trouble } from "./room";
 import type { ProbesOfRoom, Rgb } from "./room";
-import { ScreenPass, floatTexture, lightTarget } from "./screen_pass";
+import { ScreenPass, floatTexture, lightTarget, wordTexture } from "./screen_pass";
 import { isCount } from "./sites";
 
 const CHANNELS = 3 * HARMONICS;
@@ -67,7 +67,7 @@ export class Probes {
         this.target = lightTarget(HARMONICS, this.count);
         this.pass = new ScreenPass(SUM, {
             ofRoom: { value: this.texture },
-            met: { value: this.metTexture() },
+            met: { value: wordTexture(this.met, about.rays, this.count) },
             basis: { value: basisTexture(about.rays) },
             sending: { value: null },
             hasSending: { value: false },
@@ -111,20 +111,6 @@ export class Probes {
         this.pass.uniforms["sending"]!.value = sending;
         this.pass.uniforms["hasSending"]!.value = sending !== null;
         this.pass.run(renderer, this.target);
-    }
-
-    private metTexture(): THREE.DataTexture {
-        const texture = new THREE.DataTexture(
-            this.met,
-            this.about.rays,
-            this.count,
-            THREE.RedIntegerFormat,
-            THREE.UnsignedShortType,
-        );
-        texture.internalFormat = "R16UI";
-        texture.unpackAlignment = 2;
-        texture.needsUpdate = true;
-        return texture;
     }
 }
 
