@@ -20,7 +20,7 @@ const OFF_WALL = 0.3; // m
 export class ModelPlacing {
     private readonly list = element("ul", { class: "lamps", "aria-label": "models" });
     private readonly button = element("button", { type: "button" }, "Bring a model (GLB)");
-    private dragged: Model | null = null;
+    private dragged: { model: Model; pointer: number } | null = null;
 
     /** `changed` is called after models were brought, moved or taken away. */
     constructor(
@@ -96,8 +96,9 @@ export class ModelPlacing {
             "pointerdown",
             (event) => {
                 if (event.target !== canvas || !event.isPrimary) return;
-                this.dragged = this.modelAt(...at(event));
-                if (!this.dragged) return;
+                const model = this.modelAt(...at(event));
+                if (!model) return;
+                this.dragged = { model, pointer: event.pointerId };
                 event.stopPropagation();
                 canvas.setPointerCapture(event.pointerId);
             },
@@ -106,11 +107,11 @@ export class ModelPlacing {
         stage.addEventListener(
             "pointermove",
             (event) => {
-                if (!this.dragged) return;
+                if (this.dragged?.pointer !== event.pointerId) return; // or another finger
                 event.stopPropagation();
                 const place = this.levelAt(...at(event));
                 if (!place) return;
-                this.dragged.root.position.set(...place);
+                this.dragged.model.root.position.set(...place);
                 this.models.moved();
                 this.changed();
             },
@@ -120,7 +121,7 @@ export class ModelPlacing {
             stage.addEventListener(
                 name,
                 (event) => {
-                    if (!this.dragged) return;
+                    if (this.dragged?.pointer !== event.pointerId) return;
                     event.stopPropagation();
                     this.dragged = null;
                     this.show();
