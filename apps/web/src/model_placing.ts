@@ -3,10 +3,11 @@
 
 import * as THREE from "three";
 
-import { byId, element, slider } from "./dom";
+import { byId, element } from "./dom";
 import { MOST_MODELS } from "./dropped_models";
 import type { DroppedModels, Model } from "./dropped_models";
 import { readModel } from "./model_file";
+import { modelRow } from "./model_row";
 import { notice } from "./notice";
 import type { Picture } from "./picture";
 import { Trouble } from "./room";
@@ -162,74 +163,18 @@ export class ModelPlacing {
     }
 
     private rowOf(model: Model): HTMLElement {
-        const set = (change: (value: number) => void) => (value: number) => {
-            change(value);
-            this.models.moved();
-            this.changed();
-        };
-        const line = (
-            word: string,
-            label: string,
-            range: { min: number; max: number; step: number },
-            unit: string,
-            now: number,
-            change: (value: number) => void,
-        ) => {
-            const made = slider(
-                `${label} ${model.name}`,
-                range,
-                (value) => `${Number(value.toFixed(2))} ${unit}`,
-                set(change),
-            );
-            made.set(now);
-            return element("label", { class: "line" }, element("span", {}, word), made.input);
-        };
-        const { position, rotation } = model.root;
-        const { low, high } = this.picture.box;
-        const remove = element(
-            "button",
-            { type: "button", "aria-label": `remove ${model.name}` },
-            "Remove",
-        );
-        remove.addEventListener("click", () => {
-            this.models.remove(model);
-            this.show();
-            this.changed();
-            this.button.focus();
+        return modelRow(model, {
+            box: this.picture.box,
+            changed: () => {
+                this.models.moved();
+                this.changed();
+            },
+            remove: () => {
+                this.models.remove(model);
+                this.show();
+                this.changed();
+                this.button.focus();
+            },
         });
-        return element(
-            "li",
-            { class: "lamp" },
-            element(
-                "div",
-                { class: "head" },
-                element("span", { class: "name" }, model.name),
-                remove,
-            ),
-            line(
-                "turn",
-                "turn",
-                { min: -180, max: 180, step: 5 },
-                "degrees",
-                THREE.MathUtils.radToDeg(rotation.y),
-                (value) => (rotation.y = THREE.MathUtils.degToRad(value)),
-            ),
-            line(
-                "x",
-                "move along x",
-                { min: low[0], max: high[0], step: 0.05 },
-                "metres",
-                position.x,
-                (value) => (position.x = value),
-            ),
-            line(
-                "z",
-                "move along z",
-                { min: low[2], max: high[2], step: 0.05 },
-                "metres",
-                position.z,
-                (value) => (position.z = value),
-            ),
-        );
     }
 }
