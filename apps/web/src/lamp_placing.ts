@@ -48,7 +48,7 @@ export class LampPlacing {
         if (this.rows.length !== added.length) this.remake(added.length);
         this.rows.forEach((row) => row.show());
         this.rings.forEach((ring) => ring.follow(this.picture.camera));
-        // A button that is disabled hears no more of the drag that it began.
+        // Not every browser tells a button that is disabled of the drag that began on it.
         this.add.disabled = added.length >= MOST_LAMPS && !this.from;
     }
 

@@ -31,14 +31,14 @@ export async function readModel(file: File): Promise<THREE.Group> {
     if (file.size > MOST_BYTES) throw refuse("it has more than 100 MB");
     const loader = new GLTFLoader(new THREE.LoadingManager().setURLModifier(onlyOwn));
     loader.setMeshoptDecoder(MeshoptDecoder);
-    let scene: THREE.Group;
+    let scene: THREE.Group | undefined; // a file may have none
     try {
         scene = (await loader.parseAsync(await file.arrayBuffer(), "")).scene;
     } catch (error) {
         if (error instanceof Trouble) throw refuse(error.message);
         throw refuse(reasonOf(String(error)));
     }
-    if (meshesOf(scene).length === 0) throw refuse("there are no triangles in it");
+    if (!scene || meshesOf(scene).length === 0) throw refuse("there are no triangles in it");
     const { min, max } = new THREE.Box3().setFromObject(scene);
     if (![...min.toArray(), ...max.toArray()].every((value) => Math.abs(value) < MOST_METRES))
         throw refuse("some of its triangles lie nowhere: save it again");

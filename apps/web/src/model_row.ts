@@ -26,7 +26,7 @@ function linesOf(
     { low, high }: ModelRowActions["box"],
 ): Line[] {
     const along = (axis: "x" | "z", i: 0 | 2): Line => ({
-        word: axis,
+        word: `along ${axis}`,
         label: `move along ${axis}`,
         range: { min: low[i], max: high[i], step: 0.05 },
         unit: "metres",

@@ -40,6 +40,7 @@ export class TimeRow {
             head,
             this.at.input,
         );
+        this.at.set(min);
         this.show();
     }
 
@@ -47,7 +48,14 @@ export class TimeRow {
         const time = this.time();
         if (time === null) this.stop();
         else this.at.set(time);
-        this.words.textContent = time === null ? "" : wordsAt(this.timeline, time);
+        this.words.textContent = time === null ? this.all() : wordsAt(this.timeline, time);
+    }
+
+    private all(): string {
+        const [first, last] = [startOf, endOf].map((end) =>
+            wordsAt(this.timeline, end(this.timeline)),
+        );
+        return `${first} to ${last}`;
     }
 
     private stop(): void {

@@ -85,7 +85,7 @@ test("night has the lamps alone, day all but the lamps", () => {
     assert.deepEqual(share("Day"), [0, 1, 1]);
     assert.deepEqual(
         presetsFor([light("lamp")]).map(({ name }) => name),
-        ["As scanned", "Evening"],
+        ["As found", "Evening"],
     );
 });
 
@@ -218,7 +218,11 @@ test("a damaged room is told of in a sentence", () => {
         meshes: [],
         geometry: part,
         camera,
-        lights: [],
+        box: { low: [0, 0, 0], high: [4, 3, 5] },
+        exposure: 1,
+        fixtures: 1,
+        lights: [light("lamp")],
+        timeline,
         pages: [{ albedo: { ...part, file: "albedo" } }],
     };
     assert.deepEqual(
@@ -226,6 +230,16 @@ test("a damaged room is told of in a sentence", () => {
         ["a", "albedo"],
     );
     assert.throws(() => asRoom({ ...room, format: "relamp page 9" }), /another version/);
+    for (const wrong of [
+        { lights: [] },
+        { camera: {} },
+        { box: { low: [0, 0], high: [1, 1, 1] } },
+        { exposure: null },
+        { fixtures: 1e12 },
+        { timeline: {} },
+        { timeline: { ...timeline, weights: [[], [], []] } },
+    ])
+        assert.throws(() => asRoom({ ...room, ...wrong }), /damaged/);
 });
 
 test("a phone loads the smaller textures, and a small one is seen first", () => {
