@@ -74,7 +74,7 @@ export class AddedRow {
             { class: "lamp" },
             element("div", { class: "head" }, label, remove),
             line("brightness", this.lumens),
-            line("warm to cold", this.kelvin),
+            line("colour", this.kelvin),
             line("height", this.height),
         );
         this.show();
