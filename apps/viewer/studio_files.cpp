@@ -94,13 +94,17 @@ void Studio::savePage(const std::filesystem::path& folder)
     relamp::checkPage(folder, page);
     relamp::checkPage(*room_.scan);
     std::vector<std::string> notes;
-    saver_.start([this, folder, page, light = lightOfPage(notes), found = room_.decomposition,
+    const relamp::Relighting light = lightOfPage(notes);
+    for (const std::string& note : notes) say(note);
+    saver_.start([this, folder, page, light, found = room_.decomposition,
                   path = room_.path](relamp::Progress& progress) {
         const relamp::DelitRoom room = found ? relamp::delitRoomOf(*found, progress)
                                              : relamp::readDelitRoom(path, {}, progress);
         relamp::Relighter relighter(room, {.engine = engine_}, progress);
-        relamp::writePage(relighter, light, folder, page, progress);
-        mailbox_.post([this, folder] {
+        const relamp::WrittenPage written =
+            relamp::writePage(relighter, light, folder, page, progress);
+        mailbox_.post([this, folder, lacks = written.notes] {
+            for (const std::string& note : lacks) say(note);
             say(fmt::format("The page is {}.", (folder / "index.html").string()));
         });
     });

@@ -24,7 +24,7 @@ export default [
         languageOptions: {
             globals: here(
                 "process URL Buffer window document location performance requestAnimationFrame " +
-                    "createImageBitmap Blob File atob customElements HTMLElement KeyboardEvent WheelEvent " +
+                    "createImageBitmap Blob File atob customElements HTMLElement Event KeyboardEvent WheelEvent " +
                     "DataTransfer",
             ),
         },

@@ -1,5 +1,6 @@
 #include "base/spill.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
@@ -7,6 +8,8 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace relamp
 {
@@ -83,6 +86,26 @@ TEST(Spill, StaysWhereItIsWithoutRoom)
     EXPECT_EQ(values, someValues());
     letGo(values); // nothing to do
     EXPECT_EQ(values, someValues());
+}
+
+// The C library keeps blocks of some megabytes together, once one of them was freed: what lies in
+// freed ones next must not be shared with a copy of the process, as their file was.
+TEST(Spill, LeavesNothingSharedBehind)
+{
+    constexpr size_t kSome = size_t{4} << 20; // bytes
+    std::vector<uint8_t>(2 * kSome, 1);
+    std::vector<uint8_t> spilled(kSome, 1);
+    ASSERT_TRUE(spill(spilled));
+    EXPECT_EQ(spilled, std::vector<uint8_t>(kSome, 1));
+    std::vector<uint8_t>().swap(spilled);
+    std::vector<uint8_t> next(kSome, 2);
+    const pid_t copy = fork();
+    if (copy == 0) {
+        std::fill(next.begin(), next.end(), uint8_t{3});
+        _exit(0);
+    }
+    ASSERT_EQ(waitpid(copy, nullptr, 0), copy);
+    EXPECT_EQ(next, std::vector<uint8_t>(kSome, 2));
 }
 
 TEST(Spill, LeavesSmallThingsAlone)

@@ -164,14 +164,15 @@ Picture readOtherFormat(const PictureFile& file, int64_t mostBytes, const Header
 std::vector<uint8_t> encodeWebp(std::span<const uint8_t> rgb, Size size, int quality,
                                 const Progress& progress)
 {
-    constexpr int kLargestSide = 16383; // of the format
-    constexpr double kSecondsPerPixel = 2e-5;
+    constexpr int kLargestSide = 16383;     // of the format
+    constexpr double kSecondsOfByte = 2e-5; // of what is encoded, at most
+    constexpr size_t kMemoryOfByte = 16;
     static auto* const write =
         reinterpret_cast<WriteWithOpenImageIo*>(offered(kWriteWithOpenImageIo));
     if (write == nullptr || std::max(size.width, size.height) > kLargestSide) return {};
     ChildLimits limits;
-    limits.memory += 16 * rgb.size();
-    limits.seconds += kSecondsPerPixel * static_cast<double>(rgb.size());
+    limits.memory += kMemoryOfByte * rgb.size();
+    limits.seconds += kSecondsOfByte * static_cast<double>(rgb.size());
     std::vector<uint8_t> bytes;
     try {
         runInChild(

@@ -141,13 +141,13 @@ public:
     WrittenPage write(const Relighting& lighting, const std::vector<LightPart>& parts)
     {
         ordered_json json{{"format", "relamp page 1"}, {"name", room_.scan->name}};
+        if (options_.timeline != nullptr) // first, as it may be refused
+            json["timeline"] = webTimeline(*options_.timeline, lighting);
         WebGeometry geometry = webGeometry(*room_.scan);
         json["geometry"] =
             writeWebPart(folder_, "geometry", "application/octet-stream", geometry.bytes);
         json["meshes"] = std::move(geometry.meshes);
         json["pages"] = texturesOfPages();
-        if (options_.timeline != nullptr)
-            json["timeline"] = webTimeline(*options_.timeline, lighting);
         json["fixtures"] = room_.captured.fixtures.size();
         writePreview(lighting, json);
         json["lights"] = lights(parts);

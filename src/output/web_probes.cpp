@@ -17,8 +17,8 @@ namespace relamp
 namespace
 {
 
-constexpr float kLeastSpacing = 0.4f; // m
-constexpr float kMostProbes = 1024;
+constexpr float kLeastSpacing = 0.4f;  // m
+constexpr float kMostProbes = 1024;    // a row each of a texture
 constexpr size_t kRaysToClusters = 64; // of a probe
 
 /// Places in the middles of cells that fill a box.

@@ -73,8 +73,8 @@ export class AddedRow {
             "li",
             { class: "lamp" },
             element("div", { class: "head" }, label, remove),
-            line("bright", this.lumens),
-            line("warm, cold", this.kelvin),
+            line("brightness", this.lumens),
+            line("colour", this.kelvin),
             line("height", this.height),
         );
         this.show();

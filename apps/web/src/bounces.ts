@@ -7,8 +7,8 @@ import { ADDED_LIGHT } from "./added_shader";
 import type { AddedUniforms } from "./added_shader";
 import { Trouble } from "./room";
 import type { BouncesOfRoom, Rgb } from "./room";
-import { ScreenPass, floatTexture, lightTarget } from "./screen_pass";
-import { siteFrom } from "./sites";
+import { ScreenPass, floatTexture, lightTarget, wordTexture } from "./screen_pass";
+import { isCount, siteFrom } from "./sites";
 
 // Of their rays, one that clusters ask in each bounce, as src/relight/follow_bounces.h has it:
 // what is to come is ever less, and ever more even. What is left after them is some
@@ -37,8 +37,9 @@ const CLUSTER = 11;
 export function transportFrom(about: BouncesOfRoom, bytes: Uint8Array): Transport {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     const count = about.clusters;
+    if (![count, about.points, about.rays].every(isCount) || !(about.size > 0)) throw damaged();
     const begin = { points: CLUSTER * count, rays: CLUSTER * count + SITE * count * about.points };
-    if (begin.rays > bytes.length) throw damaged();
+    if (begin.rays + count * about.rays > bytes.length) throw damaged(); // a byte each at least
     const clusters = Array.from({ length: count }, (_, i) => {
         const at = CLUSTER * i;
         const albedo = [8, 9, 10].map((c) => ((bytes[at + c] ?? 0) / 255) ** 2) as Rgb;
@@ -175,7 +176,7 @@ export class Bounces {
             direct: { value: this.direct.texture },
             albedo: { value: floatTexture(albedo, COLUMNS, rows) },
             sent: { value: null },
-            rays: { value: raysTexture(transport.rays, count) },
+            rays: { value: wordTexture(transport.rays, transport.rays.length / count, count) },
             clusters: { value: count },
             stride: { value: 0 },
             isLast: { value: false },
@@ -222,18 +223,4 @@ export function rgbaFrom(values: Rgb[], count: number): Float32Array {
     const data = new Float32Array(4 * count);
     values.forEach((value, i) => data.set(value, 4 * i));
     return data;
-}
-
-function raysTexture(rays: Uint16Array<ArrayBuffer>, clusters: number): THREE.DataTexture {
-    const texture = new THREE.DataTexture(
-        rays,
-        rays.length / clusters,
-        clusters,
-        THREE.RedIntegerFormat,
-        THREE.UnsignedShortType,
-    );
-    texture.internalFormat = "R16UI";
-    texture.unpackAlignment = 2;
-    texture.needsUpdate = true;
-    return texture;
 }

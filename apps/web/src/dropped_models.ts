@@ -35,7 +35,12 @@ export class DroppedModels {
         if (about) this.probes = new Probes(about, await parts.take(about));
     }
 
-    /** Whether the page has what models need. */
+    /** Whether the page has what models need, once all of it is loaded. */
+    get isPossible(): boolean {
+        return this.room.probes !== undefined;
+    }
+
+    /** Whether that is there. */
     get isReady(): boolean {
         return this.probes !== null;
     }

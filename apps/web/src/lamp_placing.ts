@@ -26,6 +26,7 @@ export class LampPlacing {
     private readonly list = element("ul", { class: "lamps", "aria-label": "new lamps" });
     private rows: AddedRow[] = [];
     private rings: LampRing[] = [];
+    private from: { x: number; y: number } | null = null; // where the button was pressed
 
     constructor(
         private readonly room: Room,
@@ -47,7 +48,8 @@ export class LampPlacing {
         if (this.rows.length !== added.length) this.remake(added.length);
         this.rows.forEach((row) => row.show());
         this.rings.forEach((ring) => ring.follow(this.picture.camera));
-        this.add.disabled = added.length >= MOST_LAMPS;
+        // Not every browser tells a button that is disabled of the drag that began on it.
+        this.add.disabled = added.length >= MOST_LAMPS && !this.from;
     }
 
     private remake(count: number): void {
@@ -119,7 +121,6 @@ export class LampPlacing {
 
     /** A click puts a lamp where the visitor looks; a drag where it ends, the lamp goes along. */
     private dragOut(): void {
-        let from: { x: number; y: number } | null = null;
         let isOut = false;
         const canvas = byId("canvas");
         const inPicture = (event: PointerEvent) => {
@@ -129,11 +130,12 @@ export class LampPlacing {
         };
         this.add.addEventListener("pointerdown", (event) => {
             if (this.add.disabled) return;
-            from = { x: event.clientX, y: event.clientY };
+            this.from = { x: event.clientX, y: event.clientY };
             isOut = false;
             this.add.setPointerCapture(event.pointerId);
         });
         this.add.addEventListener("pointermove", (event) => {
+            const { from } = this;
             if (!from || Math.hypot(event.clientX - from.x, event.clientY - from.y) < SLOP) return;
             const place = inPicture(event);
             if (!place) return;
@@ -145,9 +147,10 @@ export class LampPlacing {
             }
             isOut = true;
         });
-        const end = () => (from = null);
-        this.add.addEventListener("pointerup", end);
-        this.add.addEventListener("pointercancel", end);
+        this.add.addEventListener("lostpointercapture", () => {
+            this.from = null;
+            this.show();
+        });
         this.add.addEventListener("click", () => {
             if (!isOut) this.put(this.placeAt(canvas.clientWidth / 2, canvas.clientHeight / 2));
             isOut = false;

@@ -66,7 +66,7 @@ export function presetsFor(lights: Light[]): Preset[] {
         ...asFound(),
         share: wanted(light) ? 1 : 0,
     });
-    const presets: Preset[] = [{ name: "As scanned", settings: asFound }];
+    const presets: Preset[] = [{ name: "As found", settings: asFound }];
     if (lights.some(isLamp) && !lights.every(isLamp)) {
         presets.push({ name: "Night", settings: only(isLamp) });
         presets.push({ name: "Day", settings: only((light) => !isLamp(light)) });

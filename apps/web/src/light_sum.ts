@@ -3,7 +3,7 @@
 
 import * as THREE from "three";
 
-const VERTEX = `void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }`;
+import { ScreenPass, floatTexture, lightTarget } from "./screen_pass";
 
 const FRAGMENT = `
 precision highp float;
@@ -28,8 +28,7 @@ export class LightSum {
     private readonly target: THREE.WebGLRenderTarget;
     private readonly maps: THREE.DataArrayTexture;
     private readonly weights: THREE.DataTexture;
-    private readonly scene = new THREE.Scene();
-    private readonly camera = new THREE.Camera();
+    private readonly pass: ScreenPass;
 
     /** `scales` are of the maps, one a light; layers may come later. */
     constructor(
@@ -44,39 +43,14 @@ export class LightSum {
             height,
             count,
         );
-        this.weights = new THREE.DataTexture(
-            new Float32Array(4 * count),
-            count,
-            1,
-            THREE.RGBAFormat,
-            THREE.FloatType,
-        );
-        this.target = new THREE.WebGLRenderTarget(width, height, {
-            type: THREE.HalfFloatType,
-            minFilter: THREE.LinearFilter,
-            magFilter: THREE.LinearFilter,
-            depthBuffer: false,
-        });
+        this.weights = floatTexture(new Float32Array(4 * count), count, 1);
+        this.target = lightTarget(width, height, true);
         this.texture = this.target.texture;
-        const material = new THREE.RawShaderMaterial({
-            glslVersion: THREE.GLSL3,
-            vertexShader: `in vec3 position;\n${VERTEX}`,
-            fragmentShader: FRAGMENT,
-            uniforms: {
-                maps: { value: this.maps },
-                weights: { value: this.weights },
-                lights: { value: count },
-            },
-            depthTest: false,
+        this.pass = new ScreenPass(FRAGMENT, {
+            maps: { value: this.maps },
+            weights: { value: this.weights },
+            lights: { value: count },
         });
-        const triangle = new THREE.BufferGeometry();
-        triangle.setAttribute(
-            "position",
-            new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3),
-        );
-        const mesh = new THREE.Mesh(triangle, material);
-        mesh.frustumCulled = false;
-        this.scene.add(mesh);
     }
 
     setMap(light: number, pixels: Uint8Array): void {
@@ -91,8 +65,6 @@ export class LightSum {
             for (let c = 0; c < 3; ++c) data[4 * i + c] = (weight[c] ?? 0) * (this.scales[i] ?? 0);
         });
         this.weights.needsUpdate = true;
-        renderer.setRenderTarget(this.target);
-        renderer.render(this.scene, this.camera);
-        renderer.setRenderTarget(null);
+        this.pass.run(renderer, this.target);
     }
 }

@@ -9,6 +9,7 @@ import { ModelPlacing } from "./model_placing";
 import { poseOf } from "./camera";
 import { byId } from "./dom";
 import { fittingRoom, mostSide } from "./levels";
+import { trouble } from "./notice";
 import { Panel } from "./panel";
 import { Parts, loadRoom } from "./parts";
 import { Picture } from "./picture";
@@ -23,13 +24,12 @@ import { Wipe } from "./wipe";
 
 const URL_PAUSE = 250; // ms without a change, after which the address is
 
-function say(trouble: unknown): void {
-    const sentence =
-        trouble instanceof Trouble
-            ? trouble.message
-            : `This page cannot be shown here (${String(trouble)}).`;
-    byId("trouble").textContent = sentence;
-    byId("trouble").hidden = false;
+function say(reason: unknown): void {
+    trouble(
+        reason instanceof Trouble
+            ? reason.message
+            : `This page cannot be shown here (${String(reason)}).`,
+    );
     byId("preview").hidden = false;
     byId("progress").hidden = true;
     document.body.dataset["state"] = "trouble";
@@ -170,8 +170,8 @@ async function main(): Promise<void> {
         document.title = `${room.name} · relamp`;
         byId("title").textContent = room.name;
         await new App(room).start();
-    } catch (trouble) {
-        say(trouble);
+    } catch (reason) {
+        say(reason);
     }
 }
 

@@ -7,6 +7,7 @@ import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { Trouble } from "./room";
 
 const MOST_BYTES = 100e6;
+const MOST_METRES = 1e6; // from the origin; beyond, and as no number at all, a file is broken
 const LEAST_SIZE = 0.03; // m of a thing that stands in a room
 const SHARE_OF_ROOM = 0.8; // of its longer side; what is larger was made in other units
 const SIZE_OF_SMALL = 0.3; // m, of what was smaller
@@ -30,22 +31,27 @@ export async function readModel(file: File): Promise<THREE.Group> {
     if (file.size > MOST_BYTES) throw refuse("it has more than 100 MB");
     const loader = new GLTFLoader(new THREE.LoadingManager().setURLModifier(onlyOwn));
     loader.setMeshoptDecoder(MeshoptDecoder);
-    let scene: THREE.Group;
+    let scene: THREE.Group | undefined; // a file may have none
     try {
         scene = (await loader.parseAsync(await file.arrayBuffer(), "")).scene;
     } catch (error) {
         if (error instanceof Trouble) throw refuse(error.message);
         throw refuse(reasonOf(String(error)));
     }
-    if (meshesOf(scene).length === 0) throw refuse("there are no triangles in it");
+    if (!scene || meshesOf(scene).length === 0) throw refuse("there are no triangles in it");
+    const { min, max } = new THREE.Box3().setFromObject(scene);
+    if (![...min.toArray(), ...max.toArray()].every((value) => Math.abs(value) < MOST_METRES))
+        throw refuse("some of its triangles lie nowhere: save it again");
     return scene;
 }
 
 export function meshesOf(scene: THREE.Object3D): THREE.Mesh[] {
     const meshes: THREE.Mesh[] = [];
     scene.traverse((object) => {
-        if (object instanceof THREE.Mesh && object.geometry.getAttribute("position"))
-            meshes.push(object);
+        if (!(object instanceof THREE.Mesh)) return;
+        const geometry = object.geometry as THREE.BufferGeometry;
+        if (!geometry.hasAttribute("position")) return;
+        if ((geometry.index ?? geometry.getAttribute("position")).count >= 3) meshes.push(object);
     });
     return meshes;
 }

@@ -3,10 +3,11 @@
 
 import * as THREE from "three";
 
-import { byId, element, slider } from "./dom";
+import { byId, element } from "./dom";
 import { MOST_MODELS } from "./dropped_models";
 import type { DroppedModels, Model } from "./dropped_models";
 import { readModel } from "./model_file";
+import { modelRow } from "./model_row";
 import { notice } from "./notice";
 import type { Picture } from "./picture";
 import { Trouble } from "./room";
@@ -19,7 +20,8 @@ const OFF_WALL = 0.3; // m
 
 export class ModelPlacing {
     private readonly list = element("ul", { class: "lamps", "aria-label": "models" });
-    private dragged: Model | null = null;
+    private readonly button = element("button", { type: "button" }, "Bring a model (GLB)");
+    private dragged: { model: Model; pointer: number } | null = null;
 
     /** `changed` is called after models were brought, moved or taken away. */
     constructor(
@@ -35,10 +37,9 @@ export class ModelPlacing {
             if (file) void this.bring(file, canvas.clientWidth / 2, LOW * canvas.clientHeight);
             input.value = "";
         });
-        const button = element("button", { type: "button" }, "Bring a model (GLB)");
-        button.title = "Choose a file, or drop it into the picture";
-        button.addEventListener("click", () => input.click());
-        byId("models").append(element("h2", {}, "Models"), this.list, button, input);
+        this.button.title = "Choose a file, or drop it into the picture";
+        this.button.addEventListener("click", () => input.click());
+        byId("models").append(element("h2", {}, "Models"), this.list, this.button, input);
         this.takeDrops();
         this.takeDrags();
     }
@@ -46,15 +47,18 @@ export class ModelPlacing {
     /** A file that is dropped on a pixel of the picture. */
     async bring(file: File, x: number, y: number): Promise<void> {
         try {
-            if (!this.models.isReady)
+            if (!this.models.isPossible)
                 throw new Trouble(
-                    "The page is still loading, or has no light probes: relamp page writes them.",
+                    "This page was written by an older relamp; write it again with relamp page.",
                 );
-            if (this.models.models.length >= MOST_MODELS)
-                throw new Trouble(`There are ${MOST_MODELS} models already; remove one.`);
+            if (!this.models.isReady)
+                throw new Trouble("The page is still loading; bring the model in a moment.");
             const place = this.levelAt(x, y);
             if (!place) throw new Trouble("Nothing is there for a model to stand on.");
-            this.models.add(file.name.replace(/\.[^.]*$/, ""), await readModel(file), place);
+            const model = await readModel(file);
+            if (this.models.models.length >= MOST_MODELS)
+                throw new Trouble(`There are ${MOST_MODELS} models already; remove one.`);
+            this.models.add(file.name.replace(/\.[^.]*$/, ""), model, place);
             this.show();
             this.changed();
         } catch (trouble) {
@@ -93,8 +97,9 @@ export class ModelPlacing {
             "pointerdown",
             (event) => {
                 if (event.target !== canvas || !event.isPrimary) return;
-                this.dragged = this.modelAt(...at(event));
-                if (!this.dragged) return;
+                const model = this.modelAt(...at(event));
+                if (!model) return;
+                this.dragged = { model, pointer: event.pointerId };
                 event.stopPropagation();
                 canvas.setPointerCapture(event.pointerId);
             },
@@ -103,11 +108,11 @@ export class ModelPlacing {
         stage.addEventListener(
             "pointermove",
             (event) => {
-                if (!this.dragged) return;
+                if (this.dragged?.pointer !== event.pointerId) return; // or another finger
                 event.stopPropagation();
                 const place = this.levelAt(...at(event));
                 if (!place) return;
-                this.dragged.root.position.set(...place);
+                this.dragged.model.root.position.set(...place);
                 this.models.moved();
                 this.changed();
             },
@@ -117,8 +122,10 @@ export class ModelPlacing {
             stage.addEventListener(
                 name,
                 (event) => {
-                    if (this.dragged) event.stopPropagation();
+                    if (this.dragged?.pointer !== event.pointerId) return;
+                    event.stopPropagation();
                     this.dragged = null;
+                    this.show();
                 },
                 catching,
             );
@@ -156,69 +163,18 @@ export class ModelPlacing {
     }
 
     private rowOf(model: Model): HTMLElement {
-        const set = (change: (value: number) => void) => (value: number) => {
-            change(value);
-            this.models.moved();
-            this.changed();
-        };
-        const line = (
-            word: string,
-            label: string,
-            range: { min: number; max: number; step: number },
-            now: number,
-            change: (value: number) => void,
-        ) => {
-            const made = slider(
-                `${label} ${model.name}`,
-                range,
-                (value) => String(value),
-                set(change),
-            );
-            made.set(now);
-            return element("label", { class: "line" }, element("span", {}, word), made.input);
-        };
-        const { position, rotation } = model.root;
-        const { low, high } = this.picture.box;
-        const remove = element(
-            "button",
-            { type: "button", "aria-label": `remove ${model.name}` },
-            "Remove",
-        );
-        remove.addEventListener("click", () => {
-            this.models.remove(model);
-            this.show();
-            this.changed();
+        return modelRow(model, {
+            box: this.picture.box,
+            changed: () => {
+                this.models.moved();
+                this.changed();
+            },
+            remove: () => {
+                this.models.remove(model);
+                this.show();
+                this.changed();
+                this.button.focus();
+            },
         });
-        return element(
-            "li",
-            { class: "lamp" },
-            element(
-                "div",
-                { class: "head" },
-                element("span", { class: "name" }, model.name),
-                remove,
-            ),
-            line(
-                "turn",
-                "turn",
-                { min: -180, max: 180, step: 5 },
-                0,
-                (value) => (rotation.y = THREE.MathUtils.degToRad(value)),
-            ),
-            line(
-                "x",
-                "move along x",
-                { min: low[0], max: high[0], step: 0.05 },
-                position.x,
-                (value) => (position.x = value),
-            ),
-            line(
-                "z",
-                "move along z",
-                { min: low[2], max: high[2], step: 0.05 },
-                position.z,
-                (value) => (position.z = value),
-            ),
-        );
     }
 }

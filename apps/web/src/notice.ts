@@ -1,4 +1,4 @@
-// A sentence over the picture that goes by itself.
+// Sentences over the picture.
 
 import { byId } from "./dom";
 
@@ -6,10 +6,16 @@ const SHOWN = 8000; // ms
 
 let timer = 0;
 
-export function notice(sentence: string): void {
+/** Stays. */
+export function trouble(sentence: string): void {
     const place = byId("trouble");
     place.textContent = sentence;
     place.hidden = false;
     window.clearTimeout(timer);
-    timer = window.setTimeout(() => (place.hidden = true), SHOWN);
+}
+
+/** Goes by itself. */
+export function notice(sentence: string): void {
+    trouble(sentence);
+    timer = window.setTimeout(() => (byId("trouble").hidden = true), SHOWN);
 }

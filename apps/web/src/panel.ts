@@ -64,8 +64,8 @@ export class Panel {
             this.views(),
             this.presets(room),
             ...(this.time ? [this.time.root] : []),
-            element("section", { id: "added" }),
             this.lights(),
+            element("section", { id: "added" }),
             element("section", { id: "models" }),
             this.exposure(),
             this.moving(),
@@ -115,7 +115,7 @@ export class Panel {
             this.shows.push(input);
             group.append(element("label", {}, input, element("span", {}, WORDS[show])));
         }
-        const compare = element("label", { class: "against" }, "beside ", this.against);
+        const compare = element("label", { class: "against" }, "compare with ", this.against);
         return element("section", {}, group, compare);
     }
 
@@ -147,10 +147,12 @@ export class Panel {
     }
 
     private lights(): HTMLElement {
+        const rows = this.rows.map((row) => row.root);
         return element(
-            "ul",
-            { class: "lamps", "aria-label": "lights" },
-            ...this.rows.map((row) => row.root),
+            "section",
+            {},
+            element("h2", {}, "Lights of the room"),
+            element("ul", { class: "lamps", "aria-label": "lights" }, ...rows),
         );
     }
 
@@ -159,7 +161,8 @@ export class Panel {
             this.actions.state().isMetered = this.isMetered.checked;
             this.actions.changed(false);
         });
-        const metered = element("label", { class: "name" }, this.isMetered, "by what is seen");
+        const metered = element("label", { class: "name" }, this.isMetered, "automatic");
+        metered.title = "So that what is seen is neither dark nor glaring";
         return element(
             "section",
             { class: "exposure" },
@@ -181,7 +184,7 @@ export class Panel {
         const help = element(
             "p",
             { class: "help" },
-            "Drag to look, scroll or W A S D to walk, Q E down and up; click a lamp to switch it.",
+            "Drag to look; scroll, pinch or W A S D to walk, Q E down and up; click a lamp to switch it.",
         );
         return element(
             "section",

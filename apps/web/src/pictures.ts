@@ -28,6 +28,8 @@ async function bitmapOf(
 /** RGBA, row 0 on top. */
 export async function pixelsOf(parts: Parts, picture: Picture): Promise<Uint8Array<ArrayBuffer>> {
     const bitmap = await bitmapOf(parts, picture);
+    if (bitmap.width !== picture.width || bitmap.height !== picture.height)
+        throw new Trouble(`${picture.file}.js is damaged; write the page again with relamp page.`);
     const canvas = document.createElement("canvas");
     canvas.width = bitmap.width;
     canvas.height = bitmap.height;

@@ -6,7 +6,8 @@ import * as THREE from "three";
 import { HARMONICS, directionOfRay, harmonicsOf } from "./harmonics";
 import { Trouble } from "./room";
 import type { ProbesOfRoom, Rgb } from "./room";
-import { ScreenPass, floatTexture, lightTarget } from "./screen_pass";
+import { ScreenPass, floatTexture, lightTarget, wordTexture } from "./screen_pass";
+import { isCount } from "./sites";
 
 const CHANNELS = 3 * HARMONICS;
 
@@ -52,10 +53,12 @@ export class Probes {
         private readonly about: ProbesOfRoom,
         bytes: Uint8Array,
     ) {
-        this.count = about.count[0] * about.count[1] * about.count[2];
+        const [x, y, z] = about.count;
+        if (![x, y, z, about.rays].every(isCount)) throw damaged();
+        this.count = x * y * z;
         const words = this.count * about.rays;
         if (bytes.length !== 2 * words + this.count * CHANNELS * about.scales.length)
-            throw new Trouble("probes.js is damaged; write the page again with relamp page.");
+            throw damaged();
         const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
         this.met = Uint16Array.from({ length: words }, (_, i) => view.getUint16(2 * i, true));
         this.lights = bytes.subarray(2 * words);
@@ -64,7 +67,7 @@ export class Probes {
         this.target = lightTarget(HARMONICS, this.count);
         this.pass = new ScreenPass(SUM, {
             ofRoom: { value: this.texture },
-            met: { value: this.metTexture() },
+            met: { value: wordTexture(this.met, about.rays, this.count) },
             basis: { value: basisTexture(about.rays) },
             sending: { value: null },
             hasSending: { value: false },
@@ -109,20 +112,10 @@ export class Probes {
         this.pass.uniforms["hasSending"]!.value = sending !== null;
         this.pass.run(renderer, this.target);
     }
+}
 
-    private metTexture(): THREE.DataTexture {
-        const texture = new THREE.DataTexture(
-            this.met,
-            this.about.rays,
-            this.count,
-            THREE.RedIntegerFormat,
-            THREE.UnsignedShortType,
-        );
-        texture.internalFormat = "R16UI";
-        texture.unpackAlignment = 2;
-        texture.needsUpdate = true;
-        return texture;
-    }
+function damaged(): Trouble {
+    return new Trouble("probes.js is damaged; write the page again with relamp page.");
 }
 
 function basisTexture(rays: number): THREE.DataTexture {

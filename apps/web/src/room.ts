@@ -119,22 +119,49 @@ const FORMAT = "relamp page 1";
 /** What is wrong, as a sentence for whoever looks at the page. */
 export class Trouble extends Error {}
 
+const MOST_FIXTURES = 65536; // two bytes of a texel say which it shows
+
+function rows(of: unknown, ...names: string[]): unknown[] {
+    return names.map((name) => (of as Record<string, unknown> | null | undefined)?.[name]);
+}
+
+function isPlace(row: unknown): boolean {
+    return Array.isArray(row) && row.length === 3 && row.every(Number.isFinite);
+}
+
+function isTimeline({ keys, times, weights }: TimelineOfRoom, lights: number): boolean {
+    return (
+        Array.isArray(keys) &&
+        keys.length > 1 &&
+        Array.isArray(times) &&
+        times.length > 1 &&
+        Array.isArray(weights) &&
+        weights.length === times.length &&
+        weights.every((row) => Array.isArray(row) && row.length === lights && row.every(isPlace))
+    );
+}
+
 /** Throws Trouble where `data` is none of a page of this format. */
 export function asRoom(data: unknown): Room {
-    const room = data as Room;
-    const isWhole =
-        typeof room === "object" &&
-        room !== null &&
-        Array.isArray(room.meshes) &&
-        Array.isArray(room.pages) &&
-        Array.isArray(room.lights) &&
-        typeof room.geometry === "object" &&
-        typeof room.camera === "object";
-    if (!isWhole) throw new Trouble("room.js is damaged; write the page again with relamp page.");
-    if (room.format !== FORMAT)
+    const room = (data ?? {}) as Room;
+    if (typeof room.format === "string" && room.format !== FORMAT)
         throw new Trouble(
             `room.js is of another version (${room.format}); write the page again with relamp page.`,
         );
+    const isWhole =
+        room.format === FORMAT &&
+        Array.isArray(room.meshes) &&
+        Array.isArray(room.pages) &&
+        Array.isArray(room.lights) &&
+        room.lights.length > 0 &&
+        typeof room.geometry === "object" &&
+        rows(room.camera, "position", "forward", "up").every(isPlace) &&
+        rows(room.box, "low", "high").every(isPlace) &&
+        Number.isFinite(room.exposure) &&
+        room.fixtures >= 0 &&
+        room.fixtures < MOST_FIXTURES &&
+        (room.timeline === undefined || isTimeline(room.timeline, room.lights.length));
+    if (!isWhole) throw new Trouble("room.js is damaged; write the page again with relamp page.");
     return room;
 }
 

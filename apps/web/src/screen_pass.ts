@@ -64,3 +64,22 @@ export function floatTexture(data: Float32Array, width: number, height: number):
     texture.needsUpdate = true;
     return texture;
 }
+
+/** Rows of `width` whole numbers of 16 bits. */
+export function wordTexture(
+    words: Uint16Array<ArrayBuffer>,
+    width: number,
+    height: number,
+): THREE.DataTexture {
+    const texture = new THREE.DataTexture(
+        words,
+        width,
+        height,
+        THREE.RedIntegerFormat,
+        THREE.UnsignedShortType,
+    );
+    texture.internalFormat = "R16UI";
+    texture.unpackAlignment = 2;
+    texture.needsUpdate = true;
+    return texture;
+}

@@ -15,6 +15,11 @@ export function directionFrom(word: number): Rgb {
     return way.map((value) => value / length) as Rgb;
 }
 
+/** Whether a number of a file can be one of things. */
+export function isCount(value: number): boolean {
+    return Number.isInteger(value) && value > 0;
+}
+
 export function siteFrom(view: DataView, at: number, box: Box): { place: Rgb; normal: Rgb } {
     const place = [0, 1, 2].map(
         (axis) =>

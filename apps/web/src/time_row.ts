@@ -14,6 +14,7 @@ export class TimeRow {
     private readonly words = element("span", { class: "help" });
     private isPlaying = false;
     private last = 0; // ms, of the step before
+    private run = 0; // of Play, so that a step of one that was stopped is none of the next
 
     constructor(
         private readonly timeline: TimelineOfRoom,
@@ -40,6 +41,7 @@ export class TimeRow {
             head,
             this.at.input,
         );
+        this.at.set(min);
         this.show();
     }
 
@@ -47,11 +49,19 @@ export class TimeRow {
         const time = this.time();
         if (time === null) this.stop();
         else this.at.set(time);
-        this.words.textContent = time === null ? "" : wordsAt(this.timeline, time);
+        this.words.textContent = time === null ? this.all() : wordsAt(this.timeline, time);
+    }
+
+    private all(): string {
+        const [first, last] = [startOf, endOf].map((end) =>
+            wordsAt(this.timeline, end(this.timeline)),
+        );
+        return `${first} to ${last}`;
     }
 
     private stop(): void {
         this.isPlaying = false;
+        ++this.run;
         this.button.textContent = "Play";
     }
 
@@ -68,13 +78,14 @@ export class TimeRow {
     /** Evenly; from key to key where less motion is asked for. */
     private next(): void {
         const isCalm = matchMedia("(prefers-reduced-motion: reduce)").matches;
-        if (isCalm) window.setTimeout(() => this.step(true), CALM);
-        else requestAnimationFrame(() => this.step(false));
+        const { run } = this;
+        if (isCalm) window.setTimeout(() => this.step(true, run), CALM);
+        else requestAnimationFrame(() => this.step(false, run));
     }
 
-    private step(isCalm: boolean): void {
+    private step(isCalm: boolean, run: number): void {
         const time = this.time();
-        if (!this.isPlaying || time === null) return;
+        if (run !== this.run || time === null) return;
         const now = performance.now();
         const end = endOf(this.timeline);
         const speed = (end - startOf(this.timeline)) / (1000 * this.timeline.seconds);

@@ -60,10 +60,11 @@ export function weightsOf(room: Room, state: State): Rgb[] {
     return room.lights.map((light, i) => weightOf(light, state.settings[i] ?? asFound()));
 }
 
-/** Brings the settings to where the timeline is, so that lamps go on from there. */
+/** Brings the settings to where the timeline is, which is not beyond its ends, so that lamps go on from there. */
 export function takeTime(room: Room, state: State): void {
     if (!room.timeline) state.time = null;
     if (!room.timeline || state.time === null) return;
+    state.time = Math.min(Math.max(state.time, startOf(room.timeline)), endOf(room.timeline));
     const weights = weightsAt(room.timeline, state.time);
     state.settings = room.lights.map((light, i) => settingOf(light, weights[i] ?? [1, 1, 1]));
 }

@@ -63,11 +63,24 @@ export function testDroppedModels(shared) {
         assert.ok(window[2] > window[0], "blue at a window");
         assert.ok(Math.max(...dark) < 4, "black without light");
         assert.ok(added[1] > 40, "lit by a lamp that was put up");
+        const sliders = (turn) =>
+            page.evaluate((turn) => {
+                const [turned, x] = ["turn ball", "move along x ball"].map((label) =>
+                    document.querySelector(`[aria-label="${label}"]`),
+                );
+                if (turn !== undefined) turned.valueAsNumber = turn;
+                turned.dispatchEvent(new Event("input"));
+                return [turned.valueAsNumber, x.valueAsNumber];
+            }, turn);
+        const [, x] = await sliders(90);
         await page.mouse.move(...BALL);
         await page.mouse.down();
         await page.mouse.move(420, 250, { steps: 2 });
         await page.mouse.up();
         await drawn(page);
+        const [turned, moved] = await sliders();
+        assert.equal(turned, 90, "the panel knows how it is turned");
+        assert.ok(Math.abs(moved - x) > 0.1, "and where it stands");
         const gone = await colourAt(page, await page.screenshot(), BALL);
         assert.ok(Math.abs(gone[1] - added[1]) > 10, "a drag moves it");
         assert.ok(
@@ -118,6 +131,12 @@ export function testDroppedModels(shared) {
             await sentence("other.gltf", Buffer.from(JSON.stringify(other))),
             /names other files/,
         );
+        const none = { asset: { version: "2.0" }, scene: 0, scenes: [{ nodes: [] }] };
+        for (const empty of [none, { ...none, scenes: [] }])
+            assert.match(
+                await sentence("none.gltf", Buffer.from(JSON.stringify(empty))),
+                /no triangles/,
+            );
         assert.equal(await page.locator("#models li").count(), 0);
         await page.evaluate(() => (document.getElementById("trouble").hidden = true));
     });

@@ -21,21 +21,17 @@ export function testExample(shared) {
         const { folder, browser, room, programs } = shared();
         const site = join(folder, "example");
         const lightmaps = join(site, "lightmaps");
-        await relamp(
-            "relight",
-            join(folder, "out"),
-            "--bake",
-            "--per-lamp",
-            "png",
-            "-o",
-            lightmaps,
-        );
+        const bake = ["--bake", "--per-lamp", "png", "-o", lightmaps];
+        const words = ["--fixture", "0=on", "--fixture", "2=50%", `--exposure=${room.exposure}`];
+        const [wanted] = await Promise.all([
+            programs("mixed", ...words),
+            relamp("relight", join(folder, "out"), ...bake),
+        ]);
         await cp(new URL("../example/lightmaps.html", import.meta.url), join(site, "index.html"));
         await cp(join(folder, "out/scan.glb"), join(site, "room.glb"));
         await symlink(join(place.libraries, "node_modules/three"), join(site, "three"));
         const { lights } = JSON.parse(await readFile(join(lightmaps, "lightmaps.json"), "utf8"));
         const share = ({ fixture }) => ({ 0: 1, 2: 0.5 })[fixture] ?? 0;
-        const words = ["--fixture", "0=on", "--fixture", "2=50%", `--exposure=${room.exposure}`];
         const server = await serve(site);
         const tab = await open(browser);
         try {
@@ -48,7 +44,6 @@ export function testExample(shared) {
                 },
                 [viewOf(room.camera), room.exposure, lights.map(share)],
             );
-            const wanted = await programs("mixed", ...words);
             const found = await decibels(tab.page, await tab.page.screenshot(), wanted);
             t.diagnostic(`${found.toFixed(1)} dB`);
             assert.ok(found >= LIKENESS, `${found} dB`);

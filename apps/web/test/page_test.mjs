@@ -39,11 +39,12 @@ before(
     async () => {
         folder = await mkdtemp(join(tmpdir(), "relamp-page-"));
         const out = join(folder, "out");
+        const launched = launch();
         await relamp("delight", join(place.samples, "bedroom/scan.glb"), "-o", out, "--page");
         page = join(folder, "page");
         await relamp("page", out, "-o", page, "--timeline", DAY);
         room = JSON.parse(await readFile(join(page, "room.json"), "utf8"));
-        browser = await launch();
+        browser = await launched;
         tab = await open(browser);
         await tab.page.goto(`${pathToFileURL(join(page, "index.html"))}#panel=off`);
         await settled(tab.page);
@@ -64,9 +65,12 @@ async function programs(name, ...words) {
 }
 
 async function compare(t, name, hash, words, atLeast) {
-    await show(tab.page, `panel=off&${hash}`);
-    const seen = await tab.page.screenshot();
-    const found = await decibels(tab.page, seen, await programs(name, ...words));
+    const seen = async () => {
+        await show(tab.page, `panel=off&${hash}`);
+        return tab.page.screenshot();
+    };
+    const pictures = await Promise.all([seen(), programs(name, ...words)]);
+    const found = await decibels(tab.page, ...pictures);
     t.diagnostic(`${name}: ${found.toFixed(1)} dB`);
     assert.ok(found >= atLeast, `${name}: ${found} dB, less than ${atLeast}`);
 }

@@ -85,7 +85,7 @@ test("night has the lamps alone, day all but the lamps", () => {
     assert.deepEqual(share("Day"), [0, 1, 1]);
     assert.deepEqual(
         presetsFor([light("lamp")]).map(({ name }) => name),
-        ["As scanned", "Evening"],
+        ["As found", "Evening"],
     );
 });
 
@@ -170,6 +170,9 @@ test("the address has the time in place of the lamps, and a page without one pas
     const other = stateFrom("#time=8", 1);
     takeTime({ lights: [light("lamp")] } as Room, other);
     assert.deepEqual(other, initialState(1));
+    const before = { ...initialState(1), time: -1e9 };
+    takeTime(room, before);
+    assert.equal(before.time, 6);
 });
 
 const camera: RoomCamera = {
@@ -215,7 +218,11 @@ test("a damaged room is told of in a sentence", () => {
         meshes: [],
         geometry: part,
         camera,
-        lights: [],
+        box: { low: [0, 0, 0], high: [4, 3, 5] },
+        exposure: 1,
+        fixtures: 1,
+        lights: [light("lamp")],
+        timeline,
         pages: [{ albedo: { ...part, file: "albedo" } }],
     };
     assert.deepEqual(
@@ -223,6 +230,16 @@ test("a damaged room is told of in a sentence", () => {
         ["a", "albedo"],
     );
     assert.throws(() => asRoom({ ...room, format: "relamp page 9" }), /another version/);
+    for (const wrong of [
+        { lights: [] },
+        { camera: {} },
+        { box: { low: [0, 0], high: [1, 1, 1] } },
+        { exposure: null },
+        { fixtures: 1e12 },
+        { timeline: {} },
+        { timeline: { ...timeline, weights: [[], [], []] } },
+    ])
+        assert.throws(() => asRoom({ ...room, ...wrong }), /damaged/);
 });
 
 test("a phone loads the smaller textures, and a small one is seen first", () => {
@@ -333,6 +350,8 @@ test("probes add up the lights, each times its weight, and what is cut short is 
     near(light[2]!, 1, 1e-9);
     near(light[3]!, Math.sqrt(3) * (16 - 2 / 255), 0.2); // the second light comes from one side
     assert.throws(() => new Probes(about, bytes.subarray(1)), Trouble);
+    for (const count of [[], [1, 1], [1, 1, -1], [1, 1, 1e300], [1, 1, NaN]] as Rgb[])
+        assert.throws(() => new Probes({ ...about, count }, bytes), Trouble);
 });
 
 test("a model of absurd size is brought to one that can stand in the room", () => {
@@ -364,6 +383,8 @@ test("rays of clusters are sums of steps, and what is cut short is told of", () 
         () => transportFrom(about, Uint8Array.from([...bytes.subarray(0, -2), 0, 255])),
         Trouble,
     );
+    for (const wrong of [{ clusters: -1 }, { clusters: 1e12 }, { rays: 1e300 }, { size: 0 }])
+        assert.throws(() => transportFrom({ ...about, ...wrong }, bytes), Trouble);
 });
 
 test("a cell lists all clusters that its places are near", () => {
