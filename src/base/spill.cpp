@@ -18,9 +18,6 @@ namespace
 {
 
 constexpr size_t kLeast = size_t{1} << 20; // bytes that are worth a file
-// Bytes above which the C library maps each block by itself: DEFAULT_MMAP_THRESHOLD_MAX,
-// mallopt(3).
-constexpr size_t kAlwaysMapped = size_t{32} << 20;
 
 /// The whole pages of memory in a range.
 std::span<std::byte> wholePages(std::span<const std::byte> memory)
@@ -110,7 +107,7 @@ bool needsOwnPages(std::span<const std::byte> memory)
 {
 #ifdef __GLIBC__
     const std::span<std::byte> pages = wholePages(memory);
-    if (pages.size() < kLeast || memory.size() > kAlwaysMapped || isSpilled(pages)) return false;
+    if (pages.size() < kLeast || isSpilled(pages)) return false;
     return mallopt(M_MMAP_THRESHOLD, static_cast<int>(kLeast)) == 1;
 #else
     return false;

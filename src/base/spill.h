@@ -15,8 +15,9 @@ namespace relamp
 /// them next would be shared with copies of this process.
 bool spill(std::span<std::byte> memory);
 
-/// Whether memory that is to be spilled has to be made anew first, for it may lie among others.
-/// From then on all that is made and worth a file has pages of its own.
+/// Whether memory that is to be spilled has to be made anew first, for it may lie among others, as
+/// large as it is: a program may keep what was freed. From then on all that is made and worth a
+/// file has pages of its own.
 bool needsOwnPages(std::span<const std::byte> memory);
 
 /// Spilled memory that will be read in any order is read in one go.
