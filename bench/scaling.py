@@ -10,7 +10,7 @@ SCAN, a plain GLB of one texture (as bench/scan_file.py knows them), is made lar
     lamps        `relamp relight` of its result by that many bulbs under the ceiling, with shadows and bounces
     rooms        copies side by side (bench/house.py)
 
-Default options, on the CPU by two threads, three times; the least time counts. A line through logarithms gives the exponent, of the points
+Default options, on the CPU by two threads, twice; the least time counts. A line through logarithms gives the exponent, of the points
 whose cost is more than a fifth above the first's and the one before them: 1 is in proportion. Needs python3-numpy, -pil, -matplotlib.
 """
 import json
@@ -24,7 +24,7 @@ import numpy as np
 from scan_file import ScanFile
 
 FACTORS = {"texels": (1, 4, 16, 64), "triangles": (1, 4, 16), "lamps": (1, 4, 16, 64), "rooms": (1, 4, 16)}
-TIMES = 3
+TIMES = 2
 SEEN = 1.2  # of the least cost: less is not the thing that grows
 HOUSE = Path(__file__).parent / "house.py"
 
@@ -141,7 +141,9 @@ def main() -> None:
     draw(rows, out)
     for kind, points in rows.items():
         values = np.array(points)
-        print(f"{kind}: time ^ {exponent(values[:, [0, 1]]):.2f}, memory ^ {exponent(values[:, [0, 2]]):.2f}")
+        last = np.log(values[-1, 1:] / values[-2, 1:]) / np.log(values[-1, 0] / values[-2, 0])
+        print(f"{kind}: time ^ {exponent(values[:, [0, 1]]):.2f}, in the last step {last[0]:.2f}; "
+              f"memory ^ {exponent(values[:, [0, 2]]):.2f}, {last[1]:.2f}")
 
 
 if __name__ == "__main__":
