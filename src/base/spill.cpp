@@ -1,10 +1,7 @@
 #include "base/spill.h"
 
-#include <cinttypes>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <string>
 
 #include <fcntl.h>
@@ -70,48 +67,18 @@ private:
     int handle_ = -1;
 };
 
-/// Whether all of a range is a mapped file that others see change: /proc says so.
-bool isSpilled(std::span<const std::byte> pages)
-{
-    auto at = reinterpret_cast<uintptr_t>(pages.data());
-    const uintptr_t end = at + pages.size();
-    std::ifstream maps("/proc/self/maps");
-    for (std::string line; at < end && std::getline(maps, line);) {
-        uintptr_t first = 0;
-        uintptr_t last = 0;
-        char kind[5] = {};
-        if (std::sscanf(line.c_str(), "%" SCNxPTR "-%" SCNxPTR " %4s", &first, &last, kind) != 3)
-            return false;
-        if (at < first) return false;
-        if (at >= last) continue;
-        if (kind[3] != 's') return false;
-        at = last;
-    }
-    return at >= end;
-}
-
 } // namespace
 
-bool spill(std::span<std::byte> memory)
+/// Private: a copy of this process, and whatever comes to lie there when this is freed, share
+/// nothing.
+bool spill(std::span<const std::byte> memory)
 {
     const std::span<std::byte> pages = wholePages(memory);
     if (pages.size() < kLeast) return false;
-    if (isSpilled(pages)) return true;
     const NamelessFile file;
     if (!file.write(pages)) return false;
-    return mmap(pages.data(), pages.size(), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_FIXED,
+    return mmap(pages.data(), pages.size(), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_FIXED,
                 file.handle(), 0) != MAP_FAILED;
-}
-
-bool needsOwnPages(std::span<const std::byte> memory)
-{
-#ifdef __GLIBC__
-    const std::span<std::byte> pages = wholePages(memory);
-    if (pages.size() < kLeast || isSpilled(pages)) return false;
-    return mallopt(M_MMAP_THRESHOLD, static_cast<int>(kLeast)) == 1;
-#else
-    return false;
-#endif
 }
 
 void willNeed(std::span<const std::byte> memory)
@@ -123,7 +90,7 @@ void willNeed(std::span<const std::byte> memory)
 void letGo(std::span<const std::byte> memory)
 {
     const std::span<std::byte> pages = wholePages(memory);
-    if (!pages.empty() && isSpilled(pages)) madvise(pages.data(), pages.size(), MADV_DONTNEED);
+    if (!pages.empty()) madvise(pages.data(), pages.size(), MADV_DONTNEED);
 }
 
 void letGoOfFreed()

@@ -2,40 +2,61 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace relamp
 {
 
-/// Moves large memory to a temporary file, which is then mapped in its place: what points there
-/// stays good, and so does whatever frees it. Its pages come back one by one as they are read or
-/// written, and the system may take them again. False where it stays as it is, for it is small or
-/// there is no room for a file. The folder is $TMPDIR or /var/tmp. Nobody may write there
-/// meanwhile. Its pages must leave with it when it is freed (needsOwnPages): what came to lie in
-/// them next would be shared with copies of this process.
-bool spill(std::span<std::byte> memory);
-
-/// Whether memory that is to be spilled has to be made anew first, for it may lie among others, as
-/// large as it is: a program may keep what was freed. From then on all that is made and worth a
-/// file has pages of its own.
-bool needsOwnPages(std::span<const std::byte> memory);
+/// Copies large memory to a temporary file, which is then mapped in its place: what points there
+/// stays good, and so does whatever frees it. Its pages come back one by one as they are read, and
+/// the system may take them again; what is changed is in RAM alone. False where it stays as it is,
+/// for it is small or there is no room for a file. The folder is $TMPDIR or /var/tmp. Nobody may
+/// write there meanwhile.
+bool spill(std::span<const std::byte> memory);
 
 /// Spilled memory that will be read in any order is read in one go.
 void willNeed(std::span<const std::byte> memory);
 
-/// Spilled memory that was used and will not be for a while leaves RAM; what it holds stays. Of
-/// other memory, nothing happens.
+/// Memory for which spill() said true, and that was not changed since, leaves RAM until it is read
+/// again. Of anything else, what it holds would be lost.
 void letGo(std::span<const std::byte> memory);
 
 /// What was freed since, and is kept for what comes next, leaves RAM.
 void letGoOfFreed();
 
-/// What pointed to them is no longer good.
-template<class T>
-bool spill(std::vector<T>& values)
+/// Whether an array lies in a file. A copy of it does not.
+class InFile
 {
-    if (needsOwnPages(std::as_bytes(std::span(values)))) std::vector<T>(values).swap(values);
-    return spill(std::as_writable_bytes(std::span(values)));
+public:
+    InFile() = default;
+    InFile(const InFile&) noexcept {}
+    InFile(InFile&& other) noexcept : is_(std::exchange(other.is_, false)) {}
+    InFile& operator=(const InFile&) noexcept
+    {
+        is_ = false;
+        return *this;
+    }
+    InFile& operator=(InFile&& other) noexcept
+    {
+        is_ = std::exchange(other.is_, false);
+        return *this;
+    }
+    InFile& operator=(bool is) noexcept
+    {
+        is_ = is;
+        return *this;
+    }
+    operator bool() const { return is_; }
+
+private:
+    bool is_ = false;
+};
+
+template<class T>
+bool spill(const std::vector<T>& values)
+{
+    return spill(std::as_bytes(std::span(values)));
 }
 
 template<class T>

@@ -170,7 +170,8 @@ std::vector<FixtureLabel> labelsOf(const Texels& texels,
 {
     std::vector<FixtureLabel> labels(surfaces.size());
     if (labels.empty()) return labels;
-    const Scan coarse = coarseCopyOf(*texels.scan, kCoarseSide);
+    const Scan coarse =
+        coarseCopyOf(*texels.scan, kCoarseSide, [&](size_t page) { texels.letGo(page); });
     const Texels coarseTexels = rasterizeAtlas(coarse, progress, {.layered = true});
     const Pieces large(coarseTexels, progress);
     large.label(surfaces, 0, labels);

@@ -3,7 +3,6 @@
 #include "base/half.h"
 #include "base/parallel.h"
 #include "image/transfer.h"
-#include "scan/large_scan.h"
 
 #include <algorithm>
 #include <cassert>
@@ -105,16 +104,15 @@ Scan coarsened(Scan scan, int longestSide)
     return scan;
 }
 
-Scan coarseCopyOf(const Scan& scan, int longestSide)
+Scan coarseCopyOf(const Scan& scan, int longestSide, const std::function<void(size_t)>& seen)
 {
     Scan copy{.name = scan.name, .meshes = scan.meshes};
-    const bool isLargeScan = isLarge(scan);
     for (const Page& page : scan.pages) {
         const int factor = coarseFactor(page, longestSide);
         copy.pages.push_back({.name = page.name,
                               .image = factor > 1 ? shrunk(page.image, factor) : page.image,
                               .ofVertices = page.ofVertices});
-        if (isLargeScan) letGo(page);
+        if (seen) seen(copy.pages.size() - 1);
     }
     return copy;
 }

@@ -2,6 +2,9 @@
 
 #include "relamp/scan.h"
 
+#include <cstddef>
+#include <functional>
+
 namespace relamp
 {
 
@@ -10,7 +13,9 @@ namespace relamp
 int coarseFactor(const Page& page, int longestSide);
 
 /// What coarsened() makes of a scan that is needed as it is, too; large pictures are not held
-/// twice. Meshes and pages alone: it cannot be written again.
-Scan coarseCopyOf(const Scan& scan, int longestSide);
+/// twice. Meshes and pages alone: it cannot be written again. `seen`, if there is one, is told when
+/// a page was read.
+Scan coarseCopyOf(const Scan& scan, int longestSide,
+                  const std::function<void(size_t page)>& seen = {});
 
 } // namespace relamp

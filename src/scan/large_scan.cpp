@@ -25,10 +25,9 @@ bool isLarge(const Scan& scan)
     return pixels > pixelsInMemory();
 }
 
-void spillPage(Page& page)
+bool spillPage(const Page& page)
 {
-    std::visit([](auto& rgb) { spill(rgb); }, page.image.rgb);
-    spill(page.image.alpha);
+    return std::visit([](const auto& rgb) { return spill(rgb); }, page.image.rgb);
 }
 
 void willNeed(const Page& page)
@@ -39,7 +38,6 @@ void willNeed(const Page& page)
 void letGo(const Page& page)
 {
     std::visit([](const auto& rgb) { letGo(rgb); }, page.image.rgb);
-    letGo(page.image.alpha);
 }
 
 } // namespace relamp

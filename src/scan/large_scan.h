@@ -16,11 +16,11 @@ uint64_t pixelsInMemory();
 /// Whether a scan has more.
 bool isLarge(const Scan& scan);
 
-/// Moves a page's picture to a file.
-void spillPage(Page& page);
+/// Moves a page's picture to a file; false where it stays in memory.
+bool spillPage(const Page& page);
 /// All of it is read soon.
 void willNeed(const Page& page);
-/// It is not read for a while.
+/// A page that spillPage() said true for, and that is as it was, is not read for a while.
 void letGo(const Page& page);
 
 } // namespace relamp

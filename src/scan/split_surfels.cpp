@@ -200,6 +200,7 @@ void splitSurfels(Texels& texels, const TexelMarks& marks, SurfelPart part)
     }
     for (size_t p = 0; p < texels.pages.size(); ++p) {
         splitRuns(texels.pages[p], marks[p], partsOf, first);
+        if (texels.isLarge) spillTexels(texels.pages[p]);
         texels.letGo(p);
     }
     sumSurfels(texels, isNew);

@@ -306,8 +306,8 @@ Texels rasterizeAtlas(const Scan& scan, Progress& progress, const SurfelOptions&
         keys[p] = std::move(ofPage.distinct);
         coverages[p] = {};
         if (texels.isLarge) {
-            spill(texels.pages[p].pixel);
-            spill(texels.pages[p].facet);
+            spillTexels(texels.pages[p]);
+            texels.pages[p].isPictureInFile = spillPage(scan.pages[p]);
         }
         stage.advance();
     }
@@ -346,10 +346,17 @@ void Texels::willNeed(size_t page) const
 
 void Texels::letGo(size_t page) const
 {
-    if (!isLarge) return;
-    relamp::letGo(pages[page].pixel);
-    relamp::letGo(pages[page].facet);
-    relamp::letGo(scan->pages[page]);
+    if (pages[page].isInFile) {
+        relamp::letGo(pages[page].pixel);
+        relamp::letGo(pages[page].facet);
+    }
+    if (pages[page].isPictureInFile) relamp::letGo(scan->pages[page]);
+}
+
+void spillTexels(PageTexels& page)
+{
+    const bool pixels = spill(page.pixel);
+    page.isInFile = spill(page.facet) && pixels;
 }
 
 void keepSites(Texels& texels)

@@ -2,6 +2,7 @@
 
 #include "base/lanes.h"
 #include "base/parallel.h"
+#include "base/spill.h"
 #include "relamp/inspect.h"
 #include "relamp/progress.h"
 #include "relamp/scan.h"
@@ -31,6 +32,8 @@ struct PageTexels
     std::vector<uint32_t> pixel; // row * width + column
     std::vector<uint32_t> facet;
     std::vector<Run> runs;      // ascending; one more than there are, with begin = count()
+    InFile isInFile;            // `pixel` and `facet`, as they are: see large_scan.h
+    InFile isPictureInFile;     // likewise
     std::vector<bool> isShared; // of pixels: stands for places in different light; empty: none does
 
     [[nodiscard]] size_t count() const { return pixel.size(); }
@@ -104,6 +107,9 @@ private:
     const Texels& texels_;
     std::vector<TexelRange> ranges_; // on the page where a surfel has most of its texels
 };
+
+/// Moves a page's texels to a file; to be called whenever they were changed.
+void spillTexels(PageTexels& page);
 
 /// Of a large scan, keeps what SurfelSites needs; to be called whenever texels were sorted anew.
 void keepSites(Texels& texels);
