@@ -1,6 +1,7 @@
+#include "output/air_probes.h"
+
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
-#include "output/web_probes.h"
 #include "relight/obstacles.h"
 #include "relight/relighter_state.h"
 #include "relight/relit_page.h"

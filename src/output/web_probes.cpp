@@ -1,5 +1,6 @@
 #include "output/web_probes.h"
 
+#include "output/air_probes.h"
 #include "output/web_bytes.h"
 #include "output/web_clusters.h"
 #include "relight/relighter_state.h"

@@ -1,11 +1,10 @@
 #include "output/web_probes.h"
 
-#include "output/web_direction.h"
-
 #include "base/radiometry.shared.h"
+#include "output/air_probes.h"
+#include "output/web_direction.h"
 #include "relight/relighter_state.h"
 #include "scenes/lit_room.h"
-#include "scenes/scenes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,21 +22,7 @@ namespace
 class WebProbesOfARoom : public testing::Test
 {
 protected:
-    WebProbesOfARoom()
-    {
-        const scenes::LitRoom lit;
-        room.scan = scenes::copyOf(lit.scan);
-        room.albedo.push_back(
-            scenes::room(scenes::LitRoom::kSize, 96, scenes::LitRoom::albedo).pages[0].image);
-        room.captured.fixtures.push_back({.centre = scenes::LitRoom::kLampCentre,
-                                          .normal = {0, -1, 0},
-                                          .area = scenes::LitRoom::kLampArea,
-                                          .radiance = scenes::LitRoom::kLampRadiance,
-                                          .id = 0,
-                                          .name = "panel"});
-    }
-
-    DelitRoom room;
+    DelitRoom room = scenes::litDelitRoom("panel");
 };
 
 glm::vec3 decoded(std::span<const uint8_t> bytes, float scale, glm::vec3 normal)

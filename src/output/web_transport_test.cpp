@@ -5,7 +5,6 @@
 #include "output/web_direction.h"
 #include "relight/relighter_state.h"
 #include "scenes/lit_room.h"
-#include "scenes/scenes.h"
 
 #include <cmath>
 
@@ -109,15 +108,7 @@ public:
 class WebTransportOfARoom : public testing::Test
 {
 protected:
-    WebTransportOfARoom()
-    {
-        const scenes::LitRoom lit;
-        room.scan = scenes::copyOf(lit.scan);
-        room.albedo.push_back(
-            scenes::room(scenes::LitRoom::kSize, 96, scenes::LitRoom::albedo).pages[0].image);
-    }
-
-    DelitRoom room;
+    DelitRoom room = scenes::litDelitRoom("panel");
 };
 
 } // namespace

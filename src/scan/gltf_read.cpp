@@ -394,8 +394,6 @@ void GltfReader::readPages(Progress& progress)
         source_->imageOfPage[static_cast<size_t>(index)] = image;
         stage.advance();
     });
-    if (pixels.all() > pixelsInMemory())
-        std::for_each(scan_.pages.begin(), scan_.pages.end(), spillPage);
 }
 
 void GltfReader::keepSource()

@@ -18,11 +18,16 @@ uint64_t pixelsInMemory()
     return end != wish && *end == '\0' ? wished : kUsual;
 }
 
-bool isLarge(const Scan& scan)
+uint64_t pixelsOf(const Scan& scan)
 {
     uint64_t pixels = 0;
     for (const Page& page : scan.pages) pixels += page.image.pixels();
-    return pixels > pixelsInMemory();
+    return pixels;
+}
+
+bool isLarge(const Scan& scan)
+{
+    return pixelsOf(scan) > pixelsInMemory();
 }
 
 bool spillPage(const Page& page)

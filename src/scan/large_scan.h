@@ -13,7 +13,10 @@ namespace relamp
 /// only as many of them as it needs.
 uint64_t pixelsInMemory();
 
-/// Whether a scan has more.
+/// Pixels of all pages.
+uint64_t pixelsOf(const Scan& scan);
+
+/// Whether a scan has more than stay in memory.
 bool isLarge(const Scan& scan);
 
 /// Moves a page's picture to a file; false where it stays in memory.

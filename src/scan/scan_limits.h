@@ -41,7 +41,6 @@ public:
     /// All pages' so far. Throws Error(malformed) where these are more pixels than relamp works on,
     /// or far more than pictures of their bytes.
     uint64_t add(size_t pixels);
-    [[nodiscard]] uint64_t all() const { return sum_; }
 
 private:
     std::string file_;

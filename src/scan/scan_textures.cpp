@@ -61,7 +61,6 @@ std::vector<Page> ScanTextures::read(const std::map<std::string, std::vector<std
         if (pixels.add(pages[i].image.pixels()) > pixelsInMemory()) spillPage(pages[i]);
         stage.advance();
     });
-    if (pixels.all() > pixelsInMemory()) std::for_each(pages.begin(), pages.end(), spillPage);
     return pages;
 }
 

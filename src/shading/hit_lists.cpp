@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "base/sampling.shared.h"
+#include "scan/large_scan.h"
 #include "scan/surface_point.h"
 #include "shading/front_map.h"
 #include "shading/openings.h"
@@ -26,7 +27,7 @@ constexpr int kGenerationsOfBacks = 2; // backs seen by backs seen by fronts; be
 
 // Numerics.
 constexpr size_t kBatch = 64;               // rays, of as many sides as it takes
-constexpr double kSquaresOfPages = 1 << 26; // 256 MB; of 8192 x 8192 pages, 32 have squares of 1 cm
+constexpr double kSquaresOfPages = 1 << 26; // 256 MB; 32 pages of 8192 x 8192 have 6 x 6
 
 /// Luminance that the rays of a side met.
 struct Met
@@ -39,8 +40,7 @@ struct Met
 uint32_t sideOfSquares(const Texels& texels)
 {
     if (!texels.isLarge) return 1;
-    double pixels = 0.0;
-    for (const Page& page : texels.scan->pages) pixels += static_cast<double>(page.image.pixels());
+    const auto pixels = static_cast<double>(pixelsOf(*texels.scan));
     return static_cast<uint32_t>(std::max(1.0, std::ceil(std::sqrt(pixels / kSquaresOfPages))));
 }
 

@@ -1,5 +1,6 @@
 // What the browser tests share: the program, Chromium, a static server, and pictures as numbers.
 
+import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { createReadStream, existsSync } from "node:fs";
 import { createServer } from "node:http";
@@ -137,4 +138,11 @@ export async function decibels(page, first, second) {
         for (let i = 0; i < a.length; ++i) sum += (a[i] - b[i]) ** 2;
         return 10 * Math.log10((255 * 255 * a.length) / Math.max(sum, 1e-9));
     }, pictures);
+}
+
+/** Says how like two PNGs are, and fails where that is less than `least` dB. */
+export async function assertLike(t, page, name, [found, wanted], least) {
+    const like = await decibels(page, found, wanted);
+    t.diagnostic(`${name}: ${like.toFixed(1)} dB`);
+    assert.ok(like >= least, `${name}: ${like} dB, less than ${least}`);
 }

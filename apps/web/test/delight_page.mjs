@@ -6,7 +6,7 @@ import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
-import { decibels, open, place, relamp, settled, test } from "./browser.mjs";
+import { assertLike, open, place, relamp, settled, test } from "./browser.mjs";
 
 const LIKENESS = 30; // dB at least
 
@@ -51,9 +51,8 @@ export function testDelightPage(shared) {
             await tab.page.goto(`${pathToFileURL(join(page, "index.html"))}#panel=off&${stops}`);
             await settled(tab.page);
             const wanted = await readFile(join(folder, "all.png")); // of all lights, made for relamp page
-            const found = await decibels(tab.page, await tab.page.screenshot(), wanted);
-            t.diagnostic(`${found.toFixed(1)} dB`);
-            assert.ok(found >= LIKENESS, `${found} dB`);
+            const found = await tab.page.screenshot();
+            await assertLike(t, tab.page, "delight --page", [found, wanted], LIKENESS);
             assert.deepEqual(tab.complaints, []);
         } finally {
             await tab.close();

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { cp, readFile, symlink } from "node:fs/promises";
 import { join } from "node:path";
 
-import { decibels, open, place, relamp, serve, test } from "./browser.mjs";
+import { assertLike, open, place, relamp, serve, test } from "./browser.mjs";
 
 const LIKENESS = 30; // dB at least
 const ASPECT = 16 / 9;
@@ -44,9 +44,8 @@ export function testExample(shared) {
                 },
                 [viewOf(room.camera), room.exposure, lights.map(share)],
             );
-            const found = await decibels(tab.page, await tab.page.screenshot(), wanted);
-            t.diagnostic(`${found.toFixed(1)} dB`);
-            assert.ok(found >= LIKENESS, `${found} dB`);
+            const found = await tab.page.screenshot();
+            await assertLike(t, tab.page, "mixed", [found, wanted], LIKENESS);
             assert.deepEqual(tab.complaints, []);
         } finally {
             await tab.close();

@@ -8,6 +8,7 @@ import { after, before } from "node:test";
 import { pathToFileURL } from "node:url";
 
 import {
+    assertLike,
     decibels,
     drawn,
     launch,
@@ -70,9 +71,7 @@ async function compare(t, name, hash, words, atLeast) {
         return tab.page.screenshot();
     };
     const pictures = await Promise.all([seen(), programs(name, ...words)]);
-    const found = await decibels(tab.page, ...pictures);
-    t.diagnostic(`${name}: ${found.toFixed(1)} dB`);
-    assert.ok(found >= atLeast, `${name}: ${found} dB, less than ${atLeast}`);
+    await assertLike(t, tab.page, name, pictures, atLeast);
 }
 
 const alone = (wanted) => room.lights.map((_, i) => `light${i}=${i === wanted ? 1 : 0}`).join("&");
