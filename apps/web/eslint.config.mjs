@@ -25,7 +25,7 @@ export default [
             globals: here(
                 "process URL Buffer window document location performance requestAnimationFrame " +
                     "createImageBitmap Blob File atob customElements HTMLElement Event KeyboardEvent WheelEvent " +
-                    "DataTransfer",
+                    "DataTransfer TextEncoder crypto setTimeout",
             ),
         },
     },

@@ -9,6 +9,7 @@ import { ModelPlacing } from "./model_placing";
 import { poseOf } from "./camera";
 import { byId } from "./dom";
 import { fittingRoom, mostSide } from "./levels";
+import { loadAnewAfterLoss } from "./lost_context";
 import { trouble } from "./notice";
 import { Panel } from "./panel";
 import { Parts, loadRoom } from "./parts";
@@ -24,12 +25,13 @@ import { Wipe } from "./wipe";
 
 const URL_PAUSE = 250; // ms without a change, after which the address is
 
+function sentenceOf(reason: unknown): string {
+    if (reason instanceof Trouble) return reason.message;
+    return `This page cannot be shown here (${String(reason)}).`;
+}
+
 function say(reason: unknown): void {
-    trouble(
-        reason instanceof Trouble
-            ? reason.message
-            : `This page cannot be shown here (${String(reason)}).`,
-    );
+    trouble(sentenceOf(reason));
     byId("preview").hidden = false;
     byId("progress").hidden = true;
     document.body.dataset["state"] = "trouble";
@@ -47,12 +49,14 @@ class App {
 
     constructor(private readonly room: Room) {
         this.state = this.stateOfAddress();
+        const canvas = byId("canvas") as HTMLCanvasElement;
         this.picture = new Picture(
-            byId("canvas") as HTMLCanvasElement,
+            canvas,
             room,
             () => this.state,
             () => this.pose(),
         );
+        loadAnewAfterLoss(canvas, () => this.keep());
     }
 
     async start(): Promise<void> {
@@ -79,8 +83,13 @@ class App {
             byId("preview").hidden = true;
             this.picture.lightChanged();
         });
-        await added.load(parts);
-        await models.load(parts);
+        try {
+            await added.load(parts);
+            await models.load(parts);
+        } catch (reason) {
+            trouble(sentenceOf(reason)); // of what a visitor may add; the room is there
+            byId("progress").hidden = true;
+        }
         this.picture.ask();
         panel.show();
         document.body.dataset["state"] = "ready";
@@ -157,10 +166,13 @@ class App {
         if (isLight) this.picture.lightChanged();
         else this.picture.ask();
         window.clearTimeout(this.timer);
-        this.timer = window.setTimeout(() => {
-            const hash = hashOf(this.state);
-            history.replaceState(null, "", hash ? `#${hash}` : location.pathname);
-        }, URL_PAUSE);
+        this.timer = window.setTimeout(() => this.keep(), URL_PAUSE);
+    }
+
+    /** Puts the state into the address. */
+    private keep(): void {
+        const hash = hashOf(this.state);
+        history.replaceState(null, "", hash ? `#${hash}` : location.pathname);
     }
 }
 

@@ -52,7 +52,9 @@ export class ModelPlacing {
                     "This page was written by an older relamp; write it again with relamp page.",
                 );
             if (!this.models.isReady)
-                throw new Trouble("The page is still loading; bring the model in a moment.");
+                throw new Trouble(
+                    "What models need has not come yet; bring it in a moment, or load the page again.",
+                );
             const place = this.levelAt(x, y);
             if (!place) throw new Trouble("Nothing is there for a model to stand on.");
             const model = await readModel(file);

@@ -45,7 +45,13 @@ export function launch(flags = []) {
     return chromium.launch({ executablePath: place.chromium, args: [...FLAGS, ...flags] });
 }
 
-const TYPES = { html: "text/html", js: "text/javascript", css: "text/css", jpg: "image/jpeg" };
+const TYPES = {
+    html: "text/html",
+    js: "text/javascript",
+    css: "text/css",
+    jpg: "image/jpeg",
+    wasm: "application/wasm",
+};
 
 /** Serves a folder as any static server would; gives its address and a way to end it. It ends with node, too. */
 export function serve(folder) {
