@@ -42,7 +42,7 @@ struct LitWall
             const double noise =
                 paintNoise * static_cast<double>(unit() + unit() + unit() - 1.5f) * 2.0;
             model.gathered.emplace_back(0.02f);
-            model.missed.push_back(0.0f);
+            model.missed.emplace_back();
             model.direct.push_back({{0, direct}});
             model.shown.emplace_back(0.4f / kPi * (0.02f + kRadiance * direct) *
                                      static_cast<float>(std::exp(noise)));
@@ -53,7 +53,7 @@ struct LitWall
         std::erase_if(pairs, [](MaterialPair pair) { return pair.p == pair.q; });
         model.shown.emplace_back(1.0f); // the lamp, of which nothing is seen
         model.gathered.emplace_back(0.0f);
-        model.missed.push_back(0.0f);
+        model.missed.emplace_back();
         model.direct.emplace_back();
         model.area.push_back(0.0f);
     }

@@ -121,8 +121,16 @@ void LampEvidence::findAround()
         placeInAround_[s] = static_cast<uint32_t>(around_.size());
         around_.push_back(s);
     }
-    missed_ = missedOf(hits_, around_, hits_.shareOfPart.size());
-    settling_ = SettlingGather(hits_, field_, around_); // a front's list is its surfel's
+    missed_.resize(places_.size());
+    forEach(places_.size(), [&](size_t i) {
+        float count = 0.0f;
+        forEachAround(texels_.surfels, places_[i], [&](uint32_t n) {
+            addMissed(missedOf(hits_, n), 1.0f, missed_[i]); // a front's list is its surfel's
+            count += 1.0f;
+        });
+        for (MissedLight& missed : missed_[i]) missed.irradiance /= count;
+    });
+    settling_ = SettlingGather(hits_, field_, around_);
 }
 
 double LampEvidence::meanLogOfPlaces() const
@@ -208,7 +216,8 @@ LightModel LampEvidence::modelOf(std::span<const Piece> pieces, const PieceSight
     const size_t rows = places_.size() + pieces.size();
     model.shown.resize(rows, glm::vec3(0.0f));
     model.gathered.resize(rows, glm::vec3(0.0f));
-    model.missed.resize(rows * model.outsides, 0.0f);
+    model.missed = missed_;
+    model.missed.resize(rows);
     const bool isNew = direct.empty();
     model.direct = std::move(direct);
     model.direct.resize(rows);
@@ -217,14 +226,9 @@ LightModel LampEvidence::modelOf(std::span<const Piece> pieces, const PieceSight
         float count = 0.0f; // around it: bounce light changes slowly, its few rays are noisy
         forEachAround(texels_.surfels, places_[i], [&](uint32_t n) {
             model.gathered[i] += gathered.irradiance[placeInAround_[n]];
-            for (size_t part = 0; part < model.outsides; ++part)
-                model.missed[i * model.outsides + part] +=
-                    missed_[placeInAround_[n] * model.outsides + part];
             count += 1.0f;
         });
         model.gathered[i] /= count;
-        for (size_t part = 0; part < model.outsides; ++part)
-            model.missed[i * model.outsides + part] /= count;
         model.shown[i] = field_.plain[places_[i]];
     });
     forEachChunk(isNew ? places_.size() : 0, LampSight::kBlock, [&](size_t begin, size_t) {
@@ -268,7 +272,6 @@ void LampEvidence::addLightOnPieces(std::span<const Piece> pieces, const PieceSi
     model.coloured.assign(pieces.size(), 0.0f);
     if (sights.lists.empty()) return;
     const Gathered gathered = gather(hits_, field_, sights.lists);
-    const std::vector<float> missed = missedOf(hits_, sights.lists, model.outsides);
     for (size_t f = 0; f < pieces.size(); ++f) {
         const size_t place = model.placeOf(f);
         for (const ClippedPatch& patch : pieces[f].candidate.patches)
@@ -283,9 +286,7 @@ void LampEvidence::addLightOnPieces(std::span<const Piece> pieces, const PieceSi
         const auto per = 1.0f / static_cast<float>(end - begin);
         for (size_t k = begin; k < end; ++k) {
             model.gathered[place] += per * gathered.irradiance[k];
-            for (size_t part = 0; part < model.outsides; ++part)
-                model.missed[place * model.outsides + part] +=
-                    per * missed[k * model.outsides + part];
+            addMissed(missedOf(hits_, sights.lists[k]), per, model.missed[place]);
         }
     }
 }

@@ -117,7 +117,7 @@ private:
     std::vector<uint32_t> placeInAround_; // [surfel]: its number among those around places
     RadianceField field_;
     SettlingGather settling_;                           // by these
-    std::vector<float> missed_;                         // likewise, as missedOf()
+    std::vector<std::vector<MissedLight>> missed_;      // of places, the mean around them
     std::map<size_t, std::vector<MaterialPair>> pairs_; // by how many a place
 };
 

@@ -20,15 +20,14 @@ std::vector<double> LightFit::beginning() const
             log[f] = std::log(
                 std::max(gathered / ofPieces[f] / static_cast<double>(model_.pieces), 1.0));
     log.resize(model_.pieces + model_.outsides, outside_);
-    for (size_t o = 1; o < model_.outsides; ++o) {
-        if (model_.areSmallHoles(o)) continue;
-        double missed = 0.0;
-        for (size_t i = 0; i < model_.places(); ++i)
-            missed += static_cast<double>(model_.missedAt(i)[o]);
-        if (missed > 0.0 && gathered > 0.0)
+    std::vector<double> missed(model_.outsides, 0.0);
+    for (size_t i = 0; i < model_.places(); ++i)
+        for (const auto [part, irradiance] : model_.missed[i])
+            missed[part] += static_cast<double>(irradiance);
+    for (size_t o = 1; o < model_.outsides; ++o)
+        if (!model_.areSmallHoles(o) && missed[o] > 0.0 && gathered > 0.0)
             log[model_.pieces + o] = std::max(
-                outside_, std::log(gathered / missed / static_cast<double>(model_.outsides)));
-    }
+                outside_, std::log(gathered / missed[o] / static_cast<double>(model_.outsides)));
     return log;
 }
 

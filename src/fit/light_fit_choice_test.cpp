@@ -29,7 +29,7 @@ struct HalfLitFloor
             const float lit = i < 32 ? 0.1f + 0.01f * static_cast<float>(i) : 0.0f;
             model.direct.push_back({{0, lit}, {1, lit}});
             model.gathered.emplace_back(0.2f);
-            model.missed.push_back(0.0f);
+            model.missed.emplace_back();
             model.shown.emplace_back(0.35f / kPi * (0.2f + 10.0f * lit));
         }
         for (uint32_t p = 0; p < 32; ++p) pairs.push_back({p, p + 32});
@@ -109,7 +109,7 @@ struct LitFloor
             model.direct.push_back(
                 {{left, ofLeft}, {middle, ofMiddle}, {right, i >= 60 ? falloff : 0.0f}});
             model.gathered.emplace_back(0.2f);
-            model.missed.push_back(0.0f);
+            model.missed.emplace_back();
             model.shown.emplace_back(
                 0.5f * (0.2f + 5.0f * ofLeft + static_cast<float>(kMissing) * ofMiddle) / kPi);
             pairs.push_back({i, (i * 37 + 11) % 90});

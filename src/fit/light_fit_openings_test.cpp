@@ -19,11 +19,12 @@ LightModel placesBeside(float holes, float opening)
     Random random(1, 1, 1);
     for (size_t i = 0; i < kPlaces; ++i) {
         const float gathered = 0.2f + 0.6f * random.next();
-        const float missed[2] = {0.1f * random.next(), random.next()};
-        const float all = gathered + holes * missed[0] + opening * missed[1];
+        const float small = 0.1f * random.next();
+        const float large = random.next();
+        const float all = gathered + holes * small + opening * large;
         model.direct.emplace_back();
         model.gathered.emplace_back(gathered);
-        model.missed.insert(model.missed.end(), missed, missed + 2);
+        model.missed.push_back({{0, small}, {1, large}});
         model.shown.emplace_back(0.4f / kPi * all);
     }
     return model;
@@ -63,7 +64,7 @@ TEST(LightFit, OpeningHasARadianceOfItsOwn)
 TEST(LightFit, OpeningsThatNothingTellsOfAreAlike)
 {
     LightModel model = placesBeside(0.0f, 0.0f);
-    model.missed.assign(model.missed.size(), 0.0f);
+    model.missed.assign(model.missed.size(), {});
     const std::vector<double> outside = radianceOutside(model);
     EXPECT_NEAR(outside[0], outside[1], 1e-3 * outside[0]);
 }

@@ -124,7 +124,7 @@ TEST(LightFit, MuchMoreThanWhiteIsUnlikelyOfWhatShowsAColour)
 TEST(LightFit, OutsideIsDarkerThanTheRoomWhereTheDataLeaveItOpen)
 {
     Floor floor({{40, 30, 20}}, 0.0f, 0.0f);
-    for (float& missed : floor.model.missed) missed = 0.0f;
+    for (auto& missed : floor.model.missed) missed.clear();
     const LightEstimate light = floor.solveFromLamps();
     std::vector<float> shown;
     for (size_t i = 0; i < floor.model.places(); ++i)
@@ -144,7 +144,7 @@ TEST(LightFit, ChannelThatTheDataLeaveOpenIsNearTheLuminance)
     for (size_t i = 0; i < Floor::kPlaces; ++i) {
         const glm::vec3 light = floor.truth[0] * floor.model.directAt(i, 0);
         if (i % 80 > 1) {
-            const glm::vec3 rest = floor.model.gathered[i] + floor.outside * floor.model.missed[i];
+            const glm::vec3 rest = floor.restAt(i);
             floor.model.shown[i] *= rest / (rest + light);
             floor.model.direct[i].clear();
         }
@@ -188,7 +188,7 @@ TEST(LightFit, LevelOfARoomIsHeldWhereLampsOutshineWhatIsGathered)
     std::vector<MaterialPair> pairs;
     for (uint32_t i = 0; i < 800; ++i) {
         model.gathered.emplace_back(1e-4f);
-        model.missed.push_back(0.0f);
+        model.missed.emplace_back();
         const float direct = random.between(0.05f, 0.2f);
         model.direct.push_back({{0, direct}});
         model.shown.emplace_back(kAlbedo / kPi * kLamp * direct);
@@ -228,8 +228,7 @@ TEST(LightFit, PaintOfAWallThatLightsTheRoomIsFound)
         const glm::vec3 sent = albedo / kPi * (floor.model.gathered[place] + 1.5f * floor.truth[0]);
         for (size_t i = 0; i < Floor::kPlaces; ++i) {
             const float direct[] = {floor.model.directAt(i, 0), floor.model.directAt(i, 1)};
-            const glm::vec3 rest = floor.model.gathered[i] + floor.outside * floor.model.missed[i] +
-                                   floor.truth[0] * direct[0];
+            const glm::vec3 rest = floor.restAt(i) + floor.truth[0] * direct[0];
             floor.model.shown[i] *= (rest + sent * direct[1]) / (rest + floor.truth[1] * direct[1]);
         }
         floor.truth[1] = kWall;
@@ -352,7 +351,7 @@ struct DarkCorners
             const float direct = isDark ? 0.0f : random.between(0.005f, 0.05f);
             model.shown.emplace_back(0.35f / kPi * (gathered + 40.0f * direct));
             model.gathered.emplace_back(gathered + (isDark ? stray : 0.0f));
-            model.missed.push_back(0.0f);
+            model.missed.emplace_back();
             model.direct.push_back({{0, direct}});
         }
         for (size_t i = 0; i < 8 * kPlaces; ++i)

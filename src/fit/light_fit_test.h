@@ -44,7 +44,7 @@ inline void addPieces(LightModel& model)
 {
     model.shown.insert(model.shown.end(), model.pieces, glm::vec3(1.0f));
     model.gathered.insert(model.gathered.end(), model.pieces, glm::vec3(0.0f));
-    model.missed.insert(model.missed.end(), model.pieces, 0.0f);
+    model.missed.resize(model.shown.size());
     model.direct.resize(model.shown.size());
     model.area.assign(model.pieces, 0.0f);
 }
@@ -89,6 +89,13 @@ struct Floor
     {
         return std::log(static_cast<double>(luminance(truth[lamp])));
     }
+    /// What a place gets from surfaces and from outside.
+    [[nodiscard]] glm::vec3 restAt(size_t place) const
+    {
+        glm::vec3 rest = model.gathered[place];
+        for (const auto [part, irradiance] : model.missed[place]) rest += outside * irradiance;
+        return rest;
+    }
     /// Takes a lamp out of the room.
     void darken(size_t lamp);
     /// A burnt-out piece of wall that gets this irradiance of a lamp at radiance 1.
@@ -107,8 +114,9 @@ inline Floor::Floor(std::vector<glm::vec3> lamps, float noise, float outliers)
         const glm::vec2 place{random.between(0, 5), random.between(0, 5)};
         glm::vec3 irradiance(random.between(0.2f, 0.5f));
         model.gathered.push_back(irradiance);
-        model.missed.push_back(place.x < 2.0f ? random.between(0.0f, 0.4f) : 0.0f);
-        irradiance += outside * model.missed.back();
+        const float missed = place.x < 2.0f ? random.between(0.0f, 0.4f) : 0.0f;
+        model.missed.push_back({{0, missed}});
+        irradiance += outside * missed;
         std::vector<DirectLight>& ofPlace = model.direct.emplace_back();
         for (uint32_t f = 0; f < truth.size(); ++f) {
             const float squared = 4.0f + glm::dot(place - under[f], place - under[f]);
@@ -132,7 +140,7 @@ inline Floor::Floor(std::vector<glm::vec3> lamps, float noise, float outliers)
 inline void Floor::darken(size_t lamp)
 {
     for (size_t i = 0; i < model.places(); ++i) {
-        glm::vec3 irradiance = model.gathered[i] + outside * model.missed[i];
+        glm::vec3 irradiance = restAt(i);
         for (const auto [f, direct] : model.direct[i]) irradiance += truth[f] * direct;
         model.shown[i] *= (irradiance - truth[lamp] * model.directAt(i, lamp)) / irradiance;
         std::erase_if(model.direct[i], [&](DirectLight light) { return light.piece == lamp; });

@@ -39,8 +39,7 @@ PackedRows rowsOf(const LightModel& model, std::span<const uint32_t> order)
     for (uint32_t k = 0; k < order.size(); ++k) columns[order[k]] = k;
     return {model.shown.size(), model.pieces + model.outsides, [&](size_t i, std::span<float> row) {
                 for (const auto [f, direct] : model.direct[i]) row[columns[f]] = direct;
-                std::ranges::copy(model.missedAt(i),
-                                  row.begin() + static_cast<ptrdiff_t>(model.pieces));
+                for (const auto [part, missed] : model.missed[i]) row[model.pieces + part] = missed;
             }};
 }
 

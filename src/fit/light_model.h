@@ -2,6 +2,7 @@
 
 #include "base/radiometry.shared.h"
 #include "fit/packed_rows.h"
+#include "shading/gather.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -31,9 +32,8 @@ struct LightModel
     size_t pieces = 0;
     std::vector<glm::vec3> shown;    // radiance that the texture has there, > 0
     std::vector<glm::vec3> gathered; // irradiance by way of all surfaces that are no piece
-    std::vector<float> missed; // [place * outsides + part]: irradiance of directions that leave the
-                               // scan for a part of what lies outside, at radiance 1
-    size_t outsides = 1;       // parts; the first are small holes
+    std::vector<std::vector<MissedLight>> missed; // of places, by ascending part
+    size_t outsides = 1;                          // parts; the first are small holes
     size_t roomsOfHoles = 1; // of which small holes are a part by themselves; the others come last
     std::vector<std::vector<DirectLight>> direct; // of places, by ascending piece; of a house it
                                                   // is a place's own room that lights it
@@ -49,10 +49,6 @@ struct LightModel
         return part == 0 || part + roomsOfHoles > outsides;
     }
     [[nodiscard]] size_t placeOf(size_t piece) const { return places() + piece; }
-    [[nodiscard]] std::span<const float> missedAt(size_t place) const
-    {
-        return {missed.data() + place * outsides, outsides};
-    }
     [[nodiscard]] float directAt(size_t place, size_t piece) const
     {
         const auto found = std::ranges::lower_bound(direct[place], piece, {}, &DirectLight::piece);

@@ -21,7 +21,8 @@ constexpr float kDarkestPaired = 0.004f; // luminance; below, a byte's steps are
 
 // Numerics.
 constexpr size_t kPairsForRooms = 1000; // to tell how many rooms there are
-constexpr double kFewestInRoom = 10.0;  // of these, to tell anything
+constexpr double kFewestInRoom = 10.0;  // of these, to tell anything; else as many again
+constexpr int kDrawingsForRooms = 32;   // at most
 constexpr int kDrawings = 8; // of drawing for what lay in other rooms, as in a house of several
 
 /// Colour without brightness, in logs.
@@ -110,6 +111,29 @@ std::vector<uint8_t> markedInRoom(std::span<const MaterialPair> pairs, const Ray
     return isInRoom;
 }
 
+bool isFloor(const Surfels& surfels, uint32_t surfel)
+{
+    return surfels.normal[surfel].y > 0.0f;
+}
+
+/// Pairs of `level` surfels of one height, by heights: normals are off by too much for planes as
+/// long as a house.
+std::vector<MaterialPair> drawLevel(const Surfels& surfels, std::span<const uint32_t> level,
+                                    std::mt19937& random)
+{
+    std::vector<MaterialPair> drawn;
+    const auto height = [&](uint32_t s) { return surfels.position[s].y; };
+    for (size_t attempt = 0; attempt < kPairsForRooms * 32 && drawn.size() < kPairsForRooms;
+         ++attempt) {
+        const uint32_t p = level[random() % level.size()];
+        const uint32_t q = level[random() % level.size()];
+        if (p != q && isFloor(surfels, p) == isFloor(surfels, q) &&
+            isWithinError(height(p) - height(q)))
+            drawn.push_back({p, q});
+    }
+    return drawn;
+}
+
 } // namespace
 
 bool areOnOnePlane(const Surfels& surfels, uint32_t p, uint32_t q)
@@ -126,31 +150,24 @@ bool haveOneColor(glm::vec3 shownP, glm::vec3 shownQ)
 
 double roomsOf(const Surfels& surfels, const RayScene& scene)
 {
-    const auto isFloor = [&](uint32_t s) { return surfels.normal[s].y > 0.0f; };
     std::vector<uint32_t> level;
     for (uint32_t s = 0; s < surfels.count(); ++s)
         if (std::abs(surfels.normal[s].y) >= kSamePlane) level.push_back(s);
     if (level.empty()) return 1.0;
     std::mt19937 random(surfels.seed);
-    std::vector<MaterialPair> drawn;
-    for (size_t attempt = 0; attempt < kPairsForRooms * 32 && drawn.size() < kPairsForRooms;
-         ++attempt) {
-        const uint32_t p = level[random() % level.size()];
-        const uint32_t q = level[random() % level.size()];
-        const auto height = [&](uint32_t s) { return surfels.position[s].y; };
-        // By heights: normals are off by too much for planes as long as a house.
-        if (p != q && isFloor(p) == isFloor(q) && isWithinError(height(p) - height(q)))
-            drawn.push_back({p, q});
-    }
-    const auto isInRoom = markedInRoom(drawn, scene, [&](uint32_t s) {
-        return FacingPlace{surfels.position[s], surfels.normal[s]};
-    });
     std::array<double, 2> all{}; // of ceilings and of floors
     std::array<double, 2> inRoom{};
-    for (size_t k = 0; k < drawn.size(); ++k) {
-        const size_t which = isFloor(drawn[k].p) ? 1 : 0;
-        all[which] += 1.0;
-        inRoom[which] += isInRoom[k] != 0 ? 1.0 : 0.0;
+    for (int drawing = 0; drawing < kDrawingsForRooms; ++drawing) {
+        const std::vector<MaterialPair> drawn = drawLevel(surfels, level, random);
+        const auto isInRoom = markedInRoom(drawn, scene, [&](uint32_t s) {
+            return FacingPlace{surfels.position[s], surfels.normal[s]};
+        });
+        for (size_t k = 0; k < drawn.size(); ++k) {
+            const size_t which = isFloor(surfels, drawn[k].p) ? 1 : 0;
+            all[which] += 1.0;
+            inRoom[which] += isInRoom[k] != 0 ? 1.0 : 0.0;
+        }
+        if (std::ranges::max(inRoom) >= kFewestInRoom) break;
     }
     double rooms = 1.0;
     for (size_t which = 0; which < all.size(); ++which)

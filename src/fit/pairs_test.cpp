@@ -107,6 +107,19 @@ TEST(Pairs, LieInOneRoom)
     for (const MaterialPair pair : drawn) EXPECT_EQ(pair.p < 50, pair.q < 50);
 }
 
+// Of fifty rooms with two places each, one pair in a hundred lies in one: a thousand are too few.
+TEST(Pairs, ManyRoomsAreCounted)
+{
+    const Places places = hundred([](Places& row, float x, int) {
+        row.add({x, 0.0f, 0.0f}, kUp, glm::vec3(0.5f));
+    });
+    std::vector<scenes::Panel> walls;
+    for (float x = 0.06f; x < 4.0f; x += 0.08f)
+        walls.push_back({{x, 0, -9}, {0, 0, 18}, {0, 9, 0}});
+    const Scan building = scenes::panels(walls, 8, scenes::plain(glm::vec3(0.5f)));
+    EXPECT_NEAR(roomsOf(places.surfels, RayScene(building)), 99.0, 40.0);
+}
+
 // Out of a window and in by another leads no way from room to room.
 TEST(Pairs, RoomsAreCountedByTheirFloors)
 {

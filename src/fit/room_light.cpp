@@ -44,9 +44,8 @@ Rooms roomsOfParts(const FittedLight& house, std::span<const uint8_t> roomOfPlac
     for (size_t i = 0; i < rooms.ofPlace.size(); ++i) {
         for (const auto [f, direct] : model.direct[i])
             byPiece[rooms.ofPlace[i] * model.pieces + f] += static_cast<double>(direct);
-        for (size_t o = 0; o < model.outsides; ++o)
-            byOutside[rooms.ofPlace[i] * model.outsides + o] +=
-                static_cast<double>(model.missedAt(i)[o]);
+        for (const auto [part, missed] : model.missed[i])
+            byOutside[rooms.ofPlace[i] * model.outsides + part] += static_cast<double>(missed);
     }
     rooms.ofPiece = brightestRooms(byPiece, rooms.count, model.pieces);
     rooms.ofOutside = brightestRooms(byOutside, rooms.count, model.outsides);
@@ -73,24 +72,42 @@ std::vector<Value> picked(const std::vector<Value>& all, std::span<const uint32_
 }
 
 // Numerics.
-constexpr uint32_t kOfAnother = ~0u; // room's piece
+constexpr uint32_t kOfAnother = ~0u; // room's piece or part
 
-/// A place of the house, or the place of a piece, as one of the room. `numbers`: its own of pieces
-/// of the house; `sent`: what these send.
-void addPlace(const FittedLight& house, size_t place, std::span<const uint32_t> numbers,
+/// A room's own numbers for those of the house.
+struct OwnNumbers
+{
+    std::vector<uint32_t> ofPiece;
+    std::vector<uint32_t> ofPart;
+};
+
+/// Where each of `numbers` is among them; others are another's.
+std::vector<uint32_t> backFrom(std::span<const uint32_t> numbers, size_t count)
+{
+    std::vector<uint32_t> back(count, kOfAnother);
+    for (uint32_t i = 0; i < numbers.size(); ++i) back[numbers[i]] = i;
+    return back;
+}
+
+/// A place of the house, or the place of a piece, as one of the room. `sent`: what the house's
+/// pieces send.
+void addPlace(const FittedLight& house, size_t place, const OwnNumbers& numbers,
               std::span<const double> sent, LightModel& model)
 {
     std::vector<DirectLight>& own = model.direct.emplace_back();
     double elsewhere = 0.0; // by pieces that are not the room's
     for (const auto [f, direct] : house.model.direct[place])
-        if (numbers[f] != kOfAnother)
-            own.push_back({numbers[f], direct});
+        if (numbers.ofPiece[f] != kOfAnother)
+            own.push_back({numbers.ofPiece[f], direct});
         else
             elsewhere += sent[f] * static_cast<double>(direct);
     model.shown.push_back(house.model.shown[place]);
     model.gathered.push_back(house.model.gathered[place] +
                              glm::vec3(static_cast<float>(elsewhere)));
-    for (const float missed : house.model.missedAt(place)) model.missed.push_back(missed);
+    std::vector<MissedLight>& missed = model.missed.emplace_back();
+    for (const auto [part, irradiance] : house.model.missed[place])
+        if (numbers.ofPart[part] != kOfAnother)
+            missed.push_back({numbers.ofPart[part], irradiance});
 }
 
 LightModel modelOf(const FittedLight& house, const RoomLight& room)
@@ -98,15 +115,17 @@ LightModel modelOf(const FittedLight& house, const RoomLight& room)
     const LightModel& whole = house.model;
     const auto share =
         static_cast<double>(room.places.size()) / static_cast<double>(whole.places());
+    const auto ofOtherRooms = std::ranges::count_if(
+        room.parts, [&](uint32_t part) { return part > 0 && whole.areSmallHoles(part); });
     LightModel model{.pieces = room.pieces.size(),
-                     .outsides = whole.outsides,
-                     .roomsOfHoles = whole.roomsOfHoles,
+                     .outsides = room.parts.size(),
+                     .roomsOfHoles = 1 + static_cast<size_t>(ofOtherRooms),
                      .area = picked(whole.area, room.pieces),
                      .coloured = picked(whole.coloured, room.pieces),
                      .rooms = std::max(1.0, share * whole.rooms),
                      .isBurntOut = picked(whole.isBurntOut, room.places)};
-    std::vector<uint32_t> numbers(whole.pieces, kOfAnother);
-    for (uint32_t f = 0; f < room.pieces.size(); ++f) numbers[room.pieces[f]] = f;
+    const OwnNumbers numbers{backFrom(room.pieces, whole.pieces),
+                             backFrom(room.parts, whole.outsides)};
     std::vector<double> sent;
     for (size_t f = 0; f < whole.pieces; ++f) sent.push_back(std::exp(house.log[f]));
     for (const uint32_t place : room.places) addPlace(house, place, numbers, sent, model);
@@ -114,19 +133,31 @@ LightModel modelOf(const FittedLight& house, const RoomLight& room)
     return model;
 }
 
-/// Where each of `numbers` is among them.
-std::vector<uint32_t> backFrom(std::span<const uint32_t> numbers, size_t count)
+/// Parts of what lies outside that are the room's own or that its places see anything of, and the
+/// first, ascending.
+std::vector<uint32_t> partsSeen(const FittedLight& house, const Rooms& rooms, uint32_t number,
+                                const RoomLight& room)
 {
-    std::vector<uint32_t> back(count, 0);
-    for (uint32_t i = 0; i < numbers.size(); ++i) back[numbers[i]] = i;
-    return back;
+    std::vector<uint8_t> isSeen(house.model.outsides, rooms.count == 1 ? 1 : 0);
+    isSeen[0] = 1;
+    const auto look = [&](size_t place) {
+        for (const MissedLight missed : house.model.missed[place]) isSeen[missed.part] = 1;
+    };
+    for (const uint32_t place : room.places) look(place);
+    for (const uint32_t f : room.pieces) look(house.model.placeOf(f));
+    for (uint32_t part = 0; part < isSeen.size(); ++part)
+        if (rooms.ofOutside[part] == number) isSeen[part] = 1;
+    return numbersOf(std::vector<uint32_t>(isSeen.begin(), isSeen.end()), 1);
 }
 
 RoomLight lightOf(const FittedLight& house, const Rooms& rooms, uint32_t number)
 {
     RoomLight room{.places = numbersOf(rooms.ofPlace, number),
                    .pieces = numbersOf(rooms.ofPiece, number),
-                   .outsides = numbersOf(rooms.ofOutside, number)};
+                   .outsides = house.model.outsides};
+    room.parts = partsSeen(house, rooms, number, room);
+    for (const uint32_t part : room.parts)
+        room.isOwnPart.push_back(rooms.ofOutside[part] == number ? 1 : 0);
     room.noise = house.noise;
     room.model = modelOf(house, room);
     const std::vector<uint32_t> place = backFrom(room.places, rooms.ofPlace.size());
@@ -145,8 +176,7 @@ RoomLight lightOf(const FittedLight& house, const Rooms& rooms, uint32_t number)
         room.emits.push_back(house.emits[f]);
         room.log.push_back(house.log[f]);
     }
-    room.log.insert(room.log.end(), house.log.begin() + static_cast<ptrdiff_t>(house.model.pieces),
-                    house.log.end());
+    for (const uint32_t part : room.parts) room.log.push_back(house.log[house.model.pieces + part]);
     for (const uint32_t i : room.places) {
         if (i >= house.texture.position.size()) break;
         room.texture.push_back(house.texture.texture[i]);
@@ -188,8 +218,9 @@ std::vector<double> RoomLight::shares() const
 void RoomLight::put(std::span<const double> ofRoom, std::vector<double>& ofHouse) const
 {
     for (size_t f = 0; f < pieces.size(); ++f) ofHouse[pieces[f]] = ofRoom[f];
-    const size_t first = ofHouse.size() - model.outsides;
-    for (const uint32_t o : outsides) ofHouse[first + o] = ofRoom[pieces.size() + o];
+    const size_t first = ofHouse.size() - outsides;
+    for (size_t k = 0; k < parts.size(); ++k)
+        if (isOwnPart[k] != 0) ofHouse[first + parts[k]] = ofRoom[pieces.size() + k];
 }
 
 std::vector<LightEstimate>
@@ -203,7 +234,7 @@ estimatesOf(std::span<const RoomLight> rooms,
 
 LightEstimate joined(std::span<const RoomLight> rooms, std::span<const LightEstimate> estimates)
 {
-    size_t count = rooms.front().model.outsides;
+    size_t count = rooms.front().outsides;
     for (const RoomLight& room : rooms) count += room.pieces.size();
     LightEstimate house{.log = std::vector<double>(count), .error = std::vector<double>(count)};
     double pairs = 0.0;

@@ -29,7 +29,9 @@ struct RoomLight
     std::vector<glm::vec3> position; // likewise
     std::vector<uint32_t> places;    // the house's numbers of its places
     std::vector<uint32_t> pieces;    // likewise
-    std::vector<uint32_t> outsides;  // parts of what lies outside that no other room sees more of
+    std::vector<uint32_t> parts;     // likewise, of what lies outside: those that it sees
+    std::vector<uint8_t> isOwnPart;  // of these: no other room sees more of it
+    size_t outsides = 1;             // parts of the house
 
     [[nodiscard]] TexturePlaces texturePlaces() const { return {texture, position}; }
     /// By luminance or one channel. The room must outlive it.

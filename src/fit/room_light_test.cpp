@@ -43,9 +43,10 @@ struct House
             const float ofSecond = room == 0 ? 0.0f : own;
             model.direct.push_back({{0, ofFirst}, {1, ofSecond}});
             model.gathered.emplace_back(0.4f);
-            model.missed.push_back(room == 0 ? 0.2f : 0.1f);
+            const float missed = room == 0 ? 0.2f : 0.1f;
+            model.missed.push_back({{0, missed}});
             const float light =
-                0.4f + std::exp(-1.0f) * model.missed.back() + 30.0f * ofFirst + 50.0f * ofSecond;
+                0.4f + std::exp(-1.0f) * missed + 30.0f * ofFirst + 50.0f * ofSecond;
             model.shown.emplace_back(0.5f / kPi * light);
         }
         texture = model.shown;
@@ -85,8 +86,8 @@ TEST(RoomLight, WhatOtherRoomsSendIsGathered)
     ASSERT_EQ(rooms.size(), 2u);
     EXPECT_THAT(rooms[0].pieces, ElementsAre(0u));
     EXPECT_THAT(rooms[1].pieces, ElementsAre(1u));
-    EXPECT_THAT(rooms[0].outsides, ElementsAre(0u));
-    EXPECT_THAT(rooms[1].outsides, ElementsAre());
+    EXPECT_THAT(rooms[0].isOwnPart, ElementsAre(1));
+    EXPECT_THAT(rooms[1].isOwnPart, ElementsAre(0));
     for (const RoomLight& room : rooms) {
         EXPECT_EQ(room.model.places(), House::kPlaces);
         EXPECT_TRUE(room.alike.empty()); // with a lamp of the other

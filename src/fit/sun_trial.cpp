@@ -69,7 +69,7 @@ std::vector<DirectLight>& SunTrial::addRow(glm::vec3 shown, glm::vec3 gathered, 
 {
     without.shown.push_back(shown);
     without.gathered.push_back(gathered);
-    without.missed.resize(without.shown.size() * without.outsides, 0.0f);
+    without.missed.emplace_back();
     straight_.push_back(ofSun);
     return without.direct.emplace_back();
 }
@@ -77,9 +77,7 @@ std::vector<DirectLight>& SunTrial::addRow(glm::vec3 shown, glm::vec3 gathered, 
 void SunTrial::copyRow(const LightModel& before, size_t row, float ofSun)
 {
     addRow(before.shown[row], before.gathered[row], ofSun) = before.direct[row];
-    std::copy_n(before.missed.end() -
-                    static_cast<ptrdiff_t>((before.shown.size() - row) * before.outsides),
-                before.outsides, without.missed.end() - static_cast<ptrdiff_t>(before.outsides));
+    without.missed.back() = before.missed[row];
 }
 
 /// Rows of the rim come behind the places, a column and a row for the sun come last.

@@ -43,7 +43,7 @@ struct MisleadingFloor
         constexpr float kGathered = 0.5f;
         constexpr float kLit = 0.1f;
         model.gathered.emplace_back(kGathered);
-        model.missed.push_back(0.0f);
+        model.missed.emplace_back();
         const float direct = isLit ? kLit : 0.0f;
         model.direct.push_back({{0, direct}});
         model.shown.emplace_back(albedo / kPi * (kGathered + kLamp * direct));

@@ -56,14 +56,14 @@ FoldedFloor::FoldedFloor()
         positions.push_back(place);
         isLitAlone.push_back(isAlone ? 1 : 0);
         model.gathered.emplace_back(0.3f);
-        model.missed.push_back(0.2f);
+        model.missed.push_back({{0, 0.2f}});
         model.direct.push_back({{0, direct}, {1, alone}});
         model.shown.emplace_back(0.5f / kPi * irradiance);
     }
     texture = model.shown;
     model.shown.insert(model.shown.end(), 2, glm::vec3(1.0f)); // of the lamps nothing is known
     model.gathered.insert(model.gathered.end(), 2, glm::vec3(0.0f));
-    model.missed.insert(model.missed.end(), 2, 0.0f);
+    model.missed.resize(model.shown.size());
     model.direct.resize(model.shown.size());
     model.area.assign(2, 0.0f);
     std::mt19937 random(3);

@@ -4,6 +4,8 @@
 #include "base/radiometry.shared.h"
 #include "shading/gather.shared.h"
 
+#include <algorithm>
+
 namespace relamp
 {
 namespace
@@ -65,18 +67,25 @@ Gathered gather(const HitLists& hits, const RadianceField& field, std::span<cons
     return result;
 }
 
-std::vector<float> missedOf(const HitLists& hits, std::span<const uint32_t> lists, size_t parts)
+std::vector<MissedLight> missedOf(const HitLists& hits, uint32_t list)
 {
-    std::vector<float> missed(lists.size() * parts, 0.0f);
-    forEachChunk(lists.size(), 256, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-            const std::span targets = hits.targetsOf(lists[i]);
-            const float perRay = irradiancePerRay(static_cast<float>(targets.size()));
-            for (const HitTarget target : targets)
-                if (target.isNothing()) missed[i * parts + target.part()] += perRay;
-        }
-    });
+    std::vector<MissedLight> missed;
+    const std::span targets = hits.targetsOf(list);
+    const float perRay = irradiancePerRay(static_cast<float>(targets.size()));
+    for (const HitTarget target : targets)
+        if (target.isNothing()) addMissed({{{target.part(), perRay}}}, 1.0f, missed);
     return missed;
+}
+
+void addMissed(std::span<const MissedLight> more, float weight, std::vector<MissedLight>& sum)
+{
+    for (const auto [part, irradiance] : more) {
+        const auto at = std::ranges::lower_bound(sum, part, {}, &MissedLight::part);
+        if (at != sum.end() && at->part == part)
+            at->irradiance += weight * irradiance;
+        else
+            sum.insert(at, {part, weight * irradiance});
+    }
 }
 
 SettlingGather::SettlingGather(const HitLists& hits, const RadianceField& field,

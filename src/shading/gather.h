@@ -39,9 +39,20 @@ struct Gathered
 Gathered gather(const HitLists& hits, const RadianceField& field,
                 std::span<const uint32_t> lists = {});
 
-/// M of method.md 5: irradiance of directions that leave the scan at radiance 1, by `parts` of what
-/// lies outside: [list * parts + part].
-std::vector<float> missedOf(const HitLists& hits, std::span<const uint32_t> lists, size_t parts);
+/// Irradiance of directions that leave the scan for a part of what lies outside, at radiance 1.
+struct MissedLight
+{
+    uint32_t part;
+    float irradiance;
+
+    bool operator==(const MissedLight&) const = default;
+};
+
+/// M of method.md 5 of a list: of the parts that its rays leave for, in ascending order.
+std::vector<MissedLight> missedOf(const HitLists& hits, uint32_t list);
+
+/// Adds `weight` times as much, of parts in ascending order.
+void addMissed(std::span<const MissedLight> more, float weight, std::vector<MissedLight>& sum);
 
 /// Gathers a field again and again while its light settles. Plain fronts stay as they are, so they
 /// are summed once; of the others there are few.

@@ -5,6 +5,7 @@
 #include "scan/rays.h"
 #include "scan/texels.h"
 
+#include <bitset>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,7 +30,7 @@ class HitTarget
 {
 public:
     static constexpr uint32_t kMostOfOpenings = 32; // parts of what lies outside, and small holes
-    static constexpr uint32_t kMostRooms = 32; // whose small holes are a part by themselves; <= 64
+    static constexpr uint32_t kMostRooms = 224;     // whose small holes are a part by themselves
     static constexpr uint32_t kMostParts = kMostOfOpenings + kMostRooms;
 
     static HitTarget nothing(uint32_t part = 0) { return HitTarget(~part); }
@@ -58,6 +59,9 @@ struct Hole
     float area = 0.0f;      // m^2
 };
 
+/// Some of the rooms of a house.
+using RoomSet = std::bitset<HitTarget::kMostRooms>;
+
 /// Cosine-distributed rays of the sides of surfels and what they met. Cast once per scan: light
 /// that changes needs no new rays.
 struct HitLists
@@ -69,25 +73,25 @@ struct HitLists
     std::vector<uint32_t> firstTarget{0}; // of lists, and one more
     std::vector<HitTarget> targets;
     std::vector<float> shareOfPart{0.0f}; // of parts outside: of all light that could reach fronts
-    size_t rooms = 1;                  // with small holes of their own: part 0 and the last of all
-    std::vector<uint8_t> roomOfSurfel; // as roomsOfSurfels(); empty: there is one
-    std::vector<uint64_t> roomsSeen;   // of rooms, a bit a room that it sees more than a glimpse of
-    std::vector<Hole> holes;           // by falling area
+    size_t rooms = 1;                   // with small holes of their own: part 0 and the last of all
+    std::vector<uint8_t> roomOfSurfel;  // as roomsOfSurfels(); empty: there is one
+    std::vector<RoomSet> roomsSeen;     // of rooms: those that it sees more than a glimpse of
+    std::vector<Hole> holes;            // by falling area
     std::vector<uint32_t> partOfSquare; // of OpeningSquares; 0: a small hole
     // Where lamps can be that the scan has no surface for: squares of no surfel just beyond the
     // holes in its top and bottom, which face the room, those first that most rays leave through.
     // What few rays leave through is left out, so a scan that is whole has none.
     std::vector<Candidate> squares;
 
-    /// A bit for the room of a surfel; all bits where there is one room.
-    [[nodiscard]] uint64_t roomBit(uint32_t surfel) const
+    /// The room of a surfel; all where there is one room.
+    [[nodiscard]] RoomSet roomOf(uint32_t surfel) const
     {
-        return roomOfSurfel.empty() ? ~uint64_t{0} : uint64_t{1} << roomOfSurfel[surfel];
+        return roomOfSurfel.empty() ? RoomSet().set() : RoomSet().set(roomOfSurfel[surfel]);
     }
-    /// Bits of the rooms that its own sees anything of.
-    [[nodiscard]] uint64_t roomsSeenBy(uint32_t surfel) const
+    /// The rooms that its own sees anything of.
+    [[nodiscard]] RoomSet roomsSeenBy(uint32_t surfel) const
     {
-        return roomOfSurfel.empty() ? ~uint64_t{0} : roomsSeen[roomOfSurfel[surfel]];
+        return roomOfSurfel.empty() ? RoomSet().set() : roomsSeen[roomOfSurfel[surfel]];
     }
 
     [[nodiscard]] std::span<const HitTarget> targetsOf(size_t list) const

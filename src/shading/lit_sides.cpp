@@ -114,13 +114,13 @@ private:
 };
 static_assert(Lookouts::kMost * kOrigins <= TexelBlock::kCapacity);
 
-/// Bits of the rooms that a lamp's surfaces are in; all where it has none that was scanned.
-uint64_t roomsOf(const AreaLight& light, const HitLists& hits)
+/// The rooms that a lamp's surfaces are in; all where it has none that was scanned.
+RoomSet roomsOf(const AreaLight& light, const HitLists& hits)
 {
-    uint64_t rooms = 0;
+    RoomSet rooms;
     for (const ClippedPatch& patch : light.patches())
-        if (patch.surfel != Surfels::kNone) rooms |= hits.roomBit(patch.surfel);
-    return rooms != 0 ? rooms : ~uint64_t{0};
+        if (patch.surfel != Surfels::kNone) rooms |= hits.roomOf(patch.surfel);
+    return rooms.any() ? rooms : RoomSet().set();
 }
 
 } // namespace
@@ -193,15 +193,15 @@ std::vector<LampSight> directOfLists(const Texels& texels, const RayScene& scene
             lookouts.add(hits.sideOfList[lists.empty() ? i : lists[i]]);
         return lookouts;
     };
-    std::vector<uint64_t> rooms;
+    std::vector<RoomSet> rooms;
     for (const SoughtLamp& lamp : lamps) rooms.push_back(roomsOf(lamp.light, hits));
     if (lists.empty()) perScout = kSidesOfScout;
     forEachChunk(count, perScout * Lookouts::kMost, [&](size_t begin, size_t end) {
-        uint64_t around = 0;
+        RoomSet around;
         for (size_t i = begin; i < end; ++i)
             around |= hits.roomsSeenBy(hits.sideOfList[lists.empty() ? i : lists[i]].surfel());
         std::vector<uint8_t> isSeen(lamps.size());
-        for (size_t l = 0; l < lamps.size(); ++l) isSeen[l] = (rooms[l] & around) != 0 ? 1 : 0;
+        for (size_t l = 0; l < lamps.size(); ++l) isSeen[l] = (rooms[l] & around).any() ? 1 : 0;
         if (perScout > 1) {
             const Lookouts scouts = lookoutsOf(begin, end, perScout);
             for (size_t l = 0; l < lamps.size(); ++l)

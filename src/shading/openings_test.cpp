@@ -27,7 +27,9 @@ scenes::Surfaces withoutWall(Wall wall)
 /// Irradiance on a list by each part of what lies outside, at radiance 1.
 std::vector<float> missedOn(const HitLists& hits, uint32_t list)
 {
-    return missedOf(hits, {&list, 1}, hits.shareOfPart.size());
+    std::vector<float> missed(hits.shareOfPart.size(), 0.0f);
+    for (const auto [part, irradiance] : missedOf(hits, list)) missed[part] = irradiance;
+    return missed;
 }
 
 } // namespace

@@ -62,7 +62,7 @@ TEST(Rooms, SeeEachOtherThroughADoor)
     const scenes::Surfaces two = roomsWith(0.8f);
     HitLists hits = scenes::hitListsOf(two, 16);
     tellRoomsApart(two.texels, roomsOfSurfels(two.texels, hits, 8), hits);
-    EXPECT_THAT(hits.roomsSeen, ElementsAre(3u, 3u));
+    EXPECT_THAT(hits.roomsSeen, ElementsAre(RoomSet(3), RoomSet(3)));
 }
 
 TEST(Rooms, SeeNothingOfEachOtherWhereTheyStandApart)
@@ -73,11 +73,11 @@ TEST(Rooms, SeeNothingOfEachOtherWhereTheyStandApart)
     walls.insert(walls.end(), second.begin(), second.end());
     const scenes::Surfaces two(scenes::panels(walls, 96, scenes::plain(glm::vec3(0.5f))));
     HitLists hits = scenes::hitListsOf(two, 16);
-    EXPECT_EQ(hits.roomsSeenBy(0), ~uint64_t{0}); // before they are told apart
+    EXPECT_EQ(hits.roomsSeenBy(0), RoomSet().set()); // before they are told apart
     tellRoomsApart(two.texels, roomsOfSurfels(two.texels, hits, 8), hits);
-    EXPECT_THAT(hits.roomsSeen, ElementsAre(1u, 2u));
+    EXPECT_THAT(hits.roomsSeen, ElementsAre(RoomSet(1), RoomSet(2)));
     for (uint32_t s = 0; s < two.texels.surfels.count(); ++s)
-        EXPECT_EQ(hits.roomBit(s), two.texels.surfels.position[s].x < 4.0f ? 1u : 2u);
+        EXPECT_EQ(hits.roomOf(s), RoomSet(two.texels.surfels.position[s].x < 4.0f ? 1 : 2));
 }
 
 TEST(Rooms, AWideGapIsOneRoom)
@@ -92,6 +92,30 @@ TEST(Rooms, MoreThanTheMostAreOfTheOneThatTheySee)
     const scenes::Surfaces two = roomsWith(0.8f);
     const HitLists hits = scenes::hitListsOf(two, 16);
     for (const uint8_t room : roomsOfSurfels(two.texels, hits, 1)) EXPECT_EQ(room, 0);
+}
+
+// More than half a hundred, of which each is less than a fiftieth of the house.
+TEST(Rooms, OfABuildingAreAllToldApart)
+{
+    constexpr size_t kRooms = 60;
+    std::vector<Panel> walls;
+    for (size_t room = 0; room < kRooms; ++room)
+        for (Panel wall : scenes::wallsOf({2.0f, 2.5f, 2.0f})) {
+            wall.corner.x += 2.2f * static_cast<float>(room);
+            walls.push_back(wall);
+        }
+    const scenes::Surfaces building(scenes::panels(walls, 12, scenes::plain(glm::vec3(0.5f))));
+    HitLists hits = scenes::hitListsOf(building, 16);
+    tellRoomsApart(building.texels, roomsOfSurfels(building.texels, hits, HitTarget::kMostRooms),
+                   hits);
+    ASSERT_EQ(hits.rooms, kRooms);
+    std::vector<int> roomAt(kRooms, -1);
+    for (uint32_t s = 0; s < building.texels.surfels.count(); ++s) {
+        const float x = building.texels.surfels.position[s].x + 0.1f;
+        int& room = roomAt[static_cast<size_t>(x / 2.2f)];
+        if (room < 0) room = hits.roomOfSurfel[s];
+        ASSERT_EQ(room, hits.roomOfSurfel[s]);
+    }
 }
 
 // Of two rooms without their ceilings.
