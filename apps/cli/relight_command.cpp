@@ -21,6 +21,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -141,9 +142,21 @@ float writeUnlit(const RelightArguments& arguments, const relamp::DelitRoom& roo
     return picture.view.exposure;
 }
 
-/// Gives the exposure.
+/// Whether no light comes from where a camera looks.
+bool seesNothing(const relamp::Photographer& photographer, std::span<const relamp::Image> pages,
+                 const relamp::Film& film, relamp::Progress& progress)
+{
+    relamp::PictureOptions small = film.picture;
+    small.width = 64;
+    small.height = 36;
+    const relamp::Image seen = photographer.take(pages, film.camera, small, progress);
+    return std::ranges::all_of(seen.half(), [](uint16_t value) { return value == 0; });
+}
+
+/// Gives the exposure; `notes` receives what is doubtful of the picture.
 float writeRelit(const RelightArguments& arguments, relamp::Relighter& relighter,
-                 const relamp::Relighting& lighting, const Wish& wish, relamp::Progress& progress)
+                 const relamp::Relighting& lighting, const Wish& wish,
+                 std::vector<std::string>& notes, relamp::Progress& progress)
 {
     const relamp::Photographer photographer(relighter);
     relamp::Film film = filmOf(arguments, wish);
@@ -164,6 +177,9 @@ float writeRelit(const RelightArguments& arguments, relamp::Relighter& relighter
         return photographer.automaticExposure(pages, film.camera, film.picture, progress);
     });
     photographer.write(pages, film.camera, film.picture, arguments.output, progress);
+    if (!isDark(lighting) && seesNothing(photographer, pages, film, progress))
+        notes.emplace_back("no light reaches what the camera sees, so the picture is black; name "
+                           "another place with --camera");
     return film.picture.view.exposure;
 }
 
@@ -202,7 +218,7 @@ float write(RelightArguments& arguments, const relamp::DelitRoom& room,
     relighter.light(lighting, progress);
     const float exposure = arguments.bake
                                ? writeBaked(arguments, relighter, progress)
-                               : writeRelit(arguments, relighter, lighting, wish, progress);
+                               : writeRelit(arguments, relighter, lighting, wish, notes, progress);
     notes.insert(notes.end(), relighter.warnings().begin(), relighter.warnings().end());
     return exposure;
 }

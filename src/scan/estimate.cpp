@@ -1,6 +1,7 @@
 #include "relamp/estimate.h"
 
 #include "scan/large_scan.h"
+#include "scan/texels.h"
 
 #include <algorithm>
 
@@ -8,6 +9,9 @@ namespace relamp
 {
 namespace
 {
+
+// m^2 that surfels are larger beyond, not more: that surface, and what lies on it, costs no more.
+constexpr double kMostSurface = kMostSurfels * SurfelOptions{}.smallest * SurfelOptions{}.smallest;
 
 /// What a command's cost is made of; the rates are those of bench/costs.py (docs/dev/notebook.md,
 /// 2026-11-27).
@@ -45,6 +49,10 @@ Sizes sizesOf(const Inspection& found, size_t fixtures)
         sizes.pixels += pixels;
         sizes.charts += static_cast<double>(page.charts);
         sizes.largestPage = std::max(sizes.largestPage, pixels);
+    }
+    if (sizes.squareMetres > kMostSurface) {
+        sizes.charts *= kMostSurface / sizes.squareMetres;
+        sizes.squareMetres = kMostSurface;
     }
     return sizes;
 }

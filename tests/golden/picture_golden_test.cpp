@@ -21,6 +21,7 @@ namespace
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 const std::string kCamera =
     R"({"position": [0.35, 1.65, -0.45], "target": [3.0, 0.8, -2.9], "fieldOfView": 80})";
@@ -123,6 +124,21 @@ TEST_F(PictureProgram, ALampLightsTheRoom)
     EXPECT_EQ(contentOf(folder / "lit.exr"), contentOf(folder / "stop.exr"));
     EXPECT_GT(brightness(folder / "lit.png"), 0.01);
     EXPECT_GT(brightness(folder / "bright.png"), 2.0 * brightness(folder / "lit.png"));
+}
+
+// As of a room of a house beside the one that is lit.
+TEST_F(PictureProgram, SaysThatNothingIsLitWhereACameraLooks)
+{
+    folder.write("away.json", R"({"position": [50, 1, 0], "target": [60, 1, 0]})");
+    const std::vector<std::string> away{"relight", room(), "--lights",          lamp,      "--size",
+                                        "64x36",   "-o",   folder / "away.png", "--camera"};
+    const auto relightFrom = [&](const std::filesystem::path& camera) {
+        std::vector<std::string> arguments = away;
+        arguments.push_back(camera);
+        return runRelamp(arguments);
+    };
+    EXPECT_THAT(relightFrom(folder / "away.json").err, HasSubstr("no light reaches"));
+    EXPECT_THAT(relightFrom(*shared / "camera.json").err, Not(HasSubstr("no light reaches")));
 }
 
 // Who puts up a lamp wants to see the room in its light, be the lamp strong or weak.
