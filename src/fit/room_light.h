@@ -15,7 +15,7 @@ namespace relamp
 
 /// The part of a fitted light that one room of a house is: its places, and the pieces that light
 /// these more than those of any other room. What pieces of other rooms send here is light that is
-/// gathered. Numbers of places and pieces are the room's own.
+/// gathered. Numbers of places, pieces and parts of what lies outside are the room's own.
 struct RoomLight
 {
     LightModel model;

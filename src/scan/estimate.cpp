@@ -1,7 +1,6 @@
 #include "relamp/estimate.h"
 
 #include "scan/large_scan.h"
-#include "scan/texels.h"
 
 #include <algorithm>
 
@@ -10,8 +9,9 @@ namespace relamp
 namespace
 {
 
-// m^2 that surfels are larger beyond, not more: that surface, and what lies on it, costs no more.
-constexpr double kMostSurface = kMostSurfels * SurfelOptions{}.smallest * SurfelOptions{}.smallest;
+// m^2. Beyond 1.5 million squares of 3 cm surfels are larger and not more: what is more surface,
+// and lies on it, costs no more.
+constexpr double kMostSurface = 1400.0;
 
 /// What a command's cost is made of; the rates are those of bench/costs.py (docs/dev/notebook.md,
 /// 2026-11-27).

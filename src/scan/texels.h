@@ -114,9 +114,6 @@ void spillTexels(PageTexels& page);
 /// Of a large scan, keeps what SurfelSites needs; to be called whenever texels were sorted anew.
 void keepSites(Texels& texels);
 
-/// Squares that a scan's surface is cut into at most: of a larger one they are larger.
-constexpr double kMostSurfels = 1.5e6;
-
 struct SurfelOptions
 {
     double texelsAcross = 4.0; // of a mean texel's width in a surfel, >= 1

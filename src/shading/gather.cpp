@@ -26,6 +26,15 @@ bool isPlain(HitTarget target)
     return !target.isNothing() && !target.side().isBack() && !target.isClipped();
 }
 
+void addPart(MissedLight more, std::vector<MissedLight>& sum)
+{
+    const auto at = std::ranges::lower_bound(sum, more.part, {}, &MissedLight::part);
+    if (at != sum.end() && at->part == more.part)
+        at->irradiance += more.irradiance;
+    else
+        sum.insert(at, more);
+}
+
 } // namespace
 
 RadianceField fieldOf(const SurfelRadiance& radiance)
@@ -73,19 +82,13 @@ std::vector<MissedLight> missedOf(const HitLists& hits, uint32_t list)
     const std::span targets = hits.targetsOf(list);
     const float perRay = irradiancePerRay(static_cast<float>(targets.size()));
     for (const HitTarget target : targets)
-        if (target.isNothing()) addMissed({{{target.part(), perRay}}}, 1.0f, missed);
+        if (target.isNothing()) addPart({target.part(), perRay}, missed);
     return missed;
 }
 
 void addMissed(std::span<const MissedLight> more, float weight, std::vector<MissedLight>& sum)
 {
-    for (const auto [part, irradiance] : more) {
-        const auto at = std::ranges::lower_bound(sum, part, {}, &MissedLight::part);
-        if (at != sum.end() && at->part == part)
-            at->irradiance += weight * irradiance;
-        else
-            sum.insert(at, {part, weight * irradiance});
-    }
+    for (const auto [part, irradiance] : more) addPart({part, weight * irradiance}, sum);
 }
 
 SettlingGather::SettlingGather(const HitLists& hits, const RadianceField& field,

@@ -19,8 +19,8 @@ constexpr double kDoor = 0.06;      // of what a room sees; more than is behind 
 
 // Numerics.
 constexpr double kRough = 0.25;       // in place of kDoor where labels do not end at doors yet
-constexpr size_t kFewestSeeds = 256;  // labels at first, evenly among the surfels
-constexpr size_t kMostSeeds = 2048;   // what each two see of each other is 32 MB then
+constexpr double kFewestSeeds = 256;  // labels at first, evenly among the surfels
+constexpr double kMostSeeds = 2048;   // what each two see of each other is 32 MB then
 constexpr double kSeedArea = 4.0;     // m^2 of surface a label, in between: some dozens a room
 constexpr size_t kHeard = 12;         // rays of a surfel that are heard
 constexpr uint32_t kOwn = kHeard / 3; // how many its own label counts for, so that none swing
@@ -33,7 +33,7 @@ public:
         : surfels_(texels.surfels), hits_(hits), label_(surfels_.count(), kNone)
     {
         const double area = std::accumulate(surfels_.area.begin(), surfels_.area.end(), 0.0);
-        seeds_ = std::clamp(static_cast<size_t>(area / kSeedArea), kFewestSeeds, kMostSeeds);
+        seeds_ = static_cast<size_t>(std::clamp(area / kSeedArea, kFewestSeeds, kMostSeeds));
         for (size_t k = 0; k < seeds_; ++k)
             label_[k * label_.size() / seeds_] = static_cast<uint16_t>(k);
     }
