@@ -12,6 +12,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace relamp
 {
@@ -136,18 +137,24 @@ TEST(ChildProcess, CancelledItDoesNotWait)
 // Else the pipe of one would stay open as long as another that was made meanwhile.
 TEST(ChildProcess, OneDoesNotWaitForAnother)
 {
-    const auto start = std::chrono::steady_clock::now();
-    std::vector<std::thread> sleepers;
-    for (int i = 0; i < 8; ++i)
-        sleepers.emplace_back([] {
-            sentBy([](const ByteSink&) {
-                std::this_thread::sleep_for(std::chrono::milliseconds(1500));
-            });
-        });
-    for (int i = 0; i < 20; ++i)
-        EXPECT_EQ(sentBy([](const ByteSink& send) { send(Bytes(1)); }), Bytes(1));
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(1400));
-    for (std::thread& sleeper : sleepers) sleeper.join();
+    int gate[2];
+    ASSERT_EQ(pipe(gate), 0);
+    const auto waitAtGate = [&](const ByteSink&) {
+        std::byte pass{};
+        if (read(gate[0], &pass, 1) != 1) throw Error(ErrorCode::cannotRead, "no gate");
+    };
+    constexpr size_t kWaiting = 8;
+    std::vector<std::thread> waiting;
+    for (size_t i = 0; i < kWaiting; ++i)
+        waiting.emplace_back([&] { EXPECT_NO_THROW(sentBy(waitAtGate)); });
+    const auto sendOne = [](const ByteSink& send) { send(Bytes(1)); };
+    const auto askForOne = [&] { EXPECT_EQ(sentBy(sendOne, {.seconds = 1.0}), Bytes(1)); };
+    for (int i = 0; i < 20; ++i) EXPECT_EQ(scenes::refusalOf(askForOne), "");
+    const Bytes passes(kWaiting);
+    EXPECT_EQ(write(gate[1], passes.data(), passes.size()), ssize_t{kWaiting});
+    for (std::thread& one : waiting) one.join();
+    close(gate[0]);
+    close(gate[1]);
 }
 
 #endif
