@@ -24,7 +24,7 @@ struct RadianceSum
 glm::vec3 facingOf(const Texels& texels, uint32_t facet, glm::vec3 normal)
 {
     const Facets& facets = texels.facets;
-    const uint32_t m = facets.facets[facet].mesh;
+    const uint32_t m = facets.meshOf[facet];
     const std::vector<glm::vec3>& facings = texels.scan->meshes[m].facings;
     if (facings.empty() || facet >= facets.triangles) return normal;
     return facings[facet - facets.firstOfMesh[m]];

@@ -290,8 +290,10 @@ void PageRaster::contest(uint32_t index, glm::ivec2 pixel, size_t at, Band& band
     const Facet& ofOther = facets_.facets[other.facet];
     const OverlapKind kind = overlapKindOf(ofOwner, ofOther, pixel, owner.tile == other.tile);
     if (band.kinds[at] % kRepeated == 0) {
-        coverage.inMesh[ofOwner.mesh] += 1.0;
-        if (ofOther.mesh != ofOwner.mesh) coverage.inMesh[ofOther.mesh] += 1.0;
+        const uint32_t mesh = facets_.meshOf[owner.facet];
+        const uint32_t otherMesh = facets_.meshOf[other.facet];
+        coverage.inMesh[mesh] += 1.0;
+        if (otherMesh != mesh) coverage.inMesh[otherMesh] += 1.0;
     }
     band.kinds[at] = static_cast<uint8_t>(band.kinds[at] | 1u << static_cast<unsigned>(kind));
     if (kind != OverlapKind::alike) return;

@@ -52,7 +52,6 @@ Facet facetOfTriangle(const Scan& scan, uint32_t meshIndex, size_t triangle)
     const std::array<glm::dvec3, 3> normals{
         mesh.normals[3 * triangle], mesh.normals[3 * triangle + 1], mesh.normals[3 * triangle + 2]};
     Facet facet;
-    facet.mesh = meshIndex;
     facet.position = positions[0];
     facet.normal = normals[0];
     if (mesh.uvs.empty()) return facet;
@@ -74,10 +73,7 @@ void addVertexFacets(const Scan& scan, uint32_t meshIndex, std::vector<Facet>& f
 {
     const Mesh& mesh = scan.meshes[meshIndex];
     std::vector<Facet> vertices(mesh.positions.size());
-    for (size_t i = 0; i < vertices.size(); ++i) {
-        vertices[i].position = mesh.positions[i];
-        vertices[i].mesh = meshIndex;
-    }
+    for (size_t i = 0; i < vertices.size(); ++i) vertices[i].position = mesh.positions[i];
     for (size_t i = 0; i < mesh.triangles.size(); ++i) {
         const glm::uvec3& v = mesh.triangles[i];
         const glm::vec3 a = mesh.positions[v.x];
@@ -140,7 +136,9 @@ Facets buildFacets(const Scan& scan)
     result.facets.resize(result.triangles);
     for (uint32_t m = 0, first = 0; m <= scan.meshes.size(); ++m) {
         result.firstOfMesh.push_back(first);
-        if (m < scan.meshes.size()) first += static_cast<uint32_t>(scan.meshes[m].triangles.size());
+        if (m == scan.meshes.size()) break;
+        first += static_cast<uint32_t>(scan.meshes[m].triangles.size());
+        result.meshOf.resize(first, m);
     }
     for (uint32_t m = 0; m < scan.meshes.size(); ++m)
         forEachChunk(scan.meshes[m].triangles.size(), 2048, [&](size_t begin, size_t end) {
@@ -148,14 +146,16 @@ Facets buildFacets(const Scan& scan)
                 result.facets[result.firstOfMesh[m] + i] = facetOfTriangle(scan, m, i);
         });
     for (uint32_t m = 0; m < scan.meshes.size(); ++m)
-        if (scan.pages[static_cast<size_t>(scan.meshes[m].page)].ofVertices)
+        if (scan.pages[static_cast<size_t>(scan.meshes[m].page)].ofVertices) {
             addVertexFacets(scan, m, result.facets);
+            result.meshOf.resize(result.facets.size(), m);
+        }
     return result;
 }
 
 Tint tintOf(const Scan& scan, const Facets& facets, uint32_t facet)
 {
-    const uint32_t meshIndex = facets.facets[facet].mesh;
+    const uint32_t meshIndex = facets.meshOf[facet];
     const Mesh& mesh = scan.meshes[meshIndex];
     Tint tint{.color = mesh.factor};
     if (facet >= facets.triangles || mesh.colors.empty()) return tint;

@@ -15,18 +15,20 @@ namespace relamp
 ///
 /// Pixel (column, row) of the page is the world point
 ///     position + (column - pixel.x) * positionX + (row - pixel.y) * positionY
-/// and its normal, not yet of unit length, the same with normal, normalX, normalY.
-struct Facet
+/// and its normal, not yet of unit length, the same with normal, normalX, normalY. Three rows of
+/// eight numbers, so that place and normal are one vector: that at `pixel`, and its two gradients.
+struct alignas(32) Facet
 {
     glm::vec3 position{0.0f};
-    glm::vec3 positionX{0.0f}; // metres a column
-    glm::vec3 positionY{0.0f}; // metres a row
     glm::vec3 normal{0.0f};
-    glm::vec3 normalX{0.0f};
-    glm::vec3 normalY{0.0f};
     glm::vec2 pixel{0.0f};
+    glm::vec3 positionX{0.0f}; // metres a column
+    glm::vec3 normalX{0.0f};
     float texelArea = 0.0f; // m^2 of one pixel; 0 for a triangle without extent on its page
-    uint32_t mesh = 0;      // index into Scan::meshes
+    float unused = 0.0f;
+    glm::vec3 positionY{0.0f}; // metres a row
+    glm::vec3 normalY{0.0f};
+    glm::vec2 unusedToo{0.0f};
 };
 
 /// A place on a surface.
@@ -44,6 +46,7 @@ TexelSite siteOn(const Facet& facet, glm::vec2 pixel);
 struct Facets
 {
     std::vector<Facet> facets;
+    std::vector<uint32_t> meshOf;      // of facets: index into Scan::meshes
     std::vector<uint32_t> firstOfMesh; // of the triangles; one more entry than meshes
     size_t triangles = 0; // facets from here on are vertices, in the order of their pixels
 };

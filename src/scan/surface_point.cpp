@@ -19,7 +19,7 @@ struct MeshTriangle
 
 MeshTriangle triangleOf(const Texels& texels, uint32_t facet)
 {
-    const uint32_t mesh = texels.facets.facets[facet].mesh;
+    const uint32_t mesh = texels.facets.meshOf[facet];
     return {texels.scan->meshes[mesh], facet - texels.facets.firstOfMesh[mesh]};
 }
 

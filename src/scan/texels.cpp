@@ -1,6 +1,7 @@
 #include "scan/texels.h"
 
 #include "base/fail.h"
+#include "base/instruction_set.h"
 #include "base/spill.h"
 #include "scan/atlas_raster.h"
 #include "scan/large_scan.h"
@@ -50,6 +51,54 @@ void normalize(TexelBlock& block)
         block.ny[i] *= scale;
         block.nz[i] *= scale;
     }
+}
+
+/// Texels of a page, from `begin` on.
+struct Places
+{
+    const Facet* facets;
+    const PageTexels& page;
+    uint32_t width;
+    size_t begin;
+};
+
+/// Place and normal of a texel, not yet of unit length, and two numbers that are none of these.
+void placeOn(const Facet& facet, float column, float row, float* place)
+{
+    constexpr size_t kRow = 8;
+    static_assert(sizeof facet == 3 * kRow * sizeof(float));
+    const float* const rows = &facet.position.x; // and what follows it
+    const float x = column - facet.pixel.x;
+    const float y = row - facet.pixel.y;
+    for (size_t k = 0; k < kRow; ++k)
+        place[k] = rows[k] + x * rows[kRow + k] + y * rows[2 * kRow + k];
+}
+
+void placeKernel(const Places& places, TexelBlock& block)
+{
+    float columns[TexelBlock::kPadded];
+    float rows[TexelBlock::kPadded];
+    const auto& [facets, page, width, begin] = places;
+    splitPixels({page.pixel.data() + begin, block.count}, width, columns, rows);
+    const size_t last = page.count() - 1;
+    alignas(64) float place[kLanes][8] = {};
+    for (size_t first = 0; first < block.count; first += kLanes) {
+        const size_t end = std::min(kLanes, block.count - first);
+        for (size_t lane = 0; lane < end; ++lane) {
+            const size_t i = first + lane;
+            __builtin_prefetch(&facets[page.facet[std::min(begin + i + kAhead, last)]]);
+            placeOn(facets[page.facet[begin + i]], columns[i], rows[i], place[lane]);
+        }
+        for (size_t lane = 0; lane < kLanes; ++lane) {
+            block.x[first + lane] = place[lane][0];
+            block.y[first + lane] = place[lane][1];
+            block.z[first + lane] = place[lane][2];
+            block.nx[first + lane] = place[lane][3];
+            block.ny[first + lane] = place[lane][4];
+            block.nz[first + lane] = place[lane][5];
+        }
+    }
+    normalize(block);
 }
 
 uint32_t widthOf(const Texels& texels, size_t page)
@@ -437,23 +486,8 @@ void TexelLoader::load(size_t begin, size_t count, TexelBlock& block) const
 void TexelLoader::loadGeometry(size_t begin, size_t count, TexelBlock& block) const
 {
     block.count = count;
-    float columns[TexelBlock::kCapacity];
-    float rows[TexelBlock::kCapacity];
-    splitPixels({page_.pixel.data() + begin, count}, width_, columns, rows);
-    const size_t last = page_.count() - 1;
-    for (size_t i = 0; i < count; ++i) {
-        __builtin_prefetch(&texels_.facets.facets[page_.facet[std::min(begin + i + kAhead, last)]]);
-        const Facet& facet = texels_.facets.facets[page_.facet[begin + i]];
-        const float dx = columns[i] - facet.pixel.x;
-        const float dy = rows[i] - facet.pixel.y;
-        block.x[i] = facet.position.x + dx * facet.positionX.x + dy * facet.positionY.x;
-        block.y[i] = facet.position.y + dx * facet.positionX.y + dy * facet.positionY.y;
-        block.z[i] = facet.position.z + dx * facet.positionX.z + dy * facet.positionY.z;
-        block.nx[i] = facet.normal.x + dx * facet.normalX.x + dy * facet.normalY.x;
-        block.ny[i] = facet.normal.y + dx * facet.normalX.y + dy * facet.normalY.y;
-        block.nz[i] = facet.normal.z + dx * facet.normalX.z + dy * facet.normalY.z;
-    }
-    normalize(block);
+    const Places places{texels_.facets.facets.data(), page_, width_, begin};
+    runKernel<placeKernel>(bestInstructionSet(), places, block);
 }
 
 void TexelLoader::loadRadiance(size_t begin, size_t count, TexelBlock& block) const
@@ -502,8 +536,12 @@ void TexelLoader::tint(size_t begin, TexelBlock& block) const
 void TexelLoader::loadArea(size_t begin, size_t count, TexelBlock& block) const
 {
     block.count = count;
-    for (size_t i = 0; i < count; ++i)
-        block.area[i] = texels_.facets.facets[page_.facet[begin + i]].texelArea;
+    const std::vector<Facet>& facets = texels_.facets.facets;
+    const size_t last = page_.count() - 1;
+    for (size_t i = 0; i < count; ++i) {
+        __builtin_prefetch(&facets[page_.facet[std::min(begin + i + kAhead, last)]].texelArea);
+        block.area[i] = facets[page_.facet[begin + i]].texelArea;
+    }
 }
 
 void TexelLoader::loadSurfel(size_t begin, size_t count, TexelBlock& block) const

@@ -4,7 +4,9 @@
 #include "thesis/flatten.shared.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace relamp
 {
@@ -94,12 +96,26 @@ void filterKernel(const TexelBlock& block, const Part& part, const Taps& taps, c
     }
 }
 
-void takeSquareRoots(TexelBlock& block)
+void rootKernel(TexelBlock& block)
 {
     for (size_t i = 0; i < block.count; ++i) {
         block.r[i] = std::sqrt(std::min(block.r[i], 1.0f));
         block.g[i] = std::sqrt(std::min(block.g[i], 1.0f));
         block.b[i] = std::sqrt(std::min(block.b[i], 1.0f));
+    }
+}
+
+using Bins = std::array<int32_t, TexelBlock::kCapacity>;
+
+/// Square roots of radiance times area, and their bins.
+void weighKernel(TexelBlock& block, Bins& bins)
+{
+    rootKernel(block);
+    for (size_t i = 0; i < block.count; ++i) {
+        bins[i] = brightnessBin({block.r[i], block.g[i], block.b[i]});
+        block.r[i] *= block.area[i];
+        block.g[i] *= block.area[i];
+        block.b[i] *= block.area[i];
     }
 }
 
@@ -110,36 +126,61 @@ struct Grid
     std::vector<uint32_t> firstOfSurfel; // one more than there are surfels
 };
 
-Grid compact(const std::vector<Cell>& sums)
+using CellsOfSurfel = std::array<Cell, kBins>;
+
+Grid compact(const std::vector<CellsOfSurfel>& sums)
 {
     Grid grid;
-    for (size_t i = 0; i < sums.size(); ++i) {
-        if (i % kBins == 0) grid.firstOfSurfel.push_back(static_cast<uint32_t>(grid.cells.size()));
-        if (sums[i].area > 0.0f) grid.cells.push_back({sums[i].color / sums[i].area, sums[i].area});
-    }
-    grid.firstOfSurfel.push_back(static_cast<uint32_t>(grid.cells.size()));
+    grid.firstOfSurfel.assign(sums.size() + 1, 0);
+    const auto isFilled = [](const Cell& cell) { return cell.area > 0.0f; };
+    forEachChunk(sums.size(), 1024, [&](size_t begin, size_t end) {
+        for (size_t s = begin; s < end; ++s)
+            grid.firstOfSurfel[s + 1] =
+                static_cast<uint32_t>(std::count_if(sums[s].begin(), sums[s].end(), isFilled));
+    });
+    std::partial_sum(grid.firstOfSurfel.begin(), grid.firstOfSurfel.end(),
+                     grid.firstOfSurfel.begin());
+    grid.cells.resize(grid.firstOfSurfel.back());
+    forEachChunk(sums.size(), 1024, [&](size_t begin, size_t end) {
+        for (size_t s = begin; s < end; ++s) {
+            size_t at = grid.firstOfSurfel[s];
+            for (const Cell& cell : sums[s])
+                if (isFilled(cell)) grid.cells[at++] = {cell.color / cell.area, cell.area};
+        }
+    });
     return grid;
 }
 
-Grid gatherCells(const Texels& texels)
+/// Adds the texels of a block, of one surfel, to its cells. Neighbours add to cells of their own,
+/// for they tend to be in the same bin and one sum would wait for the other.
+void addTo(CellsOfSurfel& cells, const TexelBlock& block, const Bins& bins)
 {
-    std::vector<Cell> sums(kBins * texels.surfels.count());
+    std::array<CellsOfSurfel, 2> sums{};
+    for (size_t i = 0; i < block.count; ++i) {
+        Cell& cell = sums[i % 2][static_cast<size_t>(bins[i])];
+        cell.color += glm::vec3(block.r[i], block.g[i], block.b[i]);
+        cell.area += block.area[i];
+    }
+    for (size_t bin = 0; bin < kBins; ++bin) {
+        cells[bin].color += sums[0][bin].color + sums[1][bin].color;
+        cells[bin].area += sums[0][bin].area + sums[1][bin].area;
+    }
+}
+
+Grid gatherCells(const Texels& texels, InstructionSet set)
+{
+    std::vector<CellsOfSurfel> sums(texels.surfels.count());
     for (size_t p = 0; p < texels.pages.size();
          ++p) { // one page after the other: they share surfels
         const PageTexels& page = texels.pages[p];
         const TexelLoader loader(texels, p);
         forEachRun(page, [&](size_t run, TexelBlock& block) {
-            Cell* ofSurfel = &sums[kBins * page.runs[run].surfel];
+            Bins bins;
             forEachBlockOfRun(page, run, [&](size_t begin, size_t count) {
                 loader.loadRadiance(begin, count, block);
                 loader.loadArea(begin, count, block);
-                takeSquareRoots(block);
-                for (size_t i = 0; i < count; ++i) {
-                    const glm::vec3 color(block.r[i], block.g[i], block.b[i]);
-                    Cell& cell = ofSurfel[brightnessBin(color)];
-                    cell.color += block.area[i] * color;
-                    cell.area += block.area[i];
-                }
+                runKernel<weighKernel>(set, block, bins);
+                addTo(sums[page.runs[run].surfel], block, bins);
             });
         });
     }
@@ -159,15 +200,13 @@ void collectTaps(const Surfels& surfels, const Grid& grid, size_t surfel, Taps& 
 
 void store(const RgbBlock& colors, std::span<const uint32_t> pixels, std::vector<uint8_t>& page)
 {
-    const auto byte = [](float root) {
-        return static_cast<uint8_t>(static_cast<int>(255.0f * root + 0.5f));
-    };
-    for (size_t i = 0; i < pixels.size(); ++i) {
-        uint8_t* rgb = &page[3 * size_t{pixels[i]}];
-        rgb[0] = byte(colors.r[i]);
-        rgb[1] = byte(colors.g[i]);
-        rgb[2] = byte(colors.b[i]);
-    }
+    std::array<std::array<uint8_t, TexelBlock::kCapacity>, 3> bytes;
+    const std::array<const float*, 3> channels{colors.r, colors.g, colors.b};
+    for (size_t c = 0; c < 3; ++c)
+        for (size_t i = 0; i < pixels.size(); ++i)
+            bytes[c][i] = static_cast<uint8_t>(static_cast<int>(255.0f * channels[c][i] + 0.5f));
+    for (size_t i = 0; i < pixels.size(); ++i)
+        for (size_t c = 0; c < 3; ++c) page[3 * size_t{pixels[i]} + c] = bytes[c][i];
 }
 
 /// Filters one page into `out`.
@@ -181,7 +220,7 @@ void filterPage(const Texels& texels, size_t p, const Grid& grid, const Scales& 
         RgbBlock filtered;
         Taps taps;
         loader.load(begin, count, block);
-        takeSquareRoots(block);
+        runKernel<rootKernel>(set, block);
         size_t run = page.runOf(begin);
         for (size_t at = begin; at < begin + count; ++run) {
             const size_t end = std::min<size_t>(begin + count, page.runs[run + 1].begin);
@@ -200,7 +239,7 @@ Flattened flatten(const Texels& texels, const FlattenOptions& options, Progress&
                   InstructionSet set)
 {
     Progress::Stage stage(progress, "flatten", texels.pages.size() + 1);
-    const Grid grid = gatherCells(texels);
+    const Grid grid = gatherCells(texels, set);
     stage.advance();
     const float reach = options.reach * texels.surfels.size;
     const Scales scales{1.0f / (reach * reach), 1.0f / (options.range * options.range)};

@@ -18,9 +18,11 @@ vec4 arrivingFrom(int source, int cell, int channel, ivec3 next)
     const vec4 coverage =
         arguments.blocking != 0 ? arguments.coverage.at[3 * wall + axis] : vec4(0.0);
     vec4 sum = vec4(0.0);
-    for (int face = 0; face < 5; ++face)
-        sum += passedThrough(sh, coverage, faceDirection(source, face)) *
+    for (int face = 0; face < 5; ++face) {
+        const vec3 direction = faceDirection(source, face);
+        sum += sentTowards(sh, direction) * (1.0f - blocked(coverage, direction)) *
                (faceSolidAngle(face) / kPi) * shLobe(faceNormal(source, face));
+    }
     return sum;
 }
 

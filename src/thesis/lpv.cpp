@@ -61,70 +61,100 @@ struct PropagateArgs
     bool blocking;
 };
 
-/// Rows of the four coefficients of one channel, or of coverage.
-struct Rows
+/// A number for each of some cells that lie side by side.
+struct alignas(64) Lane
 {
-    const float* k[4];
-
-    Rows(const std::array<std::vector<float>, 4>& of, size_t at)
-        : k{of[0].data() + at, of[1].data() + at, of[2].data() + at, of[3].data() + at}
-    {}
-    [[nodiscard]] glm::vec4 operator[](size_t x) const
-    {
-        return {k[0][x], k[1][x], k[2][x], k[3][x]};
-    }
+    float of[kLanes];
 };
+using Harmonics = std::array<Lane, 4>;
+using Light = std::array<Harmonics, 3>;
 
-/// Light that reaches `count` cells of a row through one face of theirs.
-template<bool blocking>
-void gatherFace(const Face& face, const Rows& in, const Rows& coverage, size_t count,
-                std::array<std::vector<float>, 4>& channel, size_t row)
+void load(const std::array<std::vector<float>, 4>& rows, size_t at, size_t count, Harmonics& lanes)
 {
-    // The lobe of an axis has two coefficients that are not zero: the first, and the axis's own.
-    const glm::vec4 lobe = face.solidAngle / kPi * shLobe(face.normal);
-    const int axis = lobe.y != 0.0f ? 1 : lobe.z != 0.0f ? 2 : 3;
-    const float alongAxis = lobe.y + lobe.z + lobe.w;
-    const glm::vec3 direction = face.direction;
-    float* all = channel[0].data() + row;
-    float* along = channel[static_cast<size_t>(axis)].data() + row;
-    RELAMP_INDEPENDENT_ITERATIONS
-    for (size_t x = 0; x < count; ++x) {
-        const float passed = blocking ? passedThrough(in[x], coverage[x], direction)
-                                      : max(dot(in[x], shBasis(direction)), 0.0f);
-        all[x] += passed * lobe.x;
-        along[x] += passed * alongAxis;
-    }
+    for (size_t k = 0; k < 4; ++k) std::copy_n(rows[k].data() + at, count, lanes[k].of);
 }
 
-/// Light that reaches `count` cells of one row from one neighbour, through its five faces.
-void gatherRow(const PropagateArgs& args, const Source& source, size_t row, size_t count)
+glm::vec4 at(const Harmonics& lanes, size_t lane)
+{
+    return {lanes[0].of[lane], lanes[1].of[lane], lanes[2].of[lane], lanes[3].of[lane]};
+}
+
+/// Light that comes through one face, of which the normal is along `axis`.
+template<int axis, bool blocking>
+void gatherFace(const Face& face, const Light& in, const Harmonics& coverage, Light& out)
+{
+    // The lobe of an axis has two coefficients that are not zero: the first, and the axis's own.
+    constexpr size_t own = axis == 0 ? 3 : axis;
+    const glm::vec4 lobe = face.solidAngle / kPi * shLobe(face.normal);
+    const float alongAxis = lobe[own];
+    Lane open;
+    for (size_t lane = 0; lane < kLanes; ++lane)
+        open.of[lane] = blocking ? 1.0f - blocked(at(coverage, lane), face.direction) : 1.0f;
+    for (size_t c = 0; c < 3; ++c)
+        for (size_t lane = 0; lane < kLanes; ++lane) {
+            const float passed = sentTowards(at(in[c], lane), face.direction) * open.of[lane];
+            out[c][0].of[lane] += passed * lobe.x;
+            out[c][own].of[lane] += passed * alongAxis;
+        }
+}
+
+/// Light from the neighbours on one side, through the five faces of each.
+template<int axis, bool blocking>
+void gatherSource(const Source& source, const Light& in, const Harmonics& coverage, Light& out)
+{
+    constexpr int aside = axis == 0 ? 1 : 0; // as faceNormal() has them
+    constexpr int asideToo = axis == 2 ? 1 : 2;
+    gatherFace<axis, blocking>(source.faces[0], in, coverage, out);
+    gatherFace<aside, blocking>(source.faces[1], in, coverage, out);
+    gatherFace<aside, blocking>(source.faces[2], in, coverage, out);
+    gatherFace<asideToo, blocking>(source.faces[3], in, coverage, out);
+    gatherFace<asideToo, blocking>(source.faces[4], in, coverage, out);
+}
+
+template<bool blocking>
+void gatherFrom(const PropagateArgs& args, const Source& source, size_t cell, size_t count,
+                Light& out)
 {
     const LpvGrid& grid = *args.grid;
     const auto offset =
         source.step.x + grid.cells.x * (source.step.y + grid.cells.y * source.step.z);
-    const size_t from = row + static_cast<size_t>(static_cast<ptrdiff_t>(offset));
+    const size_t from = cell + static_cast<size_t>(static_cast<ptrdiff_t>(offset));
+    Light in{};
+    for (size_t c = 0; c < 3; ++c) load((*args.from)[c], from, count, in[c]);
     // Coverage is stored at the lower of the two cells that a face parts.
-    const size_t wall = source.step[source.axis] < 0 ? from : row;
-    const Rows coverage((*args.coverage)[static_cast<size_t>(source.axis)], wall);
-    for (size_t c = 0; c < 3; ++c) {
-        const Rows in((*args.from)[c], from);
-        for (const Face& face : source.faces)
-            args.blocking ? gatherFace<true>(face, in, coverage, count, (*args.to)[c], row)
-                          : gatherFace<false>(face, in, coverage, count, (*args.to)[c], row);
-    }
+    Harmonics coverage{};
+    load((*args.coverage)[static_cast<size_t>(source.axis)],
+         source.step[source.axis] < 0 ? from : cell, count, coverage);
+    if (source.axis == 0) gatherSource<0, blocking>(source, in, coverage, out);
+    if (source.axis == 1) gatherSource<1, blocking>(source, in, coverage, out);
+    if (source.axis == 2) gatherSource<2, blocking>(source, in, coverage, out);
+}
+
+/// Light that `count` cells from `cell` on get from all neighbours; at most kLanes.
+void gatherCells(const PropagateArgs& args, size_t cell, size_t count)
+{
+    Light out{};
+    for (const Source& source : *args.sources)
+        args.blocking ? gatherFrom<true>(args, source, cell, count, out)
+                      : gatherFrom<false>(args, source, cell, count, out);
+    for (size_t c = 0; c < 3; ++c)
+        for (size_t k = 0; k < 4; ++k)
+            std::copy_n(out[c][k].of, count, (*args.to)[c][k].data() + cell);
 }
 
 void propagateKernel(const PropagateArgs& args, const Slab& slab)
 {
     const LpvGrid& grid = *args.grid;
     const auto count = static_cast<size_t>(grid.cells.x - 2);
+    const size_t most = count < kLanes ? count : kLanes;
     for (int z = slab.firstZ; z < slab.endZ; ++z)
         for (int y = 1; y + 1 < grid.cells.y; ++y) {
             const size_t row = grid.indexOf({1, y, z});
-            for (auto& channel : *args.to)
-                for (auto& coefficient : channel)
-                    std::fill_n(coefficient.data() + row, count, 0.0f);
-            for (const Source& source : *args.sources) gatherRow(args, source, row, count);
+            // The last cells of a row come with some that have been gathered before.
+            for (size_t first = 0; first < count; first += most) {
+                const size_t cell = row + std::min(first, count - most);
+                most == kLanes ? gatherCells(args, cell, kLanes) : gatherCells(args, cell, most);
+            }
             for (size_t c = 0; c < 3; ++c)
                 for (size_t k = 0; k < 4; ++k) {
                     const float* add = (*args.to)[c][k].data() + row;
@@ -169,33 +199,55 @@ void lookUp(const LpvGrid& grid, const TexelBlock& block, Lookups& out)
     }
 }
 
-void readOutKernel(const ReadOutArgs& args)
+/// The packed cells around the texels of a block, from `first` on, each as much as it is near.
+void mixCells(const ReadOutArgs& args, const Lookups& at, size_t first, size_t count,
+              float (&mixed)[kLanes][kPacked])
 {
     const LpvGrid& grid = *args.grid;
-    const TexelBlock& block = *args.block;
-    Lookups at;
-    lookUp(grid, block, at);
     const auto stepY = static_cast<size_t>(grid.cells.x);
     const size_t stepZ = stepY * static_cast<size_t>(grid.cells.y);
     const size_t corner[8] = {0,     1,         stepY,         stepY + 1,
                               stepZ, stepZ + 1, stepZ + stepY, stepZ + stepY + 1};
-    const float toIrradiance = 4.0f / (grid.cell * grid.cell);
-    for (size_t i = 0; i < block.count; ++i) {
+    for (size_t lane = 0; lane < count; ++lane) {
+        const size_t i = first + lane;
         const float x[2] = {1.0f - at.x[i], at.x[i]};
         const float y[2] = {1.0f - at.y[i], at.y[i]};
         const float z[2] = {1.0f - at.z[i], at.z[i]};
-        float sh[kPacked] = {};
-        for (size_t c = 0; c < 8; ++c) {
-            const float weight = x[c & 1] * y[c >> 1 & 1] * z[c >> 2];
-            const float* source =
-                args.packed + kPacked * (static_cast<size_t>(at.cell[i]) + corner[c]);
-            RELAMP_KEEP_LOOP
-            for (size_t k = 0; k < kPacked; ++k) sh[k] += weight * source[k];
+        const float* __restrict source = args.packed + kPacked * static_cast<size_t>(at.cell[i]);
+        float weight[8];
+        for (size_t c = 0; c < 8; ++c) weight[c] = x[c & 1] * y[c >> 1 & 1] * z[c >> 2];
+        float* __restrict out = mixed[lane];
+        for (size_t k = 0; k < kPacked; ++k) {
+            float sum = 0.0f;
+            for (size_t c = 0; c < 8; ++c) sum += weight[c] * source[kPacked * corner[c] + k];
+            out[k] = sum;
         }
-        const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
-        args.out->r[i] = irradianceFromCell({sh[0], sh[4], sh[8], sh[12]}, normal, toIrradiance);
-        args.out->g[i] = irradianceFromCell({sh[1], sh[5], sh[9], sh[13]}, normal, toIrradiance);
-        args.out->b[i] = irradianceFromCell({sh[2], sh[6], sh[10], sh[14]}, normal, toIrradiance);
+    }
+}
+
+void readOutKernel(const ReadOutArgs& args)
+{
+    const TexelBlock& block = *args.block;
+    Lookups at;
+    lookUp(*args.grid, block, at);
+    const float toIrradiance = 4.0f / (args.grid->cell * args.grid->cell);
+    alignas(64) float sh[kLanes][kPacked] = {};
+    for (size_t first = 0; first < block.count; first += kLanes) {
+        mixCells(args, at, first, std::min(kLanes, block.count - first), sh);
+        alignas(64) float rgb[kLanes][4];
+        for (size_t lane = 0; lane < kLanes; ++lane) {
+            const size_t i = first + lane;
+            const glm::vec3 normal(block.nx[i], block.ny[i], block.nz[i]);
+            for (size_t c = 0; c < 4; ++c)
+                rgb[lane][c] = irradianceFromCell(
+                    {sh[lane][c], sh[lane][4 + c], sh[lane][8 + c], sh[lane][12 + c]}, normal,
+                    toIrradiance);
+        }
+        for (size_t lane = 0; lane < kLanes; ++lane) {
+            args.out->r[first + lane] = rgb[lane][0];
+            args.out->g[first + lane] = rgb[lane][1];
+            args.out->b[first + lane] = rgb[lane][2];
+        }
     }
 }
 
@@ -236,14 +288,26 @@ Lpv::Lpv(const LpvGrid& grid, Field accumulated) : grid_(grid), accumulated_(std
     finish();
 }
 
+template<class CellAt>
+std::vector<size_t> Lpv::cellsOf(size_t count, const CellAt& cellAt) const
+{
+    std::vector<size_t> cells(count);
+    forEachChunk(count, 1024, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) cells[i] = grid_.indexOf(cellAt(i));
+    });
+    return cells;
+}
+
 void Lpv::block(std::span<const Blocker> blockers)
 {
     // Corners between cells: corner (i, j, k) is the upper corner of cell (i, j, k).
+    const std::vector<size_t> cells = cellsOf(blockers.size(), [&](size_t i) {
+        return grid_.cellAt(blockers[i].position - 0.5f * grid_.cell);
+    });
     std::vector<glm::vec4> corners(grid_.count(), glm::vec4(0.0f));
-    for (const Blocker& b : blockers) {
-        const glm::ivec3 at = grid_.cellAt(b.position - 0.5f * grid_.cell);
-        corners[grid_.indexOf(at)] += b.area / (grid_.cell * grid_.cell) * shLobe(b.normal);
-    }
+    for (size_t i = 0; i < blockers.size(); ++i)
+        corners[cells[i]] +=
+            blockers[i].area / (grid_.cell * grid_.cell) * shLobe(blockers[i].normal);
     // A face lies between four corners.
     const auto stepY = static_cast<size_t>(grid_.cells.x);
     const size_t stepZ = stepY * static_cast<size_t>(grid_.cells.y);
@@ -264,11 +328,8 @@ void Lpv::block(std::span<const Blocker> blockers)
 
 void Lpv::inject(std::span<const BounceLight> lights)
 {
-    std::vector<size_t> cells(lights.size());
-    forEachChunk(lights.size(), 1024, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i)
-            cells[i] = grid_.indexOf(
-                grid_.cellAt(lights[i].position + 0.5f * grid_.cell * lights[i].normal));
+    const std::vector<size_t> cells = cellsOf(lights.size(), [&](size_t i) {
+        return grid_.cellAt(lights[i].position + 0.5f * grid_.cell * lights[i].normal);
     });
     // A channel a task: sums are made in the order of the lights, whatever the number of threads.
     forEach(3, [&](size_t c) {

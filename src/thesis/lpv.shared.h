@@ -46,10 +46,10 @@ SHARED_FN float irradianceFromCell(vec4 sh, vec3 n, float perHalfCellSquared)
     return max(dot(sh, shLobe(-n)), 0.0f) * perHalfCellSquared;
 }
 
-// What of the light of a cell goes through a face in `direction` that is covered so far.
-SHARED_FN float passedThrough(vec4 sh, vec4 coverage, vec3 direction)
+// What a cell sends in direction w; a face that is covered lets 1 - blocked() of it through.
+SHARED_FN float sentTowards(vec4 sh, vec3 w)
 {
-    return max(dot(sh, shBasis(direction)), 0.0f) * (1.0f - blocked(coverage, direction));
+    return max(dot(sh, shBasis(w)), 0.0f);
 }
 
 // Light comes into a cell from six sources, its neighbours, travelling along an axis; 0..5 travel

@@ -1,5 +1,6 @@
 #include "thesis/thesis_shading.h"
 
+#include "base/parallel.h"
 #include "thesis/fixtures.h"
 #include "thesis/rsm.h"
 #include "thesis/thesis_shading.shared.h"
@@ -30,8 +31,10 @@ float meanRadius(const Lights& lights)
 std::vector<Blocker> blockersOf(const Surfels& surfels)
 {
     std::vector<Blocker> blockers(surfels.count());
-    for (size_t s = 0; s < blockers.size(); ++s)
-        blockers[s] = {surfels.position[s], surfels.normal[s], surfels.area[s]};
+    forEachChunk(blockers.size(), 4096, [&](size_t begin, size_t end) {
+        for (size_t s = begin; s < end; ++s)
+            blockers[s] = {surfels.position[s], surfels.normal[s], surfels.area[s]};
+    });
     return blockers;
 }
 
