@@ -15,6 +15,9 @@ import numpy
 numpy.bool = bool  # Blender's importer asks for it, and numpy has it no more
 import bpy  # noqa: E402
 
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from blender_images import fill, float_image, pixels  # noqa: E402
+
 STRIDE = 8  # of the texels at which errors are measured, across and up
 REFERENCE_SAMPLES = 4096
 FIRST_SAMPLES = 64  # tell how many will be needed
@@ -55,23 +58,10 @@ def run_relamp(program, scan, folder, threads):
     return irradiance, whole, processor
 
 
-def pixels(image):
-    """RGB, rows as Blender counts them: from below."""
-    values = numpy.empty(image.size[0] * image.size[1] * image.channels, numpy.float32)
-    image.pixels.foreach_get(values)
-    return values.reshape(image.size[1], image.size[0], -1)[..., :3].astype(float)
-
-
 def load(path):
     image = bpy.data.images.load(path)
     image.colorspace_settings.name = "Non-Color"
     return pixels(image)
-
-
-def float_image(name, width, height):
-    image = bpy.data.images.new(name, width, height, float_buffer=True, alpha=False)
-    image.colorspace_settings.name = "Non-Color"
-    return image
 
 
 def import_room(path):
@@ -133,8 +123,7 @@ def wall_material(albedo, uv_name):
     texture = nodes.new("ShaderNodeTexImage")
     texture.image = float_image("albedo", width, height)
     texture.interpolation = "Closest"
-    rgba = numpy.dstack([numpy.clip(albedo, 0.02, 0.95), numpy.ones((height, width))])
-    texture.image.pixels.foreach_set(rgba.astype(numpy.float32).ravel())
+    fill(texture.image, numpy.clip(albedo, 0.02, 0.95))
     uv = nodes.new("ShaderNodeUVMap")
     uv.uv_map = uv_name
     diffuse = nodes.new("ShaderNodeBsdfDiffuse")

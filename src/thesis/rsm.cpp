@@ -66,6 +66,7 @@ std::vector<BounceLight> reflectiveShadowMaps(const Texels& texels, const RaySce
             rays[i] = {.origin = viewpointOf(light), .direction = pixels[begin + i].direction};
         scene.intersect(std::span(rays).first(count), std::span(hits).first(count),
                         RayOrder::coherent);
+        found[task].reserve(count);
         for (size_t i = 0; i < count; ++i) {
             if (hits[i].missed() || !hits[i].front) continue;
             const auto [page, pixel] = nearestPixelAt(texels, hits[i]);
@@ -75,6 +76,7 @@ std::vector<BounceLight> reflectiveShadowMaps(const Texels& texels, const RaySce
         }
     });
     std::vector<BounceLight> all;
+    all.reserve(lights.size() * pixels.size());
     for (const auto& list : found) all.insert(all.end(), list.begin(), list.end());
     return all;
 }

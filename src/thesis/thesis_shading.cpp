@@ -117,7 +117,9 @@ std::shared_ptr<const Lpv> ThesisStages::bounce(const Lights& lights,
     Progress::Stage stage(progress, "bounce", 2);
     std::vector<BounceLight> lit = reflectiveShadowMaps(
         texels_, scene_, lightsOfShadowMaps(lights, parameters), parameters.rsmSize);
-    for (BounceLight& light : lit) light.flux *= surface.at(light.page, light.pixel);
+    forEachChunk(lit.size(), 1024, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) lit[i].flux *= surface.at(lit[i].page, lit[i].pixel);
+    });
     stage.advance();
     return spread(texels_, lit, parameters);
 }

@@ -1,0 +1,58 @@
+#!/bin/bash
+# Compares relamp's albedo with the usual way to take light out by hand: the texture divided by baked ambient occlusion.
+# Prints the table of docs/guide/performance.md. Takes a minute or two a room; let nothing else run meanwhile.
+#
+#   bench/ambient_occlusion.sh ROOM METRICS [RELAMP]
+#
+# ROOM is a folder as relamp_rooms writes them (docs/dev/rooms.md) or samples/bedroom; METRICS is metrics.py, which reads
+# it; RELAMP is the program, by default that of build/release. Needs Debian's package blender. What is compared stays in
+# build/ambient_occlusion.
+set -euo pipefail
+if [ $# -lt 2 ] || [ $# -gt 3 ]; then
+    sed -n '2,/^set/{/^set/!p}' "$0" | cut -c3-
+    exit 2
+fi
+fail() {
+    echo "ambient_occlusion.sh: $1" >&2
+    exit 1
+}
+room=$1
+metrics=$2
+repository=$(cd "$(dirname "$0")/.." && pwd)
+relamp=${3:-$repository/build/release/apps/cli/relamp}
+results=$repository/build/ambient_occlusion
+scan=$room/scan.glb
+[ -f "$scan" ] || scan=$room/scan_recon.glb
+command -v blender >/dev/null || fail "Blender is missing; install it with: apt-get install blender"
+[ -x "$relamp" ] || fail "$relamp is no program; build it with ./relamp.sh build, or name it as third argument"
+[ -f "$scan" ] || fail "$room has no scan.glb or scan_recon.glb"
+
+rm -rf "$results"
+mkdir -p "$results"
+blender -b --factory-startup --python-exit-code 1 --python "$repository/bench/ambient_occlusion.py" -- \
+    "$scan" "$results" "$(nproc)" >"$results/log" 2>&1 || {
+    tail -n 5 "$results/log" >&2
+    fail "Blender stopped; all it said is in $results/log"
+}
+start=$(date +%s.%N)
+"$relamp" delight "$scan" -o "$results/relamp" -q
+printf '%s\trelamp delight\t%s\n' "$results/relamp/albedo.exr" "$(awk "BEGIN {printf \"%.1f\", $(date +%s.%N) - $start}")" \
+    >>"$results/divided"
+
+echo '| albedo | s | `psnr_rgb` | `psnr_rgb_unclipped` | `leak_slope` |'
+echo '| --- | ---: | ---: | ---: | ---: |'
+score() {
+    /usr/bin/python3 "$metrics" "$room" "$@" | /usr/bin/python3 -c '
+import json, sys
+name, seconds = sys.argv[1:]
+for line in sys.stdin:
+    score = json.loads(line)
+    if score["name"] in ("input", "estimate"):
+        figures = [score[f] for f in ("psnr_rgb", "psnr_rgb_unclipped", "leak_slope")]
+        print("| {} | {} | {:.2f} | {:.2f} | {:.3f} |".format(name, seconds, *figures))
+' "$name" "$seconds"
+}
+name='the texture itself' seconds='' score --baselines
+while IFS=$'\t' read -r file name seconds; do
+    score --albedo "$file"
+done <"$results/divided"
