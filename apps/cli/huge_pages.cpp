@@ -10,18 +10,19 @@
 #include <new>
 
 #include <sys/mman.h>
+#include <unistd.h>
 
 namespace
 {
 
 constexpr size_t kLarge = size_t{1} << 20;
-constexpr uintptr_t kPage = 4096;
 
 void* allocate(size_t size)
 {
     void* memory = std::malloc(size == 0 ? 1 : size);
     if (size < kLarge || memory == nullptr) return memory;
-    const auto begin = reinterpret_cast<uintptr_t>(memory) / kPage * kPage;
+    const auto page = static_cast<uintptr_t>(sysconf(_SC_PAGESIZE));
+    const auto begin = reinterpret_cast<uintptr_t>(memory) / page * page;
     madvise(reinterpret_cast<void*>(begin), size, MADV_HUGEPAGE); // a kernel without them says no
     return memory;
 }
