@@ -22,7 +22,7 @@ DARKEST = 0.05  # of occlusion that is divided by
 
 
 def import_scan(path):
-    """The mesh objects as one, and its texture, encoded as it is in the file."""
+    """The scan's mesh object, and its texture as encoded in the file."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.import_scene.gltf(filepath=path)
     rooms = [o for o in bpy.data.objects if o.type == "MESH"]

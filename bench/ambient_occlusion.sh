@@ -1,10 +1,10 @@
 #!/bin/bash
 # Compares relamp's albedo with the usual way to take light out by hand: the texture divided by baked ambient occlusion.
-# Prints the table of docs/guide/performance.md. Takes a minute or two a room; let nothing else run meanwhile.
+# Prints a table as in docs/guide/performance.md. Takes four minutes and more a room; let nothing else run meanwhile.
 #
 #   bench/ambient_occlusion.sh ROOM METRICS [RELAMP]
 #
-# ROOM is a folder as relamp_rooms writes them (docs/dev/rooms.md) or samples/bedroom; METRICS is metrics.py, which reads
+# ROOM is a folder as relamp_rooms writes them (docs/dev/rooms.md), its recon, or samples/bedroom; METRICS is metrics.py, which reads
 # it; RELAMP is the program, by default that of build/release. Needs Debian's package blender. What is compared stays in
 # build/ambient_occlusion.
 set -euo pipefail

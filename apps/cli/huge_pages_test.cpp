@@ -32,15 +32,23 @@ std::string flagsOfMemoryAt(const void* address)
 
 TEST(HugePages, AreAskedForWhereAnArrayIsLarge)
 {
+    struct alignas(64) Line
+    {
+        char bytes[64] = {1};
+    };
     const std::vector<char> large(size_t{64} << 20, 1);
+    const std::vector<Line> lines(size_t{1} << 20);
     const std::string flags = flagsOfMemoryAt(&large[large.size() / 2]);
     if (!std::filesystem::exists("/sys/kernel/mm/transparent_hugepage") || flags.empty())
         GTEST_SKIP() << "this kernel has none";
     EXPECT_THAT(flags, testing::HasSubstr(" hg "));
+    EXPECT_THAT(flagsOfMemoryAt(&lines[lines.size() / 2]), testing::HasSubstr(" hg "));
 }
 
 TEST(HugePages, MoreMemoryThanThereIsIsRefusedAsEver)
 {
     volatile size_t tooMuch = size_t{1} << 60;
     EXPECT_THROW(operator delete(operator new(tooMuch)), std::bad_alloc);
+    constexpr std::align_val_t kAlignment{64};
+    EXPECT_THROW(operator delete(operator new(tooMuch, kAlignment), kAlignment), std::bad_alloc);
 }

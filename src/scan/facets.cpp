@@ -107,10 +107,11 @@ double pixelFrom(double coordinate, double tile, Wrap wrap, int size)
 TexelSite siteOn(const Facet& facet, glm::vec2 pixel)
 {
     constexpr float kCancelled = 1e-6f; // length of a mean of unit normals
-    const glm::vec2 way = pixel - facet.pixel;
-    const glm::vec3 normal = facet.normal + way.x * facet.normalX + way.y * facet.normalY;
+    float place[8];
+    placeOn(facet, pixel, place);
+    const glm::vec3 normal(place[3], place[4], place[5]);
     const float squared = glm::dot(normal, normal);
-    return {facet.position + way.x * facet.positionX + way.y * facet.positionY,
+    return {{place[0], place[1], place[2]},
             squared > kCancelled * kCancelled ? normal * (1.0f / std::sqrt(squared))
                                               : glm::normalize(facet.normal)};
 }

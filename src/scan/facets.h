@@ -2,6 +2,7 @@
 
 #include "relamp/scan.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -30,6 +31,23 @@ struct alignas(32) Facet
     glm::vec3 normalY{0.0f};
     glm::vec2 unusedToo{0.0f};
 };
+
+/// Place and normal of `pixel` (column, row), not yet of unit length, six numbers, and two more
+/// that are none of these.
+inline void placeOn(const Facet& facet, glm::vec2 pixel, float* place)
+{
+    constexpr size_t kRow = 8;
+    static_assert(sizeof(Facet) == 3 * kRow * sizeof(float));
+    static_assert(offsetof(Facet, normal) == 3 * sizeof(float));
+    static_assert(offsetof(Facet, positionX) == kRow * sizeof(float));
+    static_assert(offsetof(Facet, normalX) == (kRow + 3) * sizeof(float));
+    static_assert(offsetof(Facet, positionY) == 2 * kRow * sizeof(float));
+    static_assert(offsetof(Facet, normalY) == (2 * kRow + 3) * sizeof(float));
+    const float* const rows = &facet.position.x;
+    const glm::vec2 way = pixel - facet.pixel;
+    for (size_t k = 0; k < kRow; ++k)
+        place[k] = rows[k] + way.x * rows[kRow + k] + way.y * rows[2 * kRow + k];
+}
 
 /// A place on a surface.
 struct TexelSite

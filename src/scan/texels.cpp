@@ -62,22 +62,10 @@ struct Places
     size_t begin;
 };
 
-/// Place and normal of a texel, not yet of unit length, and two numbers that are none of these.
-void placeOn(const Facet& facet, float column, float row, float* place)
-{
-    constexpr size_t kRow = 8;
-    static_assert(sizeof facet == 3 * kRow * sizeof(float));
-    const float* const rows = &facet.position.x; // and what follows it
-    const float x = column - facet.pixel.x;
-    const float y = row - facet.pixel.y;
-    for (size_t k = 0; k < kRow; ++k)
-        place[k] = rows[k] + x * rows[kRow + k] + y * rows[2 * kRow + k];
-}
-
 void placeKernel(const Places& places, TexelBlock& block)
 {
-    float columns[TexelBlock::kPadded];
-    float rows[TexelBlock::kPadded];
+    float columns[TexelBlock::kCapacity];
+    float rows[TexelBlock::kCapacity];
     const auto& [facets, page, width, begin] = places;
     splitPixels({page.pixel.data() + begin, block.count}, width, columns, rows);
     const size_t last = page.count() - 1;
@@ -87,7 +75,7 @@ void placeKernel(const Places& places, TexelBlock& block)
         for (size_t lane = 0; lane < end; ++lane) {
             const size_t i = first + lane;
             __builtin_prefetch(&facets[page.facet[std::min(begin + i + kAhead, last)]]);
-            placeOn(facets[page.facet[begin + i]], columns[i], rows[i], place[lane]);
+            placeOn(facets[page.facet[begin + i]], {columns[i], rows[i]}, place[lane]);
         }
         for (size_t lane = 0; lane < kLanes; ++lane) {
             block.x[first + lane] = place[lane][0];

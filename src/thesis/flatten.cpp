@@ -1,6 +1,7 @@
 #include "thesis/flatten.h"
 
 #include "base/lanes.h"
+#include "base/parallel.h"
 #include "thesis/flatten.shared.h"
 
 #include <algorithm>

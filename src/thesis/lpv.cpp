@@ -62,12 +62,12 @@ struct PropagateArgs
 };
 
 /// A number for each of some cells that lie side by side.
-struct alignas(64) Lane
+struct alignas(64) Lanes
 {
     float of[kLanes];
 };
-using Harmonics = std::array<Lane, 4>;
-using Light = std::array<Harmonics, 3>;
+using Harmonics = std::array<Lanes, 4>;
+using Intensity = std::array<Harmonics, 3>;
 
 void load(const std::array<std::vector<float>, 4>& rows, size_t at, size_t count, Harmonics& lanes)
 {
@@ -81,13 +81,13 @@ glm::vec4 at(const Harmonics& lanes, size_t lane)
 
 /// Light that comes through one face, of which the normal is along `axis`.
 template<int axis, bool blocking>
-void gatherFace(const Face& face, const Light& in, const Harmonics& coverage, Light& out)
+void gatherFace(const Face& face, const Intensity& in, const Harmonics& coverage, Intensity& out)
 {
     // The lobe of an axis has two coefficients that are not zero: the first, and the axis's own.
     constexpr size_t own = axis == 0 ? 3 : axis;
     const glm::vec4 lobe = face.solidAngle / kPi * shLobe(face.normal);
     const float alongAxis = lobe[own];
-    Lane open;
+    Lanes open;
     for (size_t lane = 0; lane < kLanes; ++lane)
         open.of[lane] = blocking ? 1.0f - blocked(at(coverage, lane), face.direction) : 1.0f;
     for (size_t c = 0; c < 3; ++c)
@@ -100,7 +100,8 @@ void gatherFace(const Face& face, const Light& in, const Harmonics& coverage, Li
 
 /// Light from the neighbours on one side, through the five faces of each.
 template<int axis, bool blocking>
-void gatherSource(const Source& source, const Light& in, const Harmonics& coverage, Light& out)
+void gatherSource(const Source& source, const Intensity& in, const Harmonics& coverage,
+                  Intensity& out)
 {
     constexpr int aside = axis == 0 ? 1 : 0; // as faceNormal() has them
     constexpr int asideToo = axis == 2 ? 1 : 2;
@@ -113,13 +114,13 @@ void gatherSource(const Source& source, const Light& in, const Harmonics& covera
 
 template<bool blocking>
 void gatherFrom(const PropagateArgs& args, const Source& source, size_t cell, size_t count,
-                Light& out)
+                Intensity& out)
 {
     const LpvGrid& grid = *args.grid;
     const auto offset =
         source.step.x + grid.cells.x * (source.step.y + grid.cells.y * source.step.z);
     const size_t from = cell + static_cast<size_t>(static_cast<ptrdiff_t>(offset));
-    Light in{};
+    Intensity in{};
     for (size_t c = 0; c < 3; ++c) load((*args.from)[c], from, count, in[c]);
     // Coverage is stored at the lower of the two cells that a face parts.
     Harmonics coverage{};
@@ -133,7 +134,7 @@ void gatherFrom(const PropagateArgs& args, const Source& source, size_t cell, si
 /// Light that `count` cells from `cell` on get from all neighbours; at most kLanes.
 void gatherCells(const PropagateArgs& args, size_t cell, size_t count)
 {
-    Light out{};
+    Intensity out{};
     for (const Source& source : *args.sources)
         args.blocking ? gatherFrom<true>(args, source, cell, count, out)
                       : gatherFrom<false>(args, source, cell, count, out);
@@ -146,13 +147,14 @@ void propagateKernel(const PropagateArgs& args, const Slab& slab)
 {
     const LpvGrid& grid = *args.grid;
     const auto count = static_cast<size_t>(grid.cells.x - 2);
-    const size_t most = count < kLanes ? count : kLanes;
+    const size_t most = std::min(count, kLanes);
     for (int z = slab.firstZ; z < slab.endZ; ++z)
         for (int y = 1; y + 1 < grid.cells.y; ++y) {
             const size_t row = grid.indexOf({1, y, z});
             // The last cells of a row come with some that have been gathered before.
             for (size_t first = 0; first < count; first += most) {
                 const size_t cell = row + std::min(first, count - most);
+                // A count that the compiler knows is a vector register.
                 most == kLanes ? gatherCells(args, cell, kLanes) : gatherCells(args, cell, most);
             }
             for (size_t c = 0; c < 3; ++c)
@@ -251,6 +253,17 @@ void readOutKernel(const ReadOutArgs& args)
     }
 }
 
+/// Indices of the cells that `cellAt(i)` gives.
+template<class CellAt>
+std::vector<size_t> cellsOf(const LpvGrid& grid, size_t count, const CellAt& cellAt)
+{
+    std::vector<size_t> cells(count);
+    forEachChunk(count, 1024, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) cells[i] = grid.indexOf(cellAt(i));
+    });
+    return cells;
+}
+
 void resize(Lpv::Field& field, size_t count)
 {
     for (auto& channel : field)
@@ -288,20 +301,10 @@ Lpv::Lpv(const LpvGrid& grid, Field accumulated) : grid_(grid), accumulated_(std
     finish();
 }
 
-template<class CellAt>
-std::vector<size_t> Lpv::cellsOf(size_t count, const CellAt& cellAt) const
-{
-    std::vector<size_t> cells(count);
-    forEachChunk(count, 1024, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) cells[i] = grid_.indexOf(cellAt(i));
-    });
-    return cells;
-}
-
 void Lpv::block(std::span<const Blocker> blockers)
 {
     // Corners between cells: corner (i, j, k) is the upper corner of cell (i, j, k).
-    const std::vector<size_t> cells = cellsOf(blockers.size(), [&](size_t i) {
+    const std::vector<size_t> cells = cellsOf(grid_, blockers.size(), [&](size_t i) {
         return grid_.cellAt(blockers[i].position - 0.5f * grid_.cell);
     });
     std::vector<glm::vec4> corners(grid_.count(), glm::vec4(0.0f));
@@ -328,7 +331,7 @@ void Lpv::block(std::span<const Blocker> blockers)
 
 void Lpv::inject(std::span<const BounceLight> lights)
 {
-    const std::vector<size_t> cells = cellsOf(lights.size(), [&](size_t i) {
+    const std::vector<size_t> cells = cellsOf(grid_, lights.size(), [&](size_t i) {
         return grid_.cellAt(lights[i].position + 0.5f * grid_.cell * lights[i].normal);
     });
     // A channel a task: sums are made in the order of the lights, whatever the number of threads.

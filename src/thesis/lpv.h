@@ -80,9 +80,6 @@ public:
                     InstructionSet set = bestInstructionSet()) const;
 
 private:
-    template<class CellAt>
-    [[nodiscard]] std::vector<size_t> cellsOf(size_t count, const CellAt& cellAt) const;
-
     LpvGrid grid_;
     Field travelling_;
     Field arriving_;

@@ -35,6 +35,17 @@ double sum(const std::vector<float>& values)
 
 const glm::vec3 kMiddle(kSize / 2 + 0.5f);
 
+/// Across the middle, half as dense as what stops all light.
+std::vector<Blocker> wallOfBlockers()
+{
+    std::vector<Blocker> wall;
+    for (int y = 0; y < kSize; ++y)
+        for (int z = 0; z < kSize; ++z)
+            wall.push_back({kMiddle + glm::vec3(0.0f, y - kSize / 2, z - kSize / 2),
+                            glm::vec3(1.0f, 0.0f, 0.0f), 0.5f});
+    return wall;
+}
+
 } // namespace
 
 TEST(Lpv, SolidAnglesOfOneFrontAndFourSideFacesAreASixthOfTwoSpheres)
@@ -174,6 +185,7 @@ TEST(Lpv, IsTheSameForAllInstructionSets)
                  .normal = glm::normalize(glm::vec3(std::sin(f), std::cos(f), std::sin(2 * f))),
                  .flux = {1.0f, 0.5f, 0.1f * f}});
         }
+        lpv.block(wallOfBlockers());
         lpv.inject(lights);
         for (int step = 0; step < 4; ++step) lpv.propagate(step == 0, set);
         return lpv.accumulated();
@@ -183,10 +195,48 @@ TEST(Lpv, IsTheSameForAllInstructionSets)
         if (set > bestInstructionSet()) continue;
         const Lpv::Field wide = run(set);
         for (size_t c = 0; c < 3; ++c)
-            for (size_t i = 0; i < narrow[c][0].size(); ++i)
-                EXPECT_NEAR(wide[c][0][i], narrow[c][0][i],
-                            1e-5f * std::abs(narrow[c][0][i]) + 1e-9f);
+            for (size_t k = 0; k < 4; ++k)
+                for (size_t i = 0; i < narrow[c][k].size(); ++i)
+                    EXPECT_NEAR(wide[c][k][i], narrow[c][k][i],
+                                1e-5f * std::abs(narrow[c][0][i]) + 1e-9f);
     }
+}
+
+// A row of five cells is worked on in another way than one of twenty-four.
+TEST(Lpv, ARoomIsAsItIsTurned)
+{
+    const auto turned = [](glm::vec3 v) { return glm::vec3(v.z, v.y, v.x); };
+    const glm::vec3 extent(5.0f, 24.0f, 24.0f);
+    Lpv thin(LpvGrid({glm::vec3(0.0f), extent}, 24));
+    Lpv wide(LpvGrid({glm::vec3(0.0f), turned(extent)}, 24));
+    const glm::vec3 normal = glm::normalize(glm::vec3(0.3f, 0.2f, -0.9f));
+    const BounceLight light{
+        .position = {2.4f, 11.2f, 12.8f}, .normal = normal, .flux = {1.0f, 0.5f, 0.2f}};
+    const Blocker blocker{{3.5f, 11.5f, 10.5f}, {0.0f, 0.0f, 1.0f}, 0.6f};
+    BounceLight turnedLight = light;
+    turnedLight.position = turned(light.position);
+    turnedLight.normal = turned(normal);
+    thin.block({{blocker}});
+    wide.block({{{turned(blocker.position), turned(blocker.normal), blocker.area}}});
+    thin.inject({{light}});
+    wide.inject({{turnedLight}});
+    for (int step = 0; step < 4; ++step) {
+        thin.propagate(step == 0);
+        wide.propagate(step == 0);
+    }
+    constexpr size_t kTurned[] = {0, 1, 3, 2}; // of (1, -y, z, -x), the last two with another sign
+    const glm::ivec3 cells = thin.grid().cells;
+    for (int z = 0; z < cells.z; ++z)
+        for (int y = 0; y < cells.y; ++y)
+            for (int x = 0; x < cells.x; ++x)
+                for (size_t k = 0; k < 4; ++k)
+                    ASSERT_NEAR(
+                        thin.accumulated()[0][k][thin.grid().indexOf({x, y, z})],
+                        (k < 2 ? 1.0f : -1.0f) *
+                            wide.accumulated()[0][kTurned[k]][wide.grid().indexOf({z, y, x})],
+                        1e-6f)
+                        << x << ' ' << y << ' ' << z << ' ' << k;
+    EXPECT_GT(sum(thin.accumulated()[0][0]), 0.1);
 }
 
 } // namespace relamp

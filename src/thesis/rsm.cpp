@@ -76,7 +76,9 @@ std::vector<BounceLight> reflectiveShadowMaps(const Texels& texels, const RaySce
         }
     });
     std::vector<BounceLight> all;
-    all.reserve(lights.size() * pixels.size());
+    size_t count = 0;
+    for (const auto& list : found) count += list.size();
+    all.reserve(count);
     for (const auto& list : found) all.insert(all.end(), list.begin(), list.end());
     return all;
 }
