@@ -12,28 +12,18 @@ if [ $# -lt 2 ] || [ $# -gt 3 ]; then
     sed -n '2,/^set/{/^set/!p}' "$0" | cut -c3-
     exit 2
 fi
-fail() {
-    echo "ambient_occlusion.sh: $1" >&2
-    exit 1
-}
+. "$(dirname "$0")/blender.sh"
 room=$1
 metrics=$2
-repository=$(cd "$(dirname "$0")/.." && pwd)
 relamp=${3:-$repository/build/release/apps/cli/relamp}
 results=$repository/build/ambient_occlusion
 scan=$room/scan.glb
 [ -f "$scan" ] || scan=$room/scan_recon.glb
-command -v blender >/dev/null || fail "Blender is missing; install it with: apt-get install blender"
-[ -x "$relamp" ] || fail "$relamp is no program; build it with ./relamp.sh build, or name it as third argument"
-[ -f "$scan" ] || fail "$room has no scan.glb or scan_recon.glb"
+check_inputs "$relamp" "$scan"
 
 rm -rf "$results"
 mkdir -p "$results"
-blender -b --factory-startup --python-exit-code 1 --python "$repository/bench/ambient_occlusion.py" -- \
-    "$scan" "$results" "$(nproc)" >"$results/log" 2>&1 || {
-    tail -n 5 "$results/log" >&2
-    fail "Blender stopped; all it said is in $results/log"
-}
+in_blender "$results/log" ambient_occlusion.py "$scan" "$results" "$(nproc)"
 start=$(date +%s.%N)
 "$relamp" delight "$scan" -o "$results/relamp" -q
 printf '%s\trelamp delight\t%s\n' "$results/relamp/albedo.exr" "$(awk "BEGIN {printf \"%.1f\", $(date +%s.%N) - $start}")" \

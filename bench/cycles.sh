@@ -11,23 +11,14 @@ if [ $# -gt 2 ] || [ "${1:-}" = --help ]; then
     sed -n '2,/^set/{/^set/!p}' "$0" | cut -c3-
     exit 2
 fi
-fail() {
-    echo "cycles.sh: $1" >&2
-    exit 1
-}
-repository=$(cd "$(dirname "$0")/.." && pwd)
+. "$(dirname "$0")/blender.sh"
 scan=${1:-$repository/samples/bedroom/scan.glb}
 relamp=${2:-$repository/build/release/apps/cli/relamp}
 results=$repository/build/cycles
-command -v blender >/dev/null || fail "Blender is missing; install it with: apt-get install blender"
-[ -x "$relamp" ] || fail "$relamp is no program; build it with ./relamp.sh build, or name it as second argument"
-[ -f "$scan" ] || fail "$scan is no file"
+check_inputs "$relamp" "$scan"
 
 mkdir -p "$results"
 rm -f "$results/table.md"
-blender -b --factory-startup --python-exit-code 1 --python "$repository/bench/cycles_bake.py" -- \
-    "$scan" "$relamp" "$results" "$(nproc)" "$(date +%s.%N)" >"$results/log" 2>&1 && [ -f "$results/table.md" ] || {
-    tail -n 5 "$results/log" >&2
-    fail "Blender stopped; all it said is in $results/log"
-}
+in_blender "$results/log" cycles_bake.py "$scan" "$relamp" "$results" "$(nproc)" "$(date +%s.%N)"
+[ -f "$results/table.md" ] || fail "Blender wrote no table; all it said is in $results/log"
 cat "$results/table.md"
