@@ -52,6 +52,26 @@ TEST(SparseBlocks, ChangeNoCopyOfThem)
     EXPECT_EQ(copy[kSparseValues - 1], 0.0f);
 }
 
+// A lamp of a house of many rooms.
+TEST(SparseBlocks, OfALongRowAreWhereTheyWerePut)
+{
+    constexpr size_t kFar = 100'000;
+    Sparse values(2 * kFar);
+    values.set(kFar, 3.0f);
+    Sparse copy = values;
+    copy.put(kFar / Sparse::kBlock + 1, Sparse::kept(std::vector<float>(Sparse::kBlock, 5.0f)));
+    copy.set(2 * kFar - 1, 7.0f);
+    EXPECT_EQ(valuesKept(values), Sparse::kBlock);
+    EXPECT_EQ(valuesKept(copy), 3 * Sparse::kBlock);
+    values.add(copy);
+    EXPECT_EQ(values[kFar], 6.0f);
+    EXPECT_EQ(values[kFar + Sparse::kBlock], 5.0f);
+    EXPECT_EQ(values[2 * kFar - 1], 7.0f);
+    EXPECT_EQ(values[0], 0.0f);
+    EXPECT_EQ(copy[kFar], 3.0f);
+    EXPECT_EQ(Sparse::kept(std::vector<float>(4, 0.0f)), nullptr);
+}
+
 TEST(SparseBlocks, AddValueByValue)
 {
     Sparse both = middleBlock();

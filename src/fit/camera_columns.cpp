@@ -245,14 +245,14 @@ Gain evenGainOver(std::span<const glm::vec3> position)
     return gain;
 }
 
-std::vector<Gain> evenGainsOver(std::span<const TexturePlaces> rooms)
+std::vector<Gain> evenGainsOver(std::span<const std::vector<glm::vec3>> positions)
 {
     std::vector<Gain> gains;
-    for (const TexturePlaces& room : rooms) gains.push_back(evenGainOver(room.position));
+    for (const auto& ofRoom : positions) gains.push_back(evenGainOver(ofRoom));
     const auto isOne = [](const Gain& gain) { return gain.isOne(); };
     if (std::all_of(gains.begin(), gains.end(), isOne)) return {};
     for (size_t r = 0; r < gains.size(); ++r)
-        if (gains[r].isOne()) gains[r] = latticeOver(rooms[r].position, kKnotSpacing, 1);
+        if (gains[r].isOne()) gains[r] = latticeOver(positions[r], kKnotSpacing, 1);
     return gains;
 }
 

@@ -57,8 +57,9 @@ Gain toneLatticeOver(std::span<const glm::vec3> position);
 
 /// A gain of 1 over these places; without knots where they lie too close together for one.
 Gain evenGainOver(std::span<const glm::vec3> position);
-/// Likewise one a room, which has one knot where its places lie so; none where all do.
-std::vector<Gain> evenGainsOver(std::span<const TexturePlaces> rooms);
+/// Likewise one a room, which has one knot where its places lie so; none where all do. `positions`:
+/// of the places of each.
+std::vector<Gain> evenGainsOver(std::span<const std::vector<glm::vec3>> positions);
 
 /// The logarithms of the gain's knots as unknowns beside the light.
 CameraColumns columnsOf(const Gain& known, const TexturePlaces& places);

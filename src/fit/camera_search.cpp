@@ -48,25 +48,22 @@ LightEstimate LampSearch::contrastOf(const RoomLight& room, bool isCurved,
 }
 
 /// Of the house's places, those that are a room's.
-double LampSearch::shareOf(const RoomLight& room) const
+double LampSearch::shareOf(const RoomParts& room) const
 {
     return static_cast<double>(room.places.size()) / static_cast<double>(model_.places());
 }
 
 /// Of all rooms, by one camera. What errs alike in them is no better known for their number, so
 /// what they tell of it is the mean, by places.
-LightEstimate LampSearch::contrastOf(std::span<const RoomLight> rooms, bool isCurved,
-                                     const std::optional<Gain>& around, int rounds) const
+LightEstimate LampSearch::byOneCamera(const HouseLight& light,
+                                      std::span<const LightEstimate> fits) const
 {
-    std::vector<LightEstimate> fits(rooms.size());
-    forEach(rooms.size(),
-            [&](size_t r) { fits[r] = contrastOf(rooms[r], isCurved, around, rounds); });
-    LightEstimate house = joined(rooms, fits);
+    LightEstimate house = light.joined(fits);
     house.nats = 0.0;
     house.camera.assign(fits.front().camera.size(), 0.0);
     house.cameraCovariance.assign(fits.front().cameraCovariance.size(), 0.0);
-    for (size_t r = 0; r < rooms.size(); ++r) {
-        const double share = shareOf(rooms[r]);
+    for (size_t r = 0; r < fits.size(); ++r) {
+        const double share = shareOf(light.rooms()[r]);
         house.nats += share * fits[r].nats;
         house.occam += share * fits[r].occam;
         for (size_t k = 0; k < house.camera.size(); ++k)
@@ -78,31 +75,44 @@ LightEstimate LampSearch::contrastOf(std::span<const RoomLight> rooms, bool isCu
 }
 
 /// The same for evidence: `nats` are those against such a camera.
-LightEstimate LampSearch::fitOfContrast(std::span<const RoomLight> rooms, bool isCurved,
-                                        const std::optional<Gain>& around) const
+LightEstimate LampSearch::fitOfContrast(const HouseLight& light,
+                                        std::span<const LightEstimate> fits, bool isCurved,
+                                        bool isToned) const
 {
-    LightEstimate light = contrastOf(rooms, isCurved, around, kCameraRounds);
-    light.nats += light.occam - (isCurved ? kCurvedNats : 0.0) - (around ? kTonedNats : 0.0);
-    if (around && light.camera.back() <= 0.0) light.nats = INFINITY; // no camera deepens it
-    return light;
+    LightEstimate house = byOneCamera(light, fits);
+    house.nats += house.occam - (isCurved ? kCurvedNats : 0.0) - (isToned ? kTonedNats : 0.0);
+    if (isToned && house.camera.back() <= 0.0) house.nats = INFINITY; // no camera deepens it
+    return house;
 }
 
 /// How likely a response and local tone mapping are beside all pieces that may emit.
 void LampSearch::findContrast()
 {
-    std::array<LightEstimate, 4> fits; // bit 0: curved, bit 1: toned
-    std::array<double, 4> nats{};
+    constexpr size_t kKinds = 4; // of cameras; bit 0: curved, bit 1: toned
+    const auto isCurved = [](size_t kind) { return (kind & 1u) != 0; };
+    const auto isToned = [](size_t kind) { return (kind & 2u) != 0; };
+    const auto isSought = [&](size_t kind) {
+        return (isResponseSought_ || !isCurved(kind)) && (isGainSought_ || !isToned(kind));
+    };
     std::optional<Gain> around;
     if (isGainSought_) around = evidence_.brightnessAround(camera_.response);
-    const std::vector<RoomLight> rooms = lightOfRooms(LampEvidence::kPairsFirst);
-    forEach(nats.size(), [&](size_t k) {
-        const bool isCurved = (k & 1u) != 0;
-        const bool isToned = (k & 2u) != 0;
-        const bool isSought = (isResponseSought_ || !isCurved) && (isGainSought_ || !isToned);
-        fits[k].nats = INFINITY;
-        if (isSought) fits[k] = fitOfContrast(rooms, isCurved, isToned ? around : std::nullopt);
-        nats[k] = fits[k].nats;
+    const HouseLight house = lightOfRooms(LampEvidence::kPairsFirst);
+    std::array<std::vector<LightEstimate>, kKinds> ofRooms;
+    for (auto& ofKind : ofRooms) ofKind.resize(house.rooms().size());
+    house.forEachRoom([&](size_t r, const RoomLight& room) {
+        forEach(kKinds, [&](size_t k) {
+            if (isSought(k))
+                ofRooms[k][r] = contrastOf(room, isCurved(k), isToned(k) ? around : std::nullopt,
+                                           kCameraRounds);
+        });
     });
+    std::array<LightEstimate, kKinds> fits;
+    std::array<double, kKinds> nats{};
+    for (size_t k = 0; k < kKinds; ++k) {
+        fits[k].nats = INFINITY;
+        if (isSought(k)) fits[k] = fitOfContrast(house, ofRooms[k], isCurved(k), isToned(k));
+        nats[k] = fits[k].nats;
+    }
     const double least = *std::min_element(nats.begin(), nats.end());
     double sum = 0.0;
     for (double& n : nats) {
@@ -125,7 +135,10 @@ void LampSearch::bend(size_t pairs)
     for (int round = 0; round < kCameraRounds && isBent(); ++round) {
         std::optional<Gain> around;
         if (toned_ > 0.0) around = evidence_.brightnessAround(camera_.response);
-        LightEstimate light = contrastOf(lightOfRooms(pairs), curved_ > 0.0, around, 1);
+        const HouseLight house = lightOfRooms(pairs);
+        LightEstimate light = byOneCamera(house, house.estimatesOf([&](const RoomLight& room) {
+            return contrastOf(room, curved_ > 0.0, around, 1);
+        }));
         if (curved_ > 0.0) {
             camera_.response = responseOf(light.camera, curved_);
             doubtOfResponse_ = doubtOfResponse(light, curved_, curved_);
@@ -159,19 +172,17 @@ std::vector<glm::vec3> LampSearch::albedo() const
     return albedo;
 }
 
-std::vector<RoomLight> LampSearch::lightOfRooms(size_t pairs) const
+HouseLight LampSearch::lightOfRooms(size_t pairs) const
 {
     return lightOfRooms(pairs, model_);
 }
 
-std::vector<RoomLight> LampSearch::lightOfRooms(size_t pairs, const LightModel& model) const
+HouseLight LampSearch::lightOfRooms(size_t pairs, const LightModel& model) const
 {
-    std::vector<RoomLight> rooms = relamp::lightOfRooms(
-        {model, evidence_.pairs(pairs), kin_.alike, noiseOfAll(), emits_, estimate_.log, camera_,
-         evidence_.texturePlaces(), evidence_.told(), !isResponseSought_},
-        evidence_.roomOfPlace());
-    for (size_t r = 0; r < rooms.size(); ++r) rooms[r].noise = noise_[r];
-    return rooms;
+    return {{model, evidence_.pairs(pairs), kin_.alike, noiseOfAll(), emits_, estimate_.log,
+             camera_, evidence_.texturePlaces(), evidence_.told(), !isResponseSought_},
+            evidence_.roomOfPlace(),
+            noise_};
 }
 
 /// The light of a room with each of these for its gain, among lamps that are known.
@@ -190,14 +201,15 @@ std::vector<LightEstimate> LampSearch::gainFits(const RoomLight& room,
 /// gain beside the lamps that are known, in the mean of all rooms.
 double LampSearch::findDrift()
 {
-    const std::vector<RoomLight> rooms = lightOfRooms(LampEvidence::kPairsFirst);
+    const HouseLight house = lightOfRooms(LampEvidence::kPairsFirst);
+    const std::span<const RoomParts> rooms = house.rooms();
     std::vector<LightEstimate> drifting(rooms.size());
     std::vector<double> evidence(rooms.size());
-    forEach(rooms.size(), [&](size_t r) {
+    house.forEachRoom([&](size_t r, const RoomLight& room) {
         std::array<CameraColumns, 2> columns; // of no drift, and of one
-        columns[1] = columnsOf(camera_.gains[r], rooms[r].texturePlaces());
+        columns[1] = columnsOf(camera_.gains[r], room.texturePlaces());
         columns[0].worth = columns[1].worth;
-        std::vector<LightEstimate> fits = gainFits(rooms[r], columns);
+        std::vector<LightEstimate> fits = gainFits(room, columns);
         evidence[r] = fits[0].nats + fits[0].occam - fits[1].nats - fits[1].occam;
         drifting[r] = std::move(fits[1]);
     });
@@ -209,7 +221,7 @@ double LampSearch::findDrift()
     return drifted;
 }
 
-void LampSearch::undoDrift(std::span<const RoomLight> rooms, std::span<const LightEstimate> found)
+void LampSearch::undoDrift(std::span<const RoomParts> rooms, std::span<const LightEstimate> found)
 {
     std::vector<double> log = estimate_.log;
     for (size_t r = 0; r < rooms.size(); ++r) {
@@ -219,26 +231,33 @@ void LampSearch::undoDrift(std::span<const RoomLight> rooms, std::span<const Lig
     seeByCamera(std::move(log));
 }
 
+/// Of the places of each room.
+std::vector<std::vector<glm::vec3>> LampSearch::positionsByRoom() const
+{
+    const std::span<const glm::vec3> all = evidence_.texturePlaces().position;
+    const std::span<const uint8_t> room = evidence_.roomOfPlace();
+    std::vector<std::vector<glm::vec3>> positions(noise_.size());
+    for (size_t i = 0; i < all.size(); ++i) positions[room.empty() ? 0 : room[i]].push_back(all[i]);
+    return positions;
+}
+
 /// The drift of exposure and white balance, among lamps that are known; in every room by itself,
 /// for what each shows is hardly lit by the others. One round is enough where none is likely: what
 /// is gathered hardly changes then.
 void LampSearch::findGain()
 {
-    std::vector<RoomLight> rooms = lightOfRooms(LampEvidence::kPairsFirst);
-    std::vector<TexturePlaces> places;
-    for (const RoomLight& room : rooms) places.push_back(room.texturePlaces());
-    camera_.gains = evenGainsOver(places);
+    camera_.gains = evenGainsOver(positionsByRoom());
     if (camera_.gains.empty()) return;
     const double drifted = findDrift();
     for (int round = 0; round < (camera_.hasDrifted() ? kCameraRounds : 1); ++round) {
-        rooms = lightOfRooms(LampEvidence::kPairsFirst);
-        std::vector<LightEstimate> fits(rooms.size());
-        forEach(rooms.size(), [&](size_t r) {
-            CameraColumns columns = columnsOf(camera_.gains[r], rooms[r].texturePlaces());
+        const HouseLight house = lightOfRooms(LampEvidence::kPairsFirst);
+        std::vector<LightEstimate> fits(house.rooms().size());
+        house.forEachRoom([&](size_t r, const RoomLight& room) {
+            CameraColumns columns = columnsOf(camera_.gains[r], room.texturePlaces());
             columns.worth = worthOfGain(drifted);
-            fits[r] = std::move(gainFits(rooms[r], {&columns, 1}).front());
+            fits[r] = std::move(gainFits(room, {&columns, 1}).front());
         });
-        undoDrift(rooms, fits);
+        undoDrift(house.rooms(), fits);
     }
     findWhiteBalance(drifted);
 }
@@ -246,11 +265,10 @@ void LampSearch::findGain()
 void LampSearch::findWhiteBalance(double drifted)
 {
     const std::vector<glm::vec3> albedo = this->albedo();
-    const std::vector<RoomLight> rooms = lightOfRooms(LampEvidence::kPairsFirst);
-    forEach(rooms.size(), [&](size_t r) {
-        const RoomLight& room = rooms[r];
+    const HouseLight house = lightOfRooms(LampEvidence::kPairsFirst);
+    house.forEachRoom([&](size_t r, const RoomLight& room) {
         std::vector<glm::vec3> ofRoom;
-        for (const uint32_t place : room.places) ofRoom.push_back(albedo[place]);
+        for (const uint32_t place : room.of.places) ofRoom.push_back(albedo[place]);
         camera_.gains[r] =
             withWhiteBalance(std::move(camera_.gains[r]), room.position, ofRoom, room.pairs,
                              room.told, {drifted, LightFit::effectivePairs(room.model)});

@@ -160,7 +160,7 @@ double LampEvidence::linearize(const CameraModel& camera)
     }
     radiance_.white = linearization.perGain;
     field_.plain = radiance_.plain;
-    settling_ = SettlingGather(hits_, field_, around_);
+    settling_.takePlain(hits_, field_, around_);
     return meanLogOfPlaces() - before;
 }
 

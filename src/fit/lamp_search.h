@@ -47,23 +47,25 @@ private:
     [[nodiscard]] LightEstimate colorOf(int channel) const;
     void findColors();
     [[nodiscard]] bool isBent() const { return curved_ > 0.0 || toned_ > 0.0; }
-    [[nodiscard]] double shareOf(const RoomLight& room) const;
+    [[nodiscard]] double shareOf(const RoomParts& room) const;
     [[nodiscard]] CameraColumns contrastColumns(const TexturePlaces& places, bool isCurved,
                                                 const std::optional<Gain>& around) const;
     [[nodiscard]] LightEstimate contrastOf(const RoomLight& room, bool isCurved,
                                            const std::optional<Gain>& around, int rounds) const;
-    [[nodiscard]] LightEstimate contrastOf(std::span<const RoomLight> rooms, bool isCurved,
-                                           const std::optional<Gain>& around, int rounds) const;
-    [[nodiscard]] LightEstimate fitOfContrast(std::span<const RoomLight> rooms, bool isCurved,
-                                              const std::optional<Gain>& around) const;
+    [[nodiscard]] LightEstimate byOneCamera(const HouseLight& light,
+                                            std::span<const LightEstimate> fits) const;
+    [[nodiscard]] LightEstimate fitOfContrast(const HouseLight& light,
+                                              std::span<const LightEstimate> fits, bool isCurved,
+                                              bool isToned) const;
     void findContrast();
     void bend(size_t pairs);
-    [[nodiscard]] std::vector<RoomLight> lightOfRooms(size_t pairs) const;
-    [[nodiscard]] std::vector<RoomLight> lightOfRooms(size_t pairs, const LightModel& model) const;
+    [[nodiscard]] HouseLight lightOfRooms(size_t pairs) const;
+    [[nodiscard]] HouseLight lightOfRooms(size_t pairs, const LightModel& model) const;
     [[nodiscard]] std::vector<LightEstimate> gainFits(const RoomLight& room,
                                                       std::span<const CameraColumns> columns) const;
     [[nodiscard]] double findDrift();
-    void undoDrift(std::span<const RoomLight> rooms, std::span<const LightEstimate> found);
+    void undoDrift(std::span<const RoomParts> rooms, std::span<const LightEstimate> found);
+    [[nodiscard]] std::vector<std::vector<glm::vec3>> positionsByRoom() const;
     void findGain();
     void findWhiteBalance(double drifted);
     [[nodiscard]] std::vector<float> changeUnseen() const;

@@ -170,14 +170,18 @@ std::vector<Choosable> LampSearch::choosable(std::span<const uint32_t> ofRoom) c
 /// Decides which pieces emit, from an estimate where more or fewer do; in every room by itself.
 void LampSearch::choose(size_t pairs)
 {
-    const std::vector<RoomLight> rooms = lightOfRooms(pairs);
-    const auto estimates = estimatesOf(rooms, [&](const RoomLight& room) {
-        ChosenLight chosen =
-            chooseLamps(room.alone(camera_, !isResponseSought_), choosable(room.pieces));
-        for (size_t f = 0; f < room.pieces.size(); ++f) emits_[room.pieces[f]] = chosen.emits[f];
-        return std::move(chosen.estimate);
+    const HouseLight house = lightOfRooms(pairs);
+    std::vector<ChosenLight> chosen(house.rooms().size());
+    std::vector<LightEstimate> estimates(chosen.size());
+    house.forEachRoom([&](size_t r, const RoomLight& room) {
+        chosen[r] = chooseLamps(room.alone(camera_, !isResponseSought_), choosable(room.of.pieces));
+        estimates[r] = std::move(chosen[r].estimate);
     });
-    estimate_ = joined(rooms, estimates);
+    for (size_t r = 0; r < chosen.size(); ++r) {
+        const std::vector<uint32_t>& pieces = house.rooms()[r].pieces;
+        for (size_t f = 0; f < pieces.size(); ++f) emits_[pieces[f]] = chosen[r].emits[f];
+    }
+    estimate_ = house.joined(estimates);
 }
 
 std::vector<Piece> LampSearch::lamps() const
@@ -231,11 +235,11 @@ bool LampSearch::join()
 void LampSearch::dropFaint()
 {
     std::vector<double> most(pieces_.size(), 0.0);
-    for (const RoomLight& room : lightOfRooms(LampEvidence::kPairsFirst)) {
+    const HouseLight house = lightOfRooms(LampEvidence::kPairsFirst);
+    house.forEachRoom([&](size_t, const RoomLight& room) {
         const std::vector<double> shares = room.shares();
-        for (size_t f = 0; f < shares.size(); ++f)
-            most[room.pieces[f]] = std::max(most[room.pieces[f]], shares[f]);
-    }
+        for (size_t f = 0; f < shares.size(); ++f) most[room.of.pieces[f]] = shares[f];
+    });
     for (size_t f = 0; f < pieces_.size(); ++f)
         if (!pieces_[f].isGiven && most[f] < kLeastMatters) emits_[f] = 0;
 }
@@ -245,14 +249,12 @@ LightEstimate LampSearch::colorOf(int channel) const
 {
     const std::optional<LightModel> sunny =
         sun_ ? std::optional(sun_->channelOf(channel)) : std::nullopt;
-    const std::vector<RoomLight> rooms =
-        lightOfRooms(LampEvidence::kPairs, sunny ? *sunny : model_);
-    const auto estimates = estimatesOf(rooms, [&](const RoomLight& room) {
+    const HouseLight house = lightOfRooms(LampEvidence::kPairs, sunny ? *sunny : model_);
+    return house.joined(house.estimatesOf([&](const RoomLight& room) {
         LightFit fit = room.fit(channel);
         fit.expectLeaks(room.log);
         return fit.solve(room.emits, room.log, kFirstWidth, {room.log, kColorSpread});
-    });
-    return joined(rooms, estimates);
+    }));
 }
 
 /// Each channel by itself, near the luminance; burnt-out walls and backs settle in that light, and
@@ -260,13 +262,12 @@ LightEstimate LampSearch::colorOf(int channel) const
 void LampSearch::findColors()
 {
     for (int round = 0; round < 2; ++round) {
-        const std::vector<RoomLight> rooms = lightOfRooms(LampEvidence::kPairs);
-        const auto estimates = estimatesOf(rooms, [](const RoomLight& room) {
+        const HouseLight house = lightOfRooms(LampEvidence::kPairs);
+        estimate_ = house.joined(house.estimatesOf([](const RoomLight& room) {
             LightFit fit = room.fit();
             fit.expectLeaks(room.log);
             return fit.solve(room.emits, room.log, 1.0);
-        });
-        estimate_ = joined(rooms, estimates);
+        }));
         dropFaint();
         std::array<LightEstimate, 3> colors;
         forEach(3, [&](size_t c) { colors[c] = colorOf(static_cast<int>(c)); });
@@ -354,14 +355,14 @@ float errorOfPower(const Piece& lamp)
 /// In every room by itself.
 std::vector<float> LampSearch::changeUnseen() const
 {
-    const std::vector<RoomLight> rooms = lightOfRooms(LampEvidence::kPairsFirst);
     std::vector<float> change(evidence_.places().size(), 0.0f);
-    forEach(rooms.size(), [&](size_t r) {
+    const HouseLight house = lightOfRooms(LampEvidence::kPairsFirst);
+    house.forEachRoom([&](size_t r, const RoomLight& room) {
         CameraModel camera{.response = camera_.response};
         if (!camera_.gains.empty()) camera.gains = {camera_.gains[r]};
         const std::vector<float> ofRoom =
-            relamp::changeUnseen(rooms[r].alone(camera, !isResponseSought_), texels_.surfels.seed);
-        for (size_t i = 0; i < ofRoom.size(); ++i) change[rooms[r].places[i]] = ofRoom[i];
+            relamp::changeUnseen(room.alone(camera, !isResponseSought_), texels_.surfels.seed);
+        for (size_t i = 0; i < ofRoom.size(); ++i) change[room.of.places[i]] = ofRoom[i];
     });
     return change;
 }
@@ -403,10 +404,10 @@ double LampSearch::noiseOfAll() const
 /// The light of all rooms, and how noisy their pairs are in it.
 void LampSearch::solve(const std::function<LightEstimate(const RoomLight&)>& estimateOf)
 {
-    const std::vector<RoomLight> rooms = lightOfRooms(LampEvidence::kPairsFirst);
-    const std::vector<LightEstimate> estimates = estimatesOf(rooms, estimateOf);
-    estimate_ = joined(rooms, estimates);
-    for (size_t r = 0; r < rooms.size(); ++r)
+    const HouseLight house = lightOfRooms(LampEvidence::kPairsFirst);
+    const std::vector<LightEstimate> estimates = house.estimatesOf(estimateOf);
+    estimate_ = house.joined(estimates);
+    for (size_t r = 0; r < estimates.size(); ++r)
         noise_[r] = std::max(kNoiseOfPairs * estimates[r].residual, kLeastNoise);
 }
 

@@ -12,15 +12,6 @@ namespace relamp
 namespace
 {
 
-/// Which rooms the parts of a house's light are of.
-struct Rooms
-{
-    size_t count = 1;
-    std::vector<uint32_t> ofPlace;
-    std::vector<uint32_t> ofPiece;
-    std::vector<uint32_t> ofOutside;
-};
-
 /// The room that gets most: `light` is of [room * count + column].
 std::vector<uint32_t> brightestRooms(std::span<const double> light, size_t rooms, size_t count)
 {
@@ -31,6 +22,15 @@ std::vector<uint32_t> brightestRooms(std::span<const double> light, size_t rooms
                 brightest[column] = room;
     return brightest;
 }
+
+/// Which rooms the parts of a house's light are of.
+struct Rooms
+{
+    size_t count = 1;
+    std::vector<uint32_t> ofPlace;
+    std::vector<uint32_t> ofPiece;
+    std::vector<uint32_t> ofOutside;
+};
 
 Rooms roomsOfParts(const FittedLight& house, std::span<const uint8_t> roomOfPlace)
 {
@@ -62,6 +62,34 @@ std::vector<uint32_t> numbersOf(std::span<const uint32_t> rooms, uint32_t room)
     return numbers;
 }
 
+/// Parts of what lies outside that are the room's own or that its places see anything of, and the
+/// first, ascending.
+std::vector<uint32_t> partsSeen(const LightModel& model, const Rooms& rooms, uint32_t number,
+                                const RoomParts& room)
+{
+    std::vector<uint32_t> isSeen(model.outsides, rooms.count == 1 ? 1 : 0);
+    isSeen[0] = 1;
+    const auto look = [&](size_t place) {
+        for (const MissedLight missed : model.missed[place]) isSeen[missed.part] = 1;
+    };
+    for (const uint32_t place : room.places) look(place);
+    for (const uint32_t f : room.pieces) look(model.placeOf(f));
+    for (uint32_t part = 0; part < isSeen.size(); ++part)
+        if (rooms.ofOutside[part] == number) isSeen[part] = 1;
+    return numbersOf(isSeen, 1);
+}
+
+RoomParts partsOf(const FittedLight& house, const Rooms& rooms, uint32_t number)
+{
+    RoomParts room{.places = numbersOf(rooms.ofPlace, number),
+                   .pieces = numbersOf(rooms.ofPiece, number),
+                   .outsides = house.model.outsides};
+    room.parts = partsSeen(house.model, rooms, number, room);
+    for (const uint32_t part : room.parts)
+        room.isOwnPart.push_back(rooms.ofOutside[part] == number ? 1 : 0);
+    return room;
+}
+
 template<class Value>
 std::vector<Value> picked(const std::vector<Value>& all, std::span<const uint32_t> numbers)
 {
@@ -72,14 +100,7 @@ std::vector<Value> picked(const std::vector<Value>& all, std::span<const uint32_
 }
 
 // Numerics.
-constexpr uint32_t kOfAnother = ~0u; // room's piece or part
-
-/// A room's own numbers for those of the house.
-struct OwnNumbers
-{
-    std::vector<uint32_t> ofPiece;
-    std::vector<uint32_t> ofPart;
-};
+constexpr uint32_t kOfAnother = ~0u; // room's place, piece or part
 
 /// Where each of `numbers` is among them; others are another's.
 std::vector<uint32_t> backFrom(std::span<const uint32_t> numbers, size_t count)
@@ -89,28 +110,51 @@ std::vector<uint32_t> backFrom(std::span<const uint32_t> numbers, size_t count)
     return back;
 }
 
+/// A room's own numbers for those of the house.
+struct OwnNumbers
+{
+    std::vector<uint32_t> ofPlace;
+    std::vector<uint32_t> ofPiece;
+    std::vector<uint32_t> ofPart;
+
+    OwnNumbers(const RoomParts& room, const LightModel& house)
+        : ofPlace(backFrom(room.places, house.places())),
+          ofPiece(backFrom(room.pieces, house.pieces)), ofPart(backFrom(room.parts, house.outsides))
+    {}
+};
+
+/// Those of which both are the room's, by its own numbers.
+std::vector<MaterialPair> ownPairs(std::span<const MaterialPair> pairs,
+                                   std::span<const uint32_t> ofPlace)
+{
+    std::vector<MaterialPair> own;
+    for (const auto& [p, q] : pairs)
+        if (ofPlace[p] != kOfAnother && ofPlace[q] != kOfAnother)
+            own.push_back({ofPlace[p], ofPlace[q]});
+    return own;
+}
+
 /// A place of the house, or the place of a piece, as one of the room. `sent`: what the house's
 /// pieces send.
-void addPlace(const FittedLight& house, size_t place, const OwnNumbers& numbers,
+void addPlace(const LightModel& house, size_t place, const OwnNumbers& numbers,
               std::span<const double> sent, LightModel& model)
 {
     std::vector<DirectLight>& own = model.direct.emplace_back();
     double elsewhere = 0.0; // by pieces that are not the room's
-    for (const auto [f, direct] : house.model.direct[place])
+    for (const auto [f, direct] : house.direct[place])
         if (numbers.ofPiece[f] != kOfAnother)
             own.push_back({numbers.ofPiece[f], direct});
         else
             elsewhere += sent[f] * static_cast<double>(direct);
-    model.shown.push_back(house.model.shown[place]);
-    model.gathered.push_back(house.model.gathered[place] +
-                             glm::vec3(static_cast<float>(elsewhere)));
+    model.shown.push_back(house.shown[place]);
+    model.gathered.push_back(house.gathered[place] + glm::vec3(static_cast<float>(elsewhere)));
     std::vector<MissedLight>& missed = model.missed.emplace_back();
-    for (const auto [part, irradiance] : house.model.missed[place])
+    for (const auto [part, irradiance] : house.missed[place])
         if (numbers.ofPart[part] != kOfAnother)
             missed.push_back({numbers.ofPart[part], irradiance});
 }
 
-LightModel modelOf(const FittedLight& house, const RoomLight& room)
+LightModel modelOf(const FittedLight& house, const RoomParts& room, const OwnNumbers& numbers)
 {
     const LightModel& whole = house.model;
     const auto share =
@@ -124,68 +168,22 @@ LightModel modelOf(const FittedLight& house, const RoomLight& room)
                      .coloured = picked(whole.coloured, room.pieces),
                      .rooms = std::max(1.0, share * whole.rooms),
                      .isBurntOut = picked(whole.isBurntOut, room.places)};
-    const OwnNumbers numbers{backFrom(room.pieces, whole.pieces),
-                             backFrom(room.parts, whole.outsides)};
     std::vector<double> sent;
     for (size_t f = 0; f < whole.pieces; ++f) sent.push_back(std::exp(house.log[f]));
-    for (const uint32_t place : room.places) addPlace(house, place, numbers, sent, model);
-    for (const uint32_t f : room.pieces) addPlace(house, whole.placeOf(f), numbers, sent, model);
+    for (const uint32_t place : room.places) addPlace(whole, place, numbers, sent, model);
+    for (const uint32_t f : room.pieces) addPlace(whole, whole.placeOf(f), numbers, sent, model);
     return model;
 }
 
-/// Parts of what lies outside that are the room's own or that its places see anything of, and the
-/// first, ascending.
-std::vector<uint32_t> partsSeen(const FittedLight& house, const Rooms& rooms, uint32_t number,
-                                const RoomLight& room)
-{
-    std::vector<uint8_t> isSeen(house.model.outsides, rooms.count == 1 ? 1 : 0);
-    isSeen[0] = 1;
-    const auto look = [&](size_t place) {
-        for (const MissedLight missed : house.model.missed[place]) isSeen[missed.part] = 1;
-    };
-    for (const uint32_t place : room.places) look(place);
-    for (const uint32_t f : room.pieces) look(house.model.placeOf(f));
-    for (uint32_t part = 0; part < isSeen.size(); ++part)
-        if (rooms.ofOutside[part] == number) isSeen[part] = 1;
-    return numbersOf(std::vector<uint32_t>(isSeen.begin(), isSeen.end()), 1);
-}
-
-RoomLight lightOf(const FittedLight& house, const Rooms& rooms, uint32_t number)
-{
-    RoomLight room{.places = numbersOf(rooms.ofPlace, number),
-                   .pieces = numbersOf(rooms.ofPiece, number),
-                   .outsides = house.model.outsides};
-    room.parts = partsSeen(house, rooms, number, room);
-    for (const uint32_t part : room.parts)
-        room.isOwnPart.push_back(rooms.ofOutside[part] == number ? 1 : 0);
-    room.noise = house.noise;
-    room.model = modelOf(house, room);
-    const std::vector<uint32_t> place = backFrom(room.places, rooms.ofPlace.size());
-    const std::vector<uint32_t> piece = backFrom(room.pieces, rooms.ofPiece.size());
-    const auto take = [&](std::span<const MaterialPair> pairs, std::vector<MaterialPair>& own) {
-        for (const auto& [p, q] : pairs)
-            if (rooms.ofPlace[p] == number && rooms.ofPlace[q] == number)
-                own.push_back({place[p], place[q]});
-    };
-    take(house.pairs, room.pairs);
-    take(house.told, room.told);
-    for (const auto& [a, b] : house.alike)
-        if (rooms.ofPiece[a] == number && rooms.ofPiece[b] == number)
-            room.alike.push_back({piece[a], piece[b]});
-    for (const uint32_t f : room.pieces) {
-        room.emits.push_back(house.emits[f]);
-        room.log.push_back(house.log[f]);
-    }
-    for (const uint32_t part : room.parts) room.log.push_back(house.log[house.model.pieces + part]);
-    for (const uint32_t i : room.places) {
-        if (i >= house.texture.position.size()) break;
-        room.texture.push_back(house.texture.texture[i]);
-        room.position.push_back(house.texture.position[i]);
-    }
-    return room;
-}
-
 } // namespace
+
+void RoomParts::put(std::span<const double> ofRoom, std::vector<double>& ofHouse) const
+{
+    for (size_t f = 0; f < pieces.size(); ++f) ofHouse[pieces[f]] = ofRoom[f];
+    const size_t first = ofHouse.size() - outsides;
+    for (size_t k = 0; k < parts.size(); ++k)
+        if (isOwnPart[k] != 0) ofHouse[first + parts[k]] = ofRoom[pieces.size() + k];
+}
 
 LightFit RoomLight::fit(int channel) const
 {
@@ -215,48 +213,72 @@ std::vector<double> RoomLight::shares() const
     return shares;
 }
 
-void RoomLight::put(std::span<const double> ofRoom, std::vector<double>& ofHouse) const
+HouseLight::HouseLight(const FittedLight& house, std::span<const uint8_t> roomOfPlace,
+                       std::span<const double> noise)
+    : house_(house), noise_(noise)
 {
-    for (size_t f = 0; f < pieces.size(); ++f) ofHouse[pieces[f]] = ofRoom[f];
-    const size_t first = ofHouse.size() - outsides;
-    for (size_t k = 0; k < parts.size(); ++k)
-        if (isOwnPart[k] != 0) ofHouse[first + parts[k]] = ofRoom[pieces.size() + k];
+    const Rooms rooms = roomsOfParts(house, roomOfPlace);
+    rooms_.resize(rooms.count);
+    forEach(rooms.count,
+            [&](size_t r) { rooms_[r] = partsOf(house, rooms, static_cast<uint32_t>(r)); });
+    for (const auto& [p, q] : house.pairs)
+        if (rooms.ofPlace[p] == rooms.ofPlace[q]) ++rooms_[rooms.ofPlace[p]].pairs;
 }
 
-std::vector<LightEstimate>
-estimatesOf(std::span<const RoomLight> rooms,
-            const std::function<LightEstimate(const RoomLight& room)>& estimateOf)
+RoomLight HouseLight::lightOf(size_t room) const
 {
-    std::vector<LightEstimate> estimates(rooms.size());
-    forEach(rooms.size(), [&](size_t r) { estimates[r] = estimateOf(rooms[r]); });
+    const RoomParts& parts = rooms_[room];
+    const OwnNumbers numbers(parts, house_.model);
+    RoomLight light{.of = parts,
+                    .model = modelOf(house_, parts, numbers),
+                    .pairs = ownPairs(house_.pairs, numbers.ofPlace),
+                    .told = ownPairs(house_.told, numbers.ofPlace),
+                    .noise = noise_.empty() ? house_.noise : noise_[room]};
+    for (const auto& [a, b] : house_.alike)
+        if (numbers.ofPiece[a] != kOfAnother && numbers.ofPiece[b] != kOfAnother)
+            light.alike.push_back({numbers.ofPiece[a], numbers.ofPiece[b]});
+    for (const uint32_t f : parts.pieces) {
+        light.emits.push_back(house_.emits[f]);
+        light.log.push_back(house_.log[f]);
+    }
+    for (const uint32_t part : parts.parts)
+        light.log.push_back(house_.log[house_.model.pieces + part]);
+    for (const uint32_t i : parts.places) {
+        if (i >= house_.texture.position.size()) break;
+        light.texture.push_back(house_.texture.texture[i]);
+        light.position.push_back(house_.texture.position[i]);
+    }
+    return light;
+}
+
+void HouseLight::forEachRoom(
+    const std::function<void(size_t room, const RoomLight& light)>& visit) const
+{
+    forEach(rooms_.size(), [&](size_t r) { visit(r, lightOf(r)); });
+}
+
+std::vector<LightEstimate> HouseLight::estimatesOf(
+    const std::function<LightEstimate(const RoomLight& light)>& estimateOf) const
+{
+    std::vector<LightEstimate> estimates(rooms_.size());
+    forEachRoom([&](size_t r, const RoomLight& light) { estimates[r] = estimateOf(light); });
     return estimates;
 }
 
-LightEstimate joined(std::span<const RoomLight> rooms, std::span<const LightEstimate> estimates)
+LightEstimate HouseLight::joined(std::span<const LightEstimate> estimates) const
 {
-    size_t count = rooms.front().outsides;
-    for (const RoomLight& room : rooms) count += room.pieces.size();
+    const size_t count = house_.model.pieces + house_.model.outsides;
     LightEstimate house{.log = std::vector<double>(count), .error = std::vector<double>(count)};
     double pairs = 0.0;
-    for (size_t r = 0; r < rooms.size(); ++r) {
-        rooms[r].put(estimates[r].log, house.log);
-        rooms[r].put(estimates[r].error, house.error);
+    for (size_t r = 0; r < rooms_.size(); ++r) {
+        rooms_[r].put(estimates[r].log, house.log);
+        rooms_[r].put(estimates[r].error, house.error);
         house.nats += estimates[r].nats;
-        const auto own = static_cast<double>(rooms[r].pairs.size());
+        const auto own = static_cast<double>(rooms_[r].pairs);
         pairs += own;
         if (own > 0.0) house.residual += own / pairs * (estimates[r].residual - house.residual);
     }
     return house;
-}
-
-std::vector<RoomLight> lightOfRooms(const FittedLight& house, std::span<const uint8_t> roomOfPlace)
-{
-    const Rooms rooms = roomsOfParts(house, roomOfPlace);
-    std::vector<RoomLight> lights(rooms.count);
-    forEach(rooms.count, [&](size_t room) {
-        lights[room] = lightOf(house, rooms, static_cast<uint32_t>(room));
-    });
-    return lights;
 }
 
 } // namespace relamp

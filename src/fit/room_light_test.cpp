@@ -2,6 +2,8 @@
 
 #include "fit/light_fit_test.h"
 
+#include <array>
+
 #include <gmock/gmock.h>
 
 namespace relamp
@@ -67,33 +69,37 @@ struct House
 TEST(RoomLight, OfOneRoomIsThatOfAll)
 {
     const House house;
-    const std::vector<RoomLight> rooms = lightOfRooms(house.asFitted(), {});
-    ASSERT_EQ(rooms.size(), 1u);
-    const RoomLight& room = rooms.front();
+    const HouseLight light(house.asFitted(), {});
+    ASSERT_EQ(light.rooms().size(), 1u);
+    const RoomLight room = light.lightOf(0);
     EXPECT_EQ(room.model.direct, house.model.direct);
     EXPECT_EQ(room.model.gathered, house.model.gathered);
     EXPECT_EQ(room.model.missed, house.model.missed);
     EXPECT_EQ(room.model.shown, house.model.shown);
     EXPECT_EQ(room.log, house.log);
     EXPECT_EQ(room.pairs.size(), house.pairs.size());
+    EXPECT_EQ(room.of.pairs, house.pairs.size());
     EXPECT_EQ(room.position, house.position);
 }
 
 TEST(RoomLight, WhatOtherRoomsSendIsGathered)
 {
     const House house;
-    const std::vector<RoomLight> rooms = lightOfRooms(house.asFitted(), house.roomOfPlace);
-    ASSERT_EQ(rooms.size(), 2u);
-    EXPECT_THAT(rooms[0].pieces, ElementsAre(0u));
-    EXPECT_THAT(rooms[1].pieces, ElementsAre(1u));
-    EXPECT_THAT(rooms[0].isOwnPart, ElementsAre(1));
-    EXPECT_THAT(rooms[1].isOwnPart, ElementsAre(0));
-    for (const RoomLight& room : rooms) {
+    const std::array noise{0.1, 0.2};
+    const HouseLight light(house.asFitted(), house.roomOfPlace, noise);
+    ASSERT_EQ(light.rooms().size(), 2u);
+    EXPECT_THAT(light.rooms()[0].pieces, ElementsAre(0u));
+    EXPECT_THAT(light.rooms()[1].pieces, ElementsAre(1u));
+    EXPECT_THAT(light.rooms()[0].isOwnPart, ElementsAre(1));
+    EXPECT_THAT(light.rooms()[1].isOwnPart, ElementsAre(0));
+    light.forEachRoom([&](size_t r, const RoomLight& room) {
+        EXPECT_EQ(room.noise, noise[r]);
         EXPECT_EQ(room.model.places(), House::kPlaces);
         EXPECT_TRUE(room.alike.empty()); // with a lamp of the other
         EXPECT_EQ(room.pairs.size(), House::kPlaces - 1);
-        for (size_t i = 0; i < room.places.size(); ++i) {
-            const size_t place = room.places[i];
+        EXPECT_EQ(room.of.pairs, room.pairs.size());
+        for (size_t i = 0; i < room.of.places.size(); ++i) {
+            const size_t place = room.of.places[i];
             const float sent =
                 std::exp(static_cast<float>(room.log[0])) * room.model.directAt(i, 0);
             const float all = 0.4f + 30.0f * house.model.directAt(place, 0) +
@@ -101,7 +107,7 @@ TEST(RoomLight, WhatOtherRoomsSendIsGathered)
             EXPECT_NEAR(room.model.gathered[i].g + sent, all, 1e-4f);
             EXPECT_EQ(room.position[i], house.position[place]);
         }
-    }
+    });
 }
 
 // Each room finds its lamp by itself, from a wrong start, and the house has both.
@@ -111,11 +117,9 @@ TEST(RoomLight, RoomsTogetherAreTheHouse)
     house.log[0] -= 0.5;
     house.log[1] += 0.5;
     for (int round = 0; round < 2; ++round) { // the second sees what the first one sends in truth
-        const std::vector<RoomLight> rooms = lightOfRooms(house.asFitted(), house.roomOfPlace);
-        const auto estimates = estimatesOf(rooms, [](const RoomLight& room) {
-            return room.fit().solve(room.emits, room.log, 1.0);
-        });
-        const LightEstimate joint = joined(rooms, estimates);
+        const HouseLight light(house.asFitted(), house.roomOfPlace);
+        const LightEstimate joint = light.joined(light.estimatesOf(
+            [](const RoomLight& room) { return room.fit().solve(room.emits, room.log, 1.0); }));
         ASSERT_EQ(joint.log.size(), house.log.size());
         EXPECT_GT(joint.error[1], 0.0);
         house.log = joint.log;
@@ -129,14 +133,14 @@ TEST(RoomLight, RoomsTogetherAreTheHouse)
 TEST(RoomLight, SharesAreOfAllLightThatPlacesGet)
 {
     const House house;
-    const std::vector<RoomLight> rooms = lightOfRooms(house.asFitted(), {});
-    ASSERT_EQ(rooms.size(), 1u);
+    const HouseLight light(house.asFitted(), {});
+    ASSERT_EQ(light.rooms().size(), 1u);
     double expected = 0.0;
     for (size_t i = 0; i < 2 * House::kPlaces; ++i) {
         const float own = 30.0f * house.model.directAt(i, 0);
         expected += static_cast<double>(own / (kPi / 0.5f * house.texture[i].g));
     }
-    const std::vector<double> shares = rooms.front().shares();
+    const std::vector<double> shares = light.lightOf(0).shares();
     ASSERT_EQ(shares.size(), 2u);
     EXPECT_NEAR(shares[0], expected / (2.0 * House::kPlaces), 1e-4);
     EXPECT_GT(shares[1], shares[0]); // 50 for 30

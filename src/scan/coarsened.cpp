@@ -82,7 +82,6 @@ Image shrunk(const Image& image, int factor)
     return small;
 }
 
-/// How many pixels become one along each side.
 } // namespace
 
 int coarseFactor(const Page& page, int longestSide)

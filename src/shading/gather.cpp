@@ -5,11 +5,14 @@
 #include "shading/gather.shared.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace relamp
 {
 namespace
 {
+
+constexpr size_t kChunk = 256; // lists
 
 /// Radiance that a ray meets; nothing from lamps, whose light is direct.
 glm::vec3 radianceAt(const RadianceField& field, HitTarget target)
@@ -55,7 +58,7 @@ Gathered gather(const HitLists& hits, const RadianceField& field, std::span<cons
     result.irradiance.resize(count);
     result.noise.resize(count);
     result.missed.resize(count);
-    forEachChunk(count, 256, [&](size_t begin, size_t end) {
+    forEachChunk(count, kChunk, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             glm::vec3 sum(0.0f);
             float squares = 0.0f;
@@ -94,36 +97,42 @@ void addMissed(std::span<const MissedLight> more, float weight, std::vector<Miss
 SettlingGather::SettlingGather(const HitLists& hits, const RadianceField& field,
                                std::span<const uint32_t> lists)
 {
-    constexpr size_t kChunk = 256;
     const size_t count = lists.empty() ? hits.sideOfList.size() : lists.size();
+    const auto targetsOf = [&](size_t i) { return hits.targetsOf(lists.empty() ? i : lists[i]); };
     plain_.irradiance.resize(count);
     plain_.missed.resize(count);
     perRay_.resize(count);
-    std::vector<uint32_t> others(count);
-    std::vector<std::vector<HitTarget>> ofChunk((count + kChunk - 1) / kChunk);
+    firstOther_.resize(count + 1);
     forEachChunk(count, kChunk, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
-            const std::span targets = hits.targetsOf(lists.empty() ? i : lists[i]);
-            glm::vec3 sum(0.0f);
-            size_t missed = 0;
-            for (const HitTarget target : targets) {
-                if (isPlain(target)) {
-                    sum += field.plain[target.side().surfel()];
-                    continue;
-                }
-                if (target.isNothing()) ++missed;
-                ofChunk[begin / kChunk].push_back(target);
-                ++others[i];
-            }
+            const std::span targets = targetsOf(i);
+            const auto plain = std::ranges::count_if(targets, isPlain);
+            const auto missed = std::ranges::count_if(targets, &HitTarget::isNothing);
+            firstOther_[i + 1] = static_cast<uint32_t>(targets.size() - static_cast<size_t>(plain));
             perRay_[i] = irradiancePerRay(static_cast<float>(targets.size()));
-            plain_.irradiance[i] = perRay_[i] * sum;
             plain_.missed[i] = perRay_[i] * static_cast<float>(missed);
         }
     });
-    for (const uint32_t of : others) firstOther_.push_back(firstOther_.back() + of);
-    others_.reserve(firstOther_.back());
-    for (const auto& targets : ofChunk)
-        others_.insert(others_.end(), targets.begin(), targets.end());
+    std::partial_sum(firstOther_.begin(), firstOther_.end(), firstOther_.begin());
+    others_.resize(firstOther_.back(), HitTarget::nothing());
+    forEachChunk(count, kChunk, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i)
+            std::ranges::remove_copy_if(targetsOf(i), others_.begin() + firstOther_[i], isPlain);
+    });
+    takePlain(hits, field, lists);
+}
+
+void SettlingGather::takePlain(const HitLists& hits, const RadianceField& field,
+                               std::span<const uint32_t> lists)
+{
+    forEachChunk(perRay_.size(), kChunk, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            glm::vec3 sum(0.0f);
+            for (const HitTarget target : hits.targetsOf(lists.empty() ? i : lists[i]))
+                if (isPlain(target)) sum += field.plain[target.side().surfel()];
+            plain_.irradiance[i] = perRay_[i] * sum;
+        }
+    });
 }
 
 Gathered SettlingGather::gather(const RadianceField& field) const

@@ -66,6 +66,9 @@ public:
 
     /// `field` as the first but for all that is not plain. Without noise.
     [[nodiscard]] Gathered gather(const RadianceField& field) const;
+    /// What is plain is another from now on; lists and all else as the first.
+    void takePlain(const HitLists& hits, const RadianceField& field,
+                   std::span<const uint32_t> lists = {});
 
 private:
     Gathered plain_;

@@ -186,7 +186,10 @@ TEST(Gather, SettlingGivesWhatTheWholeGives)
     const scenes::Surfaces box(std::move(scan));
     const HitLists hits = scenes::hitListsOf(box, 32);
     RadianceField field = fieldOf(box.radiance);
-    const SettlingGather settling(hits, field);
+    RadianceField before = field;
+    before.plain.assign(before.plain.size(), glm::vec3(0.7f));
+    SettlingGather settling(hits, before);
+    settling.takePlain(hits, field);
     field.clipped.assign(field.clipped.size(), glm::vec3(2.0f, 3.0f, 4.0f));
     field.back.assign(field.back.size(), glm::vec3(0.1f, 0.2f, 0.3f));
     for (size_t s = 0; s < field.shines.size(); s += 2) field.shines[s] = 1;

@@ -167,6 +167,7 @@ LampOnSurfels lampOnSurfels(const Surfels& surfels, const CastLamps& lamps, size
         }
     });
     LampOnSurfels on(surfels.count());
+    std::vector<LampOnSurfels::Kept> blocks(on.blocks());
     forEachChunk(surfels.count(), LampOnSurfels::kBlock, [&](size_t begin, size_t end) {
         if (!lamps.visibility.isSeen(lamp, begin, end)) return;
         LampOnSurfel block[LampOnSurfels::kBlock];
@@ -177,8 +178,10 @@ LampOnSurfels lampOnSurfels(const Surfels& surfels, const CastLamps& lamps, size
                                 isPartial ? open[s] * std::sqrt(varianceAround(surfels, s, shares))
                                           : 0.0f};
         }
-        on.put(begin, std::span(block).first(end - begin));
+        blocks[begin / LampOnSurfels::kBlock] =
+            LampOnSurfels::kept(std::span(block).first(end - begin));
     });
+    for (size_t b = 0; b < blocks.size(); ++b) on.put(b, std::move(blocks[b]));
     return on;
 }
 

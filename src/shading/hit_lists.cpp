@@ -215,41 +215,56 @@ std::vector<Side> newBacks(const HitLists& lists, size_t firstList)
     return backs;
 }
 
-/// Casts the lists of `sides`: of fronts a first half of the rays, then the others where these
-/// do not agree.
-void castSides(const Caster& caster, std::span<const Side> sides, size_t raysOfSide,
-               HitLists& lists, Progress::Stage& stage)
+/// Moves lists of `rays` targets each, which lie one behind the other, to where each begins from
+/// now on: the last first, for none moves towards the front.
+void spreadApart(std::span<const uint32_t> begins, size_t rays, std::vector<HitTarget>& targets)
 {
-    const size_t first = lists.sideOfList.size();
-    const bool areFronts = first == 0;
-    for (size_t i = 0; i < sides.size(); ++i)
-        lists.listOfSide[sides[i].index] = static_cast<int32_t>(first + i);
-    lists.sideOfList.insert(lists.sideOfList.end(), sides.begin(), sides.end());
+    for (size_t i = begins.size(); i-- > 0;) {
+        const auto begin = targets.begin() + static_cast<ptrdiff_t>(i * rays);
+        const auto to = targets.begin() + static_cast<ptrdiff_t>(begins[i] + rays);
+        std::copy_backward(begin, begin + static_cast<ptrdiff_t>(rays), to);
+    }
+}
 
-    const size_t rays = areFronts ? (raysOfSide + 1) / 2 : raysOfSide;
-    std::vector<HitTarget> few(sides.size() * rays, HitTarget::nothing());
-    std::vector<Met> met(sides.size());
-    const auto ofList = [&](size_t i) { return std::span(few).subspan(i * rays, rays); };
-    forEachChunk(sides.size(), 64, [&](size_t begin, size_t end) {
-        Caster::Batch batch(caster);
-        for (size_t i = begin; i < end; ++i) batch.add(sides[i], 0, ofList(i));
-        batch.finish();
-        for (size_t i = begin; i < end; ++i) met[i] = caster.metBy(ofList(i));
-        stage.advance(end - begin);
-    });
-    const std::vector<uint32_t> counts =
-        areFronts ? caster.raysOf(met, rays, raysOfSide)
-                  : std::vector<uint32_t>(sides.size(), static_cast<uint32_t>(rays));
-    for (const uint32_t count : counts)
-        lists.firstTarget.push_back(lists.firstTarget.back() + count);
+/// Casts `rays` rays of each of `sides`, whose lists come last.
+void castEvenly(const Caster& caster, std::span<const Side> sides, size_t rays, HitLists& lists,
+                Progress::Stage& stage)
+{
+    for (const Side side : sides) {
+        lists.listOfSide[side.index] = static_cast<int32_t>(lists.sideOfList.size());
+        lists.sideOfList.push_back(side);
+        lists.firstTarget.push_back(lists.firstTarget.back() + static_cast<uint32_t>(rays));
+    }
+    const size_t first = lists.targets.size();
     lists.targets.resize(lists.firstTarget.back(), HitTarget::nothing());
     forEachChunk(sides.size(), 64, [&](size_t begin, size_t end) {
         Caster::Batch batch(caster);
-        for (size_t i = begin; i < end; ++i) {
-            const std::span out(lists.targets.data() + lists.firstTarget[first + i], counts[i]);
-            std::copy_n(ofList(i).begin(), rays, out.begin());
-            batch.add(sides[i], rays, out.subspan(rays));
-        }
+        for (size_t i = begin; i < end; ++i)
+            batch.add(sides[i], 0, std::span(lists.targets).subspan(first + i * rays, rays));
+        batch.finish();
+        stage.advance(end - begin);
+    });
+}
+
+/// Casts the lists of all fronts: a first half of the rays, then the others where these do not
+/// agree.
+void castFronts(const Caster& caster, std::span<const Side> fronts, size_t raysOfFront,
+                HitLists& lists, Progress::Stage& stage)
+{
+    const size_t rays = (raysOfFront + 1) / 2;
+    castEvenly(caster, fronts, rays, lists, stage);
+    std::vector<Met> met(fronts.size());
+    forEach(met.size(), [&](size_t i) { met[i] = caster.metBy(lists.targetsOf(i)); });
+    const std::vector<uint32_t> counts = caster.raysOf(met, rays, raysOfFront);
+    std::partial_sum(counts.begin(), counts.end(), lists.firstTarget.begin() + 1);
+    lists.targets.resize(lists.firstTarget.back(), HitTarget::nothing());
+    spreadApart(std::span(lists.firstTarget).first(fronts.size()), rays, lists.targets);
+    forEachChunk(fronts.size(), 64, [&](size_t begin, size_t end) {
+        Caster::Batch batch(caster);
+        for (size_t i = begin; i < end; ++i)
+            batch.add(
+                fronts[i], rays,
+                std::span(lists.targets).subspan(lists.firstTarget[i] + rays, counts[i] - rays));
         batch.finish();
         stage.advance(end - begin);
     });
@@ -280,14 +295,17 @@ HitLists castHitLists(const Texels& texels, const RayScene& scene, const SurfelR
     const Caster caster(texels, scene, radiance);
     HitLists lists;
     lists.listOfSide.assign(2 * size_t{surfels}, HitLists::kNoList);
+    const size_t raysOfBack = std::max<size_t>(rays / kFewerOfBacks, 1);
+    lists.targets.reserve(surfels * (rays + raysOfBack)); // what stays empty takes no memory
     std::vector<Side> sides(surfels, Side{0});
     for (uint32_t s = 0; s < surfels; ++s) sides[s] = Side::front(s);
-    Progress::Stage stage(progress, "rays", 3 * size_t{surfels}); // backs are about half as many
-    for (int generation = 0; generation <= kGenerationsOfBacks && !sides.empty(); ++generation) {
-        const size_t first = lists.sideOfList.size();
-        const size_t ofSide = generation == 0 ? rays : std::max<size_t>(rays / kFewerOfBacks, 1);
-        castSides(caster, sides, ofSide, lists, stage);
-        sides = newBacks(lists, first);
+    Progress::Stage stage(progress, "rays", 5 * size_t{surfels} / 2); // half of all backs are met
+    castFronts(caster, sides, rays, lists, stage);
+    size_t first = 0;
+    for (int generation = 0; generation < kGenerationsOfBacks; ++generation) {
+        const std::vector<Side> backs = newBacks(lists, first);
+        first = lists.sideOfList.size();
+        castEvenly(caster, backs, raysOfBack, lists, stage);
     }
     tellPartsApart(texels, lists);
     return lists;

@@ -129,6 +129,24 @@ TEST(HitLists, MoreRaysGoWhereTheyDoNotAgree)
     EXPECT_LE(all, 16 * spotted.texels.surfels.count());
 }
 
+// Rays of a side are one sequence, however many of it are cast at first.
+TEST(HitLists, OfMoreRaysBeginLikeThoseOfFewer)
+{
+    const scenes::Surfaces two(scenes::panels(shelves(), 32, scenes::plain(glm::vec3(0.4f))));
+    const HitLists some = scenes::hitListsOf(two, 8);
+    const HitLists more = scenes::hitListsOf(two, 24);
+    for (size_t s = 0; s < two.texels.surfels.count(); ++s) {
+        const std::span ofSome = some.targetsOf(s);
+        const std::span ofMore = more.targetsOf(s);
+        ASSERT_LE(ofSome.size(), ofMore.size());
+        for (size_t i = 0; i < ofSome.size(); ++i) {
+            ASSERT_EQ(ofSome[i].isNothing(), ofMore[i].isNothing()) << s << ", " << i;
+            if (ofSome[i].isNothing()) continue;
+            ASSERT_EQ(ofSome[i].side().index, ofMore[i].side().index) << s << ", " << i;
+        }
+    }
+}
+
 TEST(HitLists, AreTheSameOnAnyNumberOfThreads)
 {
     const scenes::Surfaces two(scenes::panels(shelves(), 32, scenes::plain(glm::vec3(0.4f))));

@@ -114,6 +114,14 @@ private:
 };
 static_assert(Lookouts::kMost * kOrigins <= TexelBlock::kCapacity);
 
+/// What a block of lists sees of a lamp.
+struct SeenLamp
+{
+    size_t lamp;
+    size_t block;
+    LampSight::Kept kept;
+};
+
 /// The rooms that a lamp's surfaces are in; all where it has none that was scanned.
 RoomSet roomsOf(const AreaLight& light, const HitLists& hits)
 {
@@ -196,7 +204,9 @@ std::vector<LampSight> directOfLists(const Texels& texels, const RayScene& scene
     std::vector<RoomSet> rooms;
     for (const SoughtLamp& lamp : lamps) rooms.push_back(roomsOf(lamp.light, hits));
     if (lists.empty()) perScout = kSidesOfScout;
-    forEachChunk(count, perScout * Lookouts::kMost, [&](size_t begin, size_t end) {
+    const size_t chunk = perScout * Lookouts::kMost;
+    std::vector<std::vector<SeenLamp>> seenBy((count + chunk - 1) / chunk);
+    forEachChunk(count, chunk, [&](size_t begin, size_t end) {
         RoomSet around;
         for (size_t i = begin; i < end; ++i)
             around |= hits.roomsSeenBy(hits.sideOfList[lists.empty() ? i : lists[i]].surfel());
@@ -214,10 +224,14 @@ std::vector<LampSight> directOfLists(const Texels& texels, const RayScene& scene
                 if (isSeen[l] == 0) continue;
                 AreaSample seen[Lookouts::kMost];
                 lookouts.look(scene, lamps[l], patches[l], seen);
-                direct[l].put(first, std::span(seen).first(last - first));
+                if (auto kept = LampSight::kept(std::span(seen).first(last - first)))
+                    seenBy[begin / chunk].push_back(
+                        {l, first / LampSight::kBlock, std::move(kept)});
             }
         }
     });
+    for (std::vector<SeenLamp>& some : seenBy)
+        for (SeenLamp& seen : some) direct[seen.lamp].put(seen.block, std::move(seen.kept));
     return direct;
 }
 
