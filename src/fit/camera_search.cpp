@@ -88,7 +88,6 @@ LightEstimate LampSearch::fitOfContrast(const HouseLight& light,
 /// How likely a response and local tone mapping are beside all pieces that may emit.
 void LampSearch::findContrast()
 {
-    constexpr size_t kKinds = 4; // of cameras; bit 0: curved, bit 1: toned
     const auto isCurved = [](size_t kind) { return (kind & 1u) != 0; };
     const auto isToned = [](size_t kind) { return (kind & 2u) != 0; };
     const auto isSought = [&](size_t kind) {
@@ -97,18 +96,18 @@ void LampSearch::findContrast()
     std::optional<Gain> around;
     if (isGainSought_) around = evidence_.brightnessAround(camera_.response);
     const HouseLight house = lightOfRooms(LampEvidence::kPairsFirst);
-    std::array<std::vector<LightEstimate>, kKinds> ofRooms;
+    std::array<std::vector<LightEstimate>, 4> ofRooms; // of kinds of cameras
     for (auto& ofKind : ofRooms) ofKind.resize(house.rooms().size());
     house.forEachRoom([&](size_t r, const RoomLight& room) {
-        forEach(kKinds, [&](size_t k) {
+        forEach(ofRooms.size(), [&](size_t k) {
             if (isSought(k))
                 ofRooms[k][r] = contrastOf(room, isCurved(k), isToned(k) ? around : std::nullopt,
                                            kCameraRounds);
         });
     });
-    std::array<LightEstimate, kKinds> fits;
-    std::array<double, kKinds> nats{};
-    for (size_t k = 0; k < kKinds; ++k) {
+    std::array<LightEstimate, 4> fits;
+    std::array<double, 4> nats{};
+    for (size_t k = 0; k < fits.size(); ++k) {
         fits[k].nats = INFINITY;
         if (isSought(k)) fits[k] = fitOfContrast(house, ofRooms[k], isCurved(k), isToned(k));
         nats[k] = fits[k].nats;

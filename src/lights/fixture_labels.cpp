@@ -30,25 +30,56 @@ struct Heights
     float ceiling = 0.0f;
 };
 
-/// Between which 98 % of the surface lie: a scan has crumbs outside of its room.
-Heights heightsOf(const Surfels& surfels)
+/// Between which 98 % of the surface lie: a scan has crumbs outside of its room. `order` is of
+/// surfels.
+Heights heightsOf(const Surfels& surfels, std::vector<uint32_t> order)
 {
     constexpr double kOutside = 0.01;
-    std::vector<size_t> order(surfels.count());
-    std::iota(order.begin(), order.end(), size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
-        return surfels.position[a].y < surfels.position[b].y;
-    });
-    const double all = std::accumulate(surfels.area.begin(), surfels.area.end(), 0.0);
-    Heights heights;
+    std::ranges::stable_sort(order, {}, [&](uint32_t s) { return surfels.position[s].y; });
+    double all = 0.0;
+    for (const uint32_t s : order) all += static_cast<double>(surfels.area[s]);
     double below = 0.0;
-    for (const size_t s : order) {
+    Heights heights;
+    for (const uint32_t s : order) {
         if (below <= kOutside * all) heights.floor = surfels.position[s].y;
         if (below <= (1.0 - kOutside) * all) heights.ceiling = surfels.position[s].y;
-        below += surfels.area[s];
+        below += static_cast<double>(surfels.area[s]);
     }
     return heights;
 }
+
+/// Floors and ceilings of the rooms that fixtures are in; a house has several storeys.
+class RoomHeights
+{
+public:
+    RoomHeights(const Surfels& surfels, std::span<const uint8_t> roomOfSurfel)
+        : roomOfSurfel_(roomOfSurfel)
+    {
+        std::vector<std::vector<uint32_t>> ofRoom;
+        for (uint32_t s = 0; s < roomOfSurfel_.size(); ++s) {
+            ofRoom.resize(std::max(ofRoom.size(), size_t{1} + roomOfSurfel_[s]));
+            ofRoom[roomOfSurfel_[s]].push_back(s);
+        }
+        for (std::vector<uint32_t>& order : ofRoom)
+            rooms_.push_back(heightsOf(surfels, std::move(order)));
+        std::vector<uint32_t> all(surfels.count());
+        std::iota(all.begin(), all.end(), 0u);
+        all_ = heightsOf(surfels, std::move(all));
+    }
+
+    /// Of the room of the first of its patches that lies on a surfel; else of all.
+    [[nodiscard]] const Heights& around(std::span<const ClippedPatch> fixture) const
+    {
+        for (const ClippedPatch& patch : fixture)
+            if (patch.surfel < roomOfSurfel_.size()) return rooms_[roomOfSurfel_[patch.surfel]];
+        return all_;
+    }
+
+private:
+    std::span<const uint8_t> roomOfSurfel_; // empty: there is one room
+    std::vector<Heights> rooms_;
+    Heights all_;
+};
 
 const char* kindOf(const Candidate& piece, const Heights& room)
 {
@@ -77,8 +108,7 @@ class Pieces
 {
 public:
     Pieces(const Texels& texels, Progress& progress)
-        : heights_(heightsOf(texels.surfels)), reach_(kReach * texels.surfels.size),
-          pieces_(piecesOf(texels, progress))
+        : reach_(kReach * texels.surfels.size), pieces_(piecesOf(texels, progress))
     {
         for (const Candidate& piece : pieces_) around_.push_back(boundsAround(piece, reach_));
     }
@@ -87,8 +117,8 @@ public:
 
     /// Labels the fixtures that have none, as far as they lie on a piece; each piece's is given
     /// once. Numbers begin with `first`.
-    void label(std::span<const std::vector<ClippedPatch>> surfaces, int first,
-               std::vector<FixtureLabel>& labels) const;
+    void label(std::span<const std::vector<ClippedPatch>> surfaces, const RoomHeights& rooms,
+               int first, std::vector<FixtureLabel>& labels) const;
 
 private:
     struct Cover
@@ -101,7 +131,6 @@ private:
                    std::vector<Cover>& covers) const;
     [[nodiscard]] size_t nearestTo(glm::vec3 place) const;
 
-    Heights heights_;
     float reach_; // m
     std::vector<Candidate> pieces_;
     std::vector<Bounds> around_; // of pieces: what is further is not near one
@@ -133,8 +162,8 @@ void Pieces::addCovers(std::span<const ClippedPatch> surface, size_t fixture,
         if (area[p] > kLeastCovered * pieces_[p].area) covers.push_back({fixture, p, area[p]});
 }
 
-void Pieces::label(std::span<const std::vector<ClippedPatch>> surfaces, int first,
-                   std::vector<FixtureLabel>& labels) const
+void Pieces::label(std::span<const std::vector<ClippedPatch>> surfaces, const RoomHeights& rooms,
+                   int first, std::vector<FixtureLabel>& labels) const
 {
     std::vector<Cover> covers;
     for (size_t f = 0; f < surfaces.size(); ++f)
@@ -147,7 +176,8 @@ void Pieces::label(std::span<const std::vector<ClippedPatch>> surfaces, int firs
         if (label.id >= 0 || isGiven[cover.piece]) continue;
         isGiven[cover.piece] = true;
         label.id = first + static_cast<int>(cover.piece);
-        label.name = fmt::format("{} {}", kindOf(pieces_[cover.piece], heights_), label.id);
+        label.name = fmt::format(
+            "{} {}", kindOf(pieces_[cover.piece], rooms.around(surfaces[cover.fixture])), label.id);
     }
 }
 
@@ -166,18 +196,19 @@ void putLabel(const FixtureLabel& label, Fixture& fixture)
 
 std::vector<FixtureLabel> labelsOf(const Texels& texels,
                                    std::span<const std::vector<ClippedPatch>> surfaces,
-                                   Progress& progress)
+                                   std::span<const uint8_t> roomOfSurfel, Progress& progress)
 {
     std::vector<FixtureLabel> labels(surfaces.size());
     if (labels.empty()) return labels;
+    const RoomHeights rooms(texels.surfels, roomOfSurfel);
     const Scan coarse =
         coarseCopyOf(*texels.scan, kCoarseSide, [&](size_t page) { texels.letGo(page); });
     const Texels coarseTexels = rasterizeAtlas(coarse, progress, {.layered = true});
     const Pieces large(coarseTexels, progress);
-    large.label(surfaces, 0, labels);
+    large.label(surfaces, rooms, 0, labels);
     if (areAllLabelled(labels)) return labels;
     const Pieces small(texels, progress);
-    small.label(surfaces, large.count(), labels);
+    small.label(surfaces, rooms, large.count(), labels);
     int next = large.count() + small.count();
     for (FixtureLabel& label : labels)
         if (label.id < 0) label = {.id = next, .name = fmt::format("lamp {}", next++)};

@@ -47,7 +47,7 @@ std::vector<FixtureLabel> labelsAt(const scenes::Surfaces& room,
                                    const std::vector<glm::vec3>& places)
 {
     Progress progress;
-    return labelsOf(room.texels, surfacesAt(room, places), progress);
+    return labelsOf(room.texels, surfacesAt(room, places), {}, progress);
 }
 
 } // namespace
@@ -86,6 +86,36 @@ TEST(FixtureLabels, AreTheSameOnACoarseCopyOfTheTexture)
         EXPECT_EQ(ofFine[i].id, ofCoarse[i].id) << i;
         EXPECT_EQ(ofFine[i].name, ofCoarse[i].name) << i;
     }
+}
+
+// By the floor and ceiling of its own room: on the lower storey a lamp hangs far below the roof.
+TEST(FixtureLabels, OfAHouseAreByStorey)
+{
+    constexpr glm::vec3 kStorey(4.0f, 2.5f, 5.0f);
+    constexpr float kUp = 2.8f; // m from floor to floor
+    constexpr glm::vec3 kBelow(2.0f, 2.5f, 2.5f);
+    constexpr glm::vec3 kOnTableAbove(1.0f, kUp + 0.7f, 0.0f);
+    std::vector<scenes::Panel> walls = scenes::wallsOf(kStorey);
+    for (scenes::Panel wall : scenes::wallsOf(kStorey)) {
+        wall.corner.y += kUp;
+        walls.push_back(wall);
+    }
+    const scenes::Surfaces house(scenes::panels(walls, 64, [&](glm::vec3 p, glm::vec3) {
+        const bool shines =
+            glm::distance(p, kBelow) < 0.3f || glm::distance(p, kOnTableAbove) < 0.15f;
+        return glm::vec3(shines ? 1.0f : 0.3f);
+    }));
+    std::vector<uint8_t> roomOfSurfel;
+    for (const glm::vec3 place : house.texels.surfels.position)
+        roomOfSurfel.push_back(place.y < 0.5f * (kStorey.y + kUp) ? 0 : 1);
+    Progress progress;
+    const auto surfaces = surfacesAt(house, {kBelow, kOnTableAbove});
+    const auto labels = labelsOf(house.texels, surfaces, roomOfSurfel, progress);
+    EXPECT_EQ(labels[0].name, "ceiling lamp 0");
+    EXPECT_EQ(labels[1].name, "table lamp 1");
+    const auto asOneRoom = labelsOf(house.texels, surfaces, {}, progress);
+    EXPECT_EQ(asOneRoom[0].name, "floor lamp 0");
+    EXPECT_EQ(asOneRoom[1].id, labels[1].id);
 }
 
 TEST(FixtureLabels, NoTwoHaveOneNumber)

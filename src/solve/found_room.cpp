@@ -91,14 +91,15 @@ Fixture fixtureOf(const FoundLamp& lamp, glm::vec3 radiance, std::span<const Cli
 }
 
 /// Numbers and names for all that was found.
-void label(FoundLamps& found, const Texels& texels, Progress& progress)
+void label(FoundLamps& found, const Texels& texels, std::span<const uint8_t> roomOfSurfel,
+           Progress& progress)
 {
     std::vector<std::vector<ClippedPatch>> surfaces;
     for (const FoundLamp& lamp : found.lamps)
         if (!lamp.isSunlit)
             for (const auto& patches : singlesOf(lamp))
                 surfaces.emplace_back(patches.begin(), patches.end());
-    const std::vector<FixtureLabel> labels = labelsOf(texels, surfaces, progress);
+    const std::vector<FixtureLabel> labels = labelsOf(texels, surfaces, roomOfSurfel, progress);
     auto next = labels.begin();
     for (FoundLamp& lamp : found.lamps) {
         if (lamp.isSunlit) continue;
@@ -235,7 +236,7 @@ void search(const Texels& texels, const RayScene& scene, Progress& progress, Fou
         if (std::find(refused.begin(), refused.end(), place) == refused.end())
             room.warnings.push_back(nothingNear(place));
     room.glowsFrom = leastOfGlowing(texels, room.glowing, &room.linearization);
-    label(room.found, texels, progress);
+    label(room.found, texels, room.hits.roomOfSurfel, progress);
 }
 
 /// Lights the room as a person says. Fixtures that are off are panes to the sun as well.
