@@ -9,9 +9,10 @@ namespace relamp
 namespace
 {
 
-// m^2. Beyond 1.5 million squares of 3 cm surfels are larger and not more: what is more surface,
-// and lies on it, costs no more.
-constexpr double kMostSurface = 1400.0;
+// m^2. Beyond 750 thousand squares of 3 cm surfels are larger and not more: more surface costs no
+// more. What stands on it does, up to about twice as much.
+constexpr double kMostSurface = 700.0;
+constexpr double kMostSurfaceOfCharts = 1400.0;
 
 /// What a command's cost is made of; the rates are those of bench/costs.py (docs/dev/notebook.md,
 /// 2026-11-27).
@@ -50,10 +51,8 @@ Sizes sizesOf(const Inspection& found, size_t fixtures)
         sizes.charts += static_cast<double>(page.charts);
         sizes.largestPage = std::max(sizes.largestPage, pixels);
     }
-    if (sizes.squareMetres > kMostSurface) {
-        sizes.charts *= kMostSurface / sizes.squareMetres;
-        sizes.squareMetres = kMostSurface;
-    }
+    sizes.charts *= std::min(1.0, kMostSurfaceOfCharts / std::max(sizes.squareMetres, 1.0));
+    sizes.squareMetres = std::min(sizes.squareMetres, kMostSurface);
     return sizes;
 }
 

@@ -22,7 +22,7 @@ namespace relamp
 namespace
 {
 
-constexpr double kMostSurfels = 1.5e6;
+constexpr double kMostSurfels = 0.75e6;
 constexpr uint32_t kMostSites = 32; // of a surfel of a large scan: where rays start, and are even
 constexpr size_t kChunk = size_t{1} << 16;
 constexpr size_t kAhead =
