@@ -19,7 +19,7 @@ import numpy as np
 SIZES = ("pixels", "largestPage", "texels", "triangles", "squareMetres", "fixtures", "charts")
 COMMANDS = ("info", "delight", "verify", "relight")
 TERMS = ("fixed", "perPixel", "perPixelOfPage", "perTexel", "perTriangle", "perSquareMetre", "perLampSquareMetre", "perChart")
-MOST_SURFACE = 1400  # m^2, as kMostSurface of estimate.cpp
+MOST_SURFACE, MOST_SURFACE_OF_CHARTS = 700, 1400  # m^2, as in estimate.cpp
 ROUNDS = 20000  # of coordinate descent
 
 
@@ -70,8 +70,8 @@ def fit(file: Path) -> None:
     rows = [line.split("\t") for line in file.read_text().splitlines()]
     table = np.array([[float("nan") if cell == "-" else float(cell) for cell in row[1:]] for row in rows])
     pixels, page, texels, triangles, area, lamps, charts = table[:, :len(SIZES)].T
-    share = np.minimum(1, MOST_SURFACE / area)
-    area, charts = share * area, share * charts
+    charts = charts * np.minimum(1, MOST_SURFACE_OF_CHARTS / area)
+    area = np.minimum(area, MOST_SURFACE)
     terms = np.stack([np.ones(len(table)), pixels, page, texels, triangles, area, lamps * area, charts], axis=1)
     print("#", *TERMS)
     for i, command in enumerate(COMMANDS):

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -13,7 +14,7 @@ namespace relamp
 
 /// A row of values of which most are `Value{}`. Blocks of nothing else are not kept, nor is the
 /// place of a block where none around it is: of a house, what one lamp does takes the memory that
-/// its own room needs. Copies share what they hold.
+/// its own room needs. Copies share what they hold; one thread at a time changes any of them.
 template<class Value>
 class SparseBlocks
 {
@@ -36,22 +37,22 @@ public:
     [[nodiscard]] bool empty() const { return count_ == 0; }
     Value operator[](size_t i) const
     {
-        const std::shared_ptr<Chapter>& chapter = chapters_[i / kBlock / kBlocks];
-        if (!chapter) return Value{};
-        const Kept& block = (*chapter)[i / kBlock % kBlocks];
-        return block ? (*block)[i % kBlock] : Value{};
+        const Block* const block = find(i / kBlock);
+        return block != nullptr ? (*block)[i % kBlock] : Value{};
     }
     /// At most a block of values, as put() takes them.
     static Kept kept(std::span<const Value> values)
     {
+        assert(values.size() <= kBlock);
         if (std::ranges::all_of(values, [](Value value) { return value == Value{}; })) return {};
         auto block = std::make_shared<Block>();
         std::ranges::copy(values, block->begin());
         return block;
     }
-    /// Copies of this keep what they have, here and below.
+    /// In a place where nothing is yet. Copies of this keep what they have, here and below.
     void put(size_t block, Kept values)
     {
+        assert(find(block) == nullptr);
         if (values) placeOf(block) = std::move(values);
     }
     void set(size_t i, Value value)
@@ -64,9 +65,10 @@ public:
     /// Adds as many others, value by value.
     void add(const SparseBlocks& others)
     {
+        assert(others.size() == size());
         for (size_t b = 0; b < blocks(); ++b) {
-            const Kept more = others.find(b);
-            if (!more) continue;
+            if (others.find(b) == nullptr) continue;
+            const Kept more = (*others.chapters_[b / kBlocks])[b % kBlocks];
             Kept& block = placeOf(b);
             if (!block) {
                 block = more;
@@ -83,8 +85,8 @@ public:
     template<class F>
     void forEachOf(size_t block, const F& f) const
     {
-        const Kept values = find(block);
-        if (!values) return;
+        const Block* const values = find(block);
+        if (values == nullptr) return;
         const size_t first = block * kBlock;
         const size_t count = std::min(kBlock, count_ - first);
         for (size_t i = 0; i < count; ++i) f(first + i, (*values)[i]);
@@ -94,10 +96,10 @@ private:
     static constexpr size_t kBlocks = 64; // of a chapter
     using Chapter = std::array<Kept, kBlocks>;
 
-    [[nodiscard]] Kept find(size_t block) const
+    [[nodiscard]] const Block* find(size_t block) const
     {
         const std::shared_ptr<Chapter>& chapter = chapters_[block / kBlocks];
-        return chapter ? (*chapter)[block % kBlocks] : Kept{};
+        return chapter ? (*chapter)[block % kBlocks].get() : nullptr;
     }
     /// In a chapter of its own.
     Kept& placeOf(size_t block)

@@ -93,16 +93,17 @@ void LampSearch::findContrast()
     const auto isSought = [&](size_t kind) {
         return (isResponseSought_ || !isCurved(kind)) && (isGainSought_ || !isToned(kind));
     };
+    const std::optional<Gain> none;
     std::optional<Gain> around;
     if (isGainSought_) around = evidence_.brightnessAround(camera_.response);
-    const HouseLight house = lightOfRooms(LampEvidence::kPairsFirst);
+    const HouseLight house = houseLight(LampEvidence::kPairsFirst);
     std::array<std::vector<LightEstimate>, 4> ofRooms; // of kinds of cameras
     for (auto& ofKind : ofRooms) ofKind.resize(house.rooms().size());
     house.forEachRoom([&](size_t r, const RoomLight& room) {
         forEach(ofRooms.size(), [&](size_t k) {
             if (isSought(k))
-                ofRooms[k][r] = contrastOf(room, isCurved(k), isToned(k) ? around : std::nullopt,
-                                           kCameraRounds);
+                ofRooms[k][r] =
+                    contrastOf(room, isCurved(k), isToned(k) ? around : none, kCameraRounds);
         });
     });
     std::array<LightEstimate, 4> fits;
@@ -134,7 +135,7 @@ void LampSearch::bend(size_t pairs)
     for (int round = 0; round < kCameraRounds && isBent(); ++round) {
         std::optional<Gain> around;
         if (toned_ > 0.0) around = evidence_.brightnessAround(camera_.response);
-        const HouseLight house = lightOfRooms(pairs);
+        const HouseLight house = houseLight(pairs);
         LightEstimate light = byOneCamera(house, house.estimatesOf([&](const RoomLight& room) {
             return contrastOf(room, curved_ > 0.0, around, 1);
         }));
@@ -171,12 +172,12 @@ std::vector<glm::vec3> LampSearch::albedo() const
     return albedo;
 }
 
-HouseLight LampSearch::lightOfRooms(size_t pairs) const
+HouseLight LampSearch::houseLight(size_t pairs) const
 {
-    return lightOfRooms(pairs, model_);
+    return houseLight(pairs, model_);
 }
 
-HouseLight LampSearch::lightOfRooms(size_t pairs, const LightModel& model) const
+HouseLight LampSearch::houseLight(size_t pairs, const LightModel& model) const
 {
     return {{model, evidence_.pairs(pairs), kin_.alike, noiseOfAll(), emits_, estimate_.log,
              camera_, evidence_.texturePlaces(), evidence_.told(), !isResponseSought_},
@@ -200,7 +201,7 @@ std::vector<LightEstimate> LampSearch::gainFits(const RoomLight& room,
 /// gain beside the lamps that are known, in the mean of all rooms.
 double LampSearch::findDrift()
 {
-    const HouseLight house = lightOfRooms(LampEvidence::kPairsFirst);
+    const HouseLight house = houseLight(LampEvidence::kPairsFirst);
     const std::span<const RoomParts> rooms = house.rooms();
     std::vector<LightEstimate> drifting(rooms.size());
     std::vector<double> evidence(rooms.size());
@@ -249,7 +250,7 @@ void LampSearch::findGain()
     if (camera_.gains.empty()) return;
     const double drifted = findDrift();
     for (int round = 0; round < (camera_.hasDrifted() ? kCameraRounds : 1); ++round) {
-        const HouseLight house = lightOfRooms(LampEvidence::kPairsFirst);
+        const HouseLight house = houseLight(LampEvidence::kPairsFirst);
         std::vector<LightEstimate> fits(house.rooms().size());
         house.forEachRoom([&](size_t r, const RoomLight& room) {
             CameraColumns columns = columnsOf(camera_.gains[r], room.texturePlaces());
@@ -264,7 +265,7 @@ void LampSearch::findGain()
 void LampSearch::findWhiteBalance(double drifted)
 {
     const std::vector<glm::vec3> albedo = this->albedo();
-    const HouseLight house = lightOfRooms(LampEvidence::kPairsFirst);
+    const HouseLight house = houseLight(LampEvidence::kPairsFirst);
     house.forEachRoom([&](size_t r, const RoomLight& room) {
         std::vector<glm::vec3> ofRoom;
         for (const uint32_t place : room.of.places) ofRoom.push_back(albedo[place]);

@@ -59,8 +59,8 @@ private:
                                               bool isToned) const;
     void findContrast();
     void bend(size_t pairs);
-    [[nodiscard]] HouseLight lightOfRooms(size_t pairs) const;
-    [[nodiscard]] HouseLight lightOfRooms(size_t pairs, const LightModel& model) const;
+    [[nodiscard]] HouseLight houseLight(size_t pairs) const;
+    [[nodiscard]] HouseLight houseLight(size_t pairs, const LightModel& model) const;
     [[nodiscard]] std::vector<LightEstimate> gainFits(const RoomLight& room,
                                                       std::span<const CameraColumns> columns) const;
     [[nodiscard]] double findDrift();

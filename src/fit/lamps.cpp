@@ -170,7 +170,7 @@ std::vector<Choosable> LampSearch::choosable(std::span<const uint32_t> ofRoom) c
 /// Decides which pieces emit, from an estimate where more or fewer do; in every room by itself.
 void LampSearch::choose(size_t pairs)
 {
-    const HouseLight house = lightOfRooms(pairs);
+    const HouseLight house = houseLight(pairs);
     std::vector<ChosenLight> chosen(house.rooms().size());
     std::vector<LightEstimate> estimates(chosen.size());
     house.forEachRoom([&](size_t r, const RoomLight& room) {
@@ -235,7 +235,7 @@ bool LampSearch::join()
 void LampSearch::dropFaint()
 {
     std::vector<double> most(pieces_.size(), 0.0);
-    const HouseLight house = lightOfRooms(LampEvidence::kPairsFirst);
+    const HouseLight house = houseLight(LampEvidence::kPairsFirst);
     house.forEachRoom([&](size_t, const RoomLight& room) {
         const std::vector<double> shares = room.shares();
         for (size_t f = 0; f < shares.size(); ++f) most[room.of.pieces[f]] = shares[f];
@@ -249,7 +249,7 @@ LightEstimate LampSearch::colorOf(int channel) const
 {
     const std::optional<LightModel> sunny =
         sun_ ? std::optional(sun_->channelOf(channel)) : std::nullopt;
-    const HouseLight house = lightOfRooms(LampEvidence::kPairs, sunny ? *sunny : model_);
+    const HouseLight house = houseLight(LampEvidence::kPairs, sunny ? *sunny : model_);
     return house.joined(house.estimatesOf([&](const RoomLight& room) {
         LightFit fit = room.fit(channel);
         fit.expectLeaks(room.log);
@@ -262,7 +262,7 @@ LightEstimate LampSearch::colorOf(int channel) const
 void LampSearch::findColors()
 {
     for (int round = 0; round < 2; ++round) {
-        const HouseLight house = lightOfRooms(LampEvidence::kPairs);
+        const HouseLight house = houseLight(LampEvidence::kPairs);
         estimate_ = house.joined(house.estimatesOf([](const RoomLight& room) {
             LightFit fit = room.fit();
             fit.expectLeaks(room.log);
@@ -356,7 +356,7 @@ float errorOfPower(const Piece& lamp)
 std::vector<float> LampSearch::changeUnseen() const
 {
     std::vector<float> change(evidence_.places().size(), 0.0f);
-    const HouseLight house = lightOfRooms(LampEvidence::kPairsFirst);
+    const HouseLight house = houseLight(LampEvidence::kPairsFirst);
     house.forEachRoom([&](size_t r, const RoomLight& room) {
         CameraModel camera{.response = camera_.response};
         if (!camera_.gains.empty()) camera.gains = {camera_.gains[r]};
@@ -404,7 +404,7 @@ double LampSearch::noiseOfAll() const
 /// The light of all rooms, and how noisy their pairs are in it.
 void LampSearch::solve(const std::function<LightEstimate(const RoomLight&)>& estimateOf)
 {
-    const HouseLight house = lightOfRooms(LampEvidence::kPairsFirst);
+    const HouseLight house = houseLight(LampEvidence::kPairsFirst);
     const std::vector<LightEstimate> estimates = house.estimatesOf(estimateOf);
     estimate_ = house.joined(estimates);
     for (size_t r = 0; r < estimates.size(); ++r)

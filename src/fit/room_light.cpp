@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include <tbb/task_arena.h>
+
 namespace relamp
 {
 namespace
@@ -254,7 +256,9 @@ RoomLight HouseLight::lightOf(size_t room) const
 void HouseLight::forEachRoom(
     const std::function<void(size_t room, const RoomLight& light)>& visit) const
 {
-    forEach(rooms_.size(), [&](size_t r) { visit(r, lightOf(r)); });
+    // A thread that waits for others within a room begins none meanwhile: it would hold both.
+    forEach(rooms_.size(),
+            [&](size_t r) { tbb::this_task_arena::isolate([&] { visit(r, lightOf(r)); }); });
 }
 
 std::vector<LightEstimate> HouseLight::estimatesOf(

@@ -53,7 +53,8 @@ struct RoomLight
 };
 
 /// A fitted light as that of rooms. The light of one is made for who asks and goes with them: all
-/// of them at once are as large as the house.
+/// of them at once are as large as the house. Once what it was made of changes, only rooms() are
+/// left of it.
 class HouseLight
 {
 public:

@@ -200,10 +200,11 @@ std::vector<FixtureLabel> labelsOf(const Texels& texels,
 {
     std::vector<FixtureLabel> labels(surfaces.size());
     if (labels.empty()) return labels;
-    const RoomHeights rooms(texels.surfels, roomOfSurfel);
     const Scan coarse =
         coarseCopyOf(*texels.scan, kCoarseSide, [&](size_t page) { texels.letGo(page); });
     const Texels coarseTexels = rasterizeAtlas(coarse, progress, {.layered = true});
+    const RoomHeights rooms(roomOfSurfel.empty() ? coarseTexels.surfels : texels.surfels,
+                            roomOfSurfel);
     const Pieces large(coarseTexels, progress);
     large.label(surfaces, rooms, 0, labels);
     if (areAllLabelled(labels)) return labels;

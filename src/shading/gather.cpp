@@ -5,6 +5,7 @@
 #include "shading/gather.shared.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 namespace relamp
@@ -125,6 +126,7 @@ SettlingGather::SettlingGather(const HitLists& hits, const RadianceField& field,
 void SettlingGather::takePlain(const HitLists& hits, const RadianceField& field,
                                std::span<const uint32_t> lists)
 {
+    assert(perRay_.size() == (lists.empty() ? hits.sideOfList.size() : lists.size()));
     forEachChunk(perRay_.size(), kChunk, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             glm::vec3 sum(0.0f);

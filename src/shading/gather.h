@@ -54,8 +54,8 @@ std::vector<MissedLight> missedOf(const HitLists& hits, uint32_t list);
 /// Adds `weight` times as much, of parts in ascending order.
 void addMissed(std::span<const MissedLight> more, float weight, std::vector<MissedLight>& sum);
 
-/// Gathers a field again and again while its light settles. Plain fronts stay as they are, so they
-/// are summed once; of the others there are few.
+/// Gathers a field again and again while its light settles. Plain fronts stay as they are
+/// meanwhile, so they are summed once; of the others there are few.
 class SettlingGather
 {
 public:
@@ -64,9 +64,9 @@ public:
     SettlingGather(const HitLists& hits, const RadianceField& field,
                    std::span<const uint32_t> lists = {});
 
-    /// `field` as the first but for all that is not plain. Without noise.
+    /// `field` as the last that was taken but for all that is not plain. Without noise.
     [[nodiscard]] Gathered gather(const RadianceField& field) const;
-    /// What is plain is another from now on; lists and all else as the first.
+    /// What is plain is another from now on; `hits` and `lists` are those of the constructor.
     void takePlain(const HitLists& hits, const RadianceField& field,
                    std::span<const uint32_t> lists = {});
 

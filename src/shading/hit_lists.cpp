@@ -219,7 +219,7 @@ std::vector<Side> newBacks(const HitLists& lists, size_t firstList)
 /// now on: the last first, for none moves towards the front.
 void spreadApart(std::span<const uint32_t> begins, size_t rays, std::vector<HitTarget>& targets)
 {
-    for (size_t i = begins.size(); i-- > 0;) {
+    for (size_t i = begins.size(); i-- > 0 && begins[i] > i * rays;) {
         const auto begin = targets.begin() + static_cast<ptrdiff_t>(i * rays);
         const auto to = targets.begin() + static_cast<ptrdiff_t>(begins[i] + rays);
         std::copy_backward(begin, begin + static_cast<ptrdiff_t>(rays), to);
@@ -296,7 +296,7 @@ HitLists castHitLists(const Texels& texels, const RayScene& scene, const SurfelR
     HitLists lists;
     lists.listOfSide.assign(2 * size_t{surfels}, HitLists::kNoList);
     const size_t raysOfBack = std::max<size_t>(rays / kFewerOfBacks, 1);
-    lists.targets.reserve(surfels * (rays + raysOfBack)); // what stays empty takes no memory
+    lists.targets.reserve(surfels * (rays + raysOfBack)); // what stays empty takes hardly any
     std::vector<Side> sides(surfels, Side{0});
     for (uint32_t s = 0; s < surfels; ++s) sides[s] = Side::front(s);
     Progress::Stage stage(progress, "rays", 5 * size_t{surfels} / 2); // half of all backs are met

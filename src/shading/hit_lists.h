@@ -123,7 +123,7 @@ private:
 ///
 /// Fronts' lists have `rays` rays in the mean: more where these do not agree and much of the light
 /// hangs on them, as in a dark corner that one of them in ten leaves, and no fewer than half. A
-/// back's has half as many.
+/// back's has a fifth of that.
 HitLists castHitLists(const Texels& texels, const RayScene& scene, const SurfelRadiance& radiance,
                       size_t rays, Progress& progress);
 
