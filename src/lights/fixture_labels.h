@@ -28,8 +28,7 @@ void putLabel(const FixtureLabel& label, Fixture& fixture);
 /// that the number does not depend on the quality of the search, its rays or what else it finds;
 /// some numbers are nobody's. What is too small for the coarse copy is counted behind, on `texels`.
 /// The name is the kind of lamp that stands at such a place of its room,
-/// docs/method/fixture_labels.md, and the number. `roomOfSurfel`: empty: there is
-/// one room.
+/// docs/method/fixture_labels.md, and the number. `roomOfSurfel`: empty: there is one room.
 std::vector<FixtureLabel> labelsOf(const Texels& texels,
                                    std::span<const std::vector<ClippedPatch>> surfaces,
                                    std::span<const uint8_t> roomOfSurfel, Progress& progress);
