@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -97,7 +96,7 @@ private:
     LightEstimate estimate_;
     std::vector<double> noise_; // of rooms, log: between places of one paint
     OutsideLight outside_;
-    std::shared_ptr<const RayScene> beforeSun_; // what stands before it
+    std::optional<RayScene> beforeSun_; // what stands before it
     CameraModel camera_;
     double curved_ = 0.0; // how likely its response is not straight; 0: it is taken for that
     double toned_ = 0.0;  // likewise, that it mapped tones locally

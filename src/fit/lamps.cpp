@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <memory>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -303,14 +302,13 @@ void LampSearch::letSunIn(const LitSides& sides)
     FoundLamps known;
     for (size_t f = 0; f < pieces_.size(); ++f)
         if (emits_[f] != 0) known.lamps.push_back({.patches = pieces_[f].candidate.patches});
-    auto outside =
-        std::make_shared<const RayScene>(sceneWithoutPanes(texels_, evidence_.radiance(), known));
+    RayScene outside = sceneWithoutPanes(scene_, texels_, evidence_.radiance(), known);
     std::vector<uint32_t> all(pieces_.size());
     std::iota(all.begin(), all.end(), 0u);
     std::vector<double> cost;
     for (const Choosable& piece : choosable(all)) cost.push_back(natsToEmit(piece, emits_));
     std::optional<SunFit> fit =
-        findSun(texels_, *outside, hits_, evidence_.radiance(),
+        findSun(texels_, outside, hits_, evidence_.radiance(),
                 {sides, pieces_, emits_, cost, estimate_.log, model_, evidence_.places(),
                  evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, evidence_.told(),
                  noiseOfAll(), natsOfLamp()});
@@ -337,7 +335,7 @@ void LampSearch::takeSun(FoundLamps& found)
                          .irradiance = sun.radiance * sunSolidAngle(),
                          .error = glm::vec3(sun.error),
                          .determined = static_cast<double>(sun.error) < kUnknown},
-                 .outside = std::move(beforeSun_),
+                 .outside = *std::move(beforeSun_),
                  .onSides = std::move(sun_->onSides)};
     for (const SunPatch& patch : sun_->patches) {
         found.lamps.push_back(

@@ -15,7 +15,6 @@
 #include "shading/lit_sides.h"
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,9 +40,9 @@ struct FoundLamp
 struct FoundSun
 {
     Sun sun;
-    std::shared_ptr<const RayScene> outside; // what stands before it
-    LampSight onSides;                       // by hit lists
-    TexelMarks inShade{};                    // see markShade
+    RayScene outside;     // what stands before it
+    LampSight onSides;    // by hit lists
+    TexelMarks inShade{}; // see markShade
 };
 
 struct FoundLamps

@@ -47,21 +47,10 @@ std::vector<uint8_t> trianglesOfPanes(const Texels& texels, const SurfelRadiance
 
 } // namespace
 
-RayScene sceneWithoutPanes(const Texels& texels, const SurfelRadiance& radiance,
-                           const FoundLamps& found)
+RayScene sceneWithoutPanes(const RayScene& scene, const Texels& texels,
+                           const SurfelRadiance& radiance, const FoundLamps& found)
 {
-    const std::vector<uint8_t> isOfPane = trianglesOfPanes(texels, radiance, found);
-    Scan rest; // its geometry alone
-    for (size_t m = 0; m < texels.scan->meshes.size(); ++m) {
-        const Mesh& whole = texels.scan->meshes[m];
-        Mesh mesh;
-        mesh.positions = whole.positions;
-        for (size_t t = 0; t < whole.triangles.size(); ++t)
-            if (isOfPane[texels.facets.firstOfMesh[m] + t] == 0)
-                mesh.triangles.push_back(whole.triangles[t]);
-        rest.meshes.push_back(std::move(mesh));
-    }
-    return RayScene(rest);
+    return scene.without(trianglesOfPanes(texels, radiance, found));
 }
 
 } // namespace relamp

@@ -10,7 +10,7 @@ namespace relamp
 
 /// The scan's surface as the sun sees it: lamps that stand upright, as window panes do, let it
 /// through.
-RayScene sceneWithoutPanes(const Texels& texels, const SurfelRadiance& radiance,
-                           const FoundLamps& found);
+RayScene sceneWithoutPanes(const RayScene& scene, const Texels& texels,
+                           const SurfelRadiance& radiance, const FoundLamps& found);
 
 } // namespace relamp

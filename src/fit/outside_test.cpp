@@ -18,7 +18,7 @@ TEST(Outside, IsSeenThroughAPaneAndNotThroughAPanel)
     for (const Candidate& candidate : findCandidates(room.texels, room.radiance))
         lamps.lamps.push_back({.patches = candidate.patches});
     ASSERT_GE(lamps.lamps.size(), 2u);
-    const RayScene outside = sceneWithoutPanes(room.texels, room.radiance, lamps);
+    const RayScene outside = sceneWithoutPanes(room.rays, room.texels, room.radiance, lamps);
 
     const Ray throughPane{scenes::SunRoom::window().at(0.5f, 0.5f) - glm::vec3(1, 0, 0), {1, 0, 0}};
     EXPECT_TRUE(room.rays.occluded(throughPane));

@@ -1,6 +1,5 @@
 #include "lights/fixture_labels.h"
 
-#include "lights/candidates.h"
 #include "scan/coarsened.h"
 
 #include <algorithm>
@@ -24,22 +23,15 @@ constexpr float kLeastWindow = 0.25f;  // m^2
 constexpr float kUnderCeiling = 0.6f;  // m
 constexpr float kHigh = 1.2f;          // m above the floor; what stands on a table is lower
 
-struct Heights
-{
-    float floor = 0.0f; // world y, m
-    float ceiling = 0.0f;
-};
-
-/// Between which 98 % of the surface lie: a scan has crumbs outside of its room. `order` is of
-/// surfels.
-Heights heightsOf(const Surfels& surfels, std::vector<uint32_t> order)
+/// A scan has crumbs outside of its room. `order` is of surfels.
+RoomHeights heightsOf(const Surfels& surfels, std::vector<uint32_t> order)
 {
     constexpr double kOutside = 0.01;
     std::ranges::stable_sort(order, {}, [&](uint32_t s) { return surfels.position[s].y; });
     double all = 0.0;
     for (const uint32_t s : order) all += static_cast<double>(surfels.area[s]);
     double below = 0.0;
-    Heights heights;
+    RoomHeights heights;
     for (const uint32_t s : order) {
         if (below <= kOutside * all) heights.floor = surfels.position[s].y;
         if (below <= (1.0 - kOutside) * all) heights.ceiling = surfels.position[s].y;
@@ -48,12 +40,21 @@ Heights heightsOf(const Surfels& surfels, std::vector<uint32_t> order)
     return heights;
 }
 
-/// Floors and ceilings of the rooms that fixtures are in; a house has several storeys.
-class RoomHeights
+RoomHeights heightsOfAll(const Surfels& surfels)
+{
+    std::vector<uint32_t> all(surfels.count());
+    std::iota(all.begin(), all.end(), 0u);
+    return heightsOf(surfels, std::move(all));
+}
+
+/// Heights of the rooms that fixtures are in; a house has several storeys.
+class HeightsOfRooms
 {
 public:
-    RoomHeights(const Surfels& surfels, std::span<const uint8_t> roomOfSurfel)
-        : roomOfSurfel_(roomOfSurfel)
+    /// `whole`: of the house, or of its one room, for which a coarse copy's are good enough.
+    HeightsOfRooms(const Surfels& surfels, std::span<const uint8_t> roomOfSurfel,
+                   const RoomHeights& whole)
+        : roomOfSurfel_(roomOfSurfel), whole_(whole)
     {
         std::vector<std::vector<uint32_t>> ofRoom;
         for (uint32_t s = 0; s < roomOfSurfel_.size(); ++s) {
@@ -62,26 +63,23 @@ public:
         }
         for (std::vector<uint32_t>& order : ofRoom)
             rooms_.push_back(heightsOf(surfels, std::move(order)));
-        std::vector<uint32_t> all(surfels.count());
-        std::iota(all.begin(), all.end(), 0u);
-        all_ = heightsOf(surfels, std::move(all));
     }
 
     /// Of the room of the first of its patches that lies on a surfel; else of all.
-    [[nodiscard]] const Heights& around(std::span<const ClippedPatch> fixture) const
+    [[nodiscard]] const RoomHeights& around(std::span<const ClippedPatch> fixture) const
     {
         for (const ClippedPatch& patch : fixture)
             if (patch.surfel < roomOfSurfel_.size()) return rooms_[roomOfSurfel_[patch.surfel]];
-        return all_;
+        return whole_;
     }
 
 private:
     std::span<const uint8_t> roomOfSurfel_; // empty: there is one room
-    std::vector<Heights> rooms_;
-    Heights all_;
+    std::vector<RoomHeights> rooms_;
+    RoomHeights whole_;
 };
 
-const char* kindOf(const Candidate& piece, const Heights& room)
+const char* kindOf(const Candidate& piece, const RoomHeights& room)
 {
     const float length = glm::length(piece.normal);
     const bool isUpright = std::abs(piece.normal.y) < kUpright * length;
@@ -104,11 +102,11 @@ std::vector<Candidate> piecesOf(const Texels& texels, Progress& progress)
 }
 
 /// The burnt-out pieces of a scan, and which fixture lies on which.
-class Pieces
+class NumberedPieces
 {
 public:
-    Pieces(const Texels& texels, Progress& progress)
-        : reach_(kReach * texels.surfels.size), pieces_(piecesOf(texels, progress))
+    NumberedPieces(std::vector<Candidate> pieces, float surfelSize)
+        : reach_(kReach * surfelSize), pieces_(std::move(pieces))
     {
         for (const Candidate& piece : pieces_) around_.push_back(boundsAround(piece, reach_));
     }
@@ -117,7 +115,7 @@ public:
 
     /// Labels the fixtures that have none, as far as they lie on a piece; each piece's is given
     /// once. Numbers begin with `first`.
-    void label(std::span<const std::vector<ClippedPatch>> surfaces, const RoomHeights& rooms,
+    void label(std::span<const std::vector<ClippedPatch>> surfaces, const HeightsOfRooms& rooms,
                int first, std::vector<FixtureLabel>& labels) const;
 
 private:
@@ -137,7 +135,7 @@ private:
 };
 
 /// The piece with the patch nearest to a place; their count where none is near.
-size_t Pieces::nearestTo(glm::vec3 place) const
+size_t NumberedPieces::nearestTo(glm::vec3 place) const
 {
     size_t nearest = pieces_.size();
     float least = reach_ * reach_;
@@ -153,8 +151,8 @@ size_t Pieces::nearestTo(glm::vec3 place) const
     return nearest;
 }
 
-void Pieces::addCovers(std::span<const ClippedPatch> surface, size_t fixture,
-                       std::vector<Cover>& covers) const
+void NumberedPieces::addCovers(std::span<const ClippedPatch> surface, size_t fixture,
+                               std::vector<Cover>& covers) const
 {
     std::vector<float> area(pieces_.size() + 1, 0.0f);
     for (const ClippedPatch& patch : surface) area[nearestTo(patch.position)] += patch.area;
@@ -162,8 +160,9 @@ void Pieces::addCovers(std::span<const ClippedPatch> surface, size_t fixture,
         if (area[p] > kLeastCovered * pieces_[p].area) covers.push_back({fixture, p, area[p]});
 }
 
-void Pieces::label(std::span<const std::vector<ClippedPatch>> surfaces, const RoomHeights& rooms,
-                   int first, std::vector<FixtureLabel>& labels) const
+void NumberedPieces::label(std::span<const std::vector<ClippedPatch>> surfaces,
+                           const HeightsOfRooms& rooms, int first,
+                           std::vector<FixtureLabel>& labels) const
 {
     std::vector<Cover> covers;
     for (size_t f = 0; f < surfaces.size(); ++f)
@@ -194,21 +193,27 @@ void putLabel(const FixtureLabel& label, Fixture& fixture)
     fixture.name = label.name;
 }
 
-std::vector<FixtureLabel> labelsOf(const Texels& texels,
+CoarsePieces coarsePiecesOf(const Texels& texels, Progress& progress)
+{
+    const Scan copy =
+        coarseCopyOf(*texels.scan, kCoarseSide, [&](size_t page) { texels.letGo(page); });
+    const Texels coarse = rasterizeAtlas(copy, progress, {.layered = true});
+    return {piecesOf(coarse, progress), heightsOfAll(coarse.surfels), coarse.surfels.size};
+}
+
+std::vector<FixtureLabel> labelsOf(const Texels& texels, const CoarsePieces& coarse,
                                    std::span<const std::vector<ClippedPatch>> surfaces,
                                    std::span<const uint8_t> roomOfSurfel, Progress& progress)
 {
     std::vector<FixtureLabel> labels(surfaces.size());
     if (labels.empty()) return labels;
-    const Scan coarse =
-        coarseCopyOf(*texels.scan, kCoarseSide, [&](size_t page) { texels.letGo(page); });
-    const Texels coarseTexels = rasterizeAtlas(coarse, progress, {.layered = true});
-    const RoomHeights rooms(roomOfSurfel.empty() ? coarseTexels.surfels : texels.surfels,
-                            roomOfSurfel);
-    const Pieces large(coarseTexels, progress);
+    const HeightsOfRooms rooms(texels.surfels, roomOfSurfel,
+                               roomOfSurfel.empty() ? coarse.heights
+                                                    : heightsOfAll(texels.surfels));
+    const NumberedPieces large(coarse.pieces, coarse.surfelSize);
     large.label(surfaces, rooms, 0, labels);
     if (areAllLabelled(labels)) return labels;
-    const Pieces small(texels, progress);
+    const NumberedPieces small(piecesOf(texels, progress), texels.surfels.size);
     small.label(surfaces, rooms, large.count(), labels);
     int next = large.count() + small.count();
     for (FixtureLabel& label : labels)

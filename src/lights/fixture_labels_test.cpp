@@ -47,7 +47,8 @@ std::vector<FixtureLabel> labelsAt(const scenes::Surfaces& room,
                                    const std::vector<glm::vec3>& places)
 {
     Progress progress;
-    return labelsOf(room.texels, surfacesAt(room, places), {}, progress);
+    return labelsOf(room.texels, coarsePiecesOf(room.texels, progress), surfacesAt(room, places),
+                    {}, progress);
 }
 
 } // namespace
@@ -110,10 +111,11 @@ TEST(FixtureLabels, OfAHouseAreByStorey)
         roomOfSurfel.push_back(place.y < 0.5f * (kStorey.y + kUp) ? 0 : 1);
     Progress progress;
     const auto surfaces = surfacesAt(house, {kBelow, kOnTableAbove});
-    const auto labels = labelsOf(house.texels, surfaces, roomOfSurfel, progress);
+    const CoarsePieces coarse = coarsePiecesOf(house.texels, progress);
+    const auto labels = labelsOf(house.texels, coarse, surfaces, roomOfSurfel, progress);
     EXPECT_EQ(labels[0].name, "ceiling lamp 0");
     EXPECT_EQ(labels[1].name, "table lamp 1");
-    const auto asOneRoom = labelsOf(house.texels, surfaces, {}, progress);
+    const auto asOneRoom = labelsOf(house.texels, coarse, surfaces, {}, progress);
     EXPECT_EQ(asOneRoom[0].name, "floor lamp 0");
     EXPECT_EQ(asOneRoom[1].id, labels[1].id);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include <embree3/rtcore.h>
 #include <glm/geometric.hpp>
@@ -106,31 +107,58 @@ struct RayScene::Embree
     RTCScene scene;
 };
 
-RayScene::RayScene(const Scan& scan) : embree_(std::make_unique<Embree>()), bounds_(boundsOf(scan))
+/// How Embree is asked, which gives it on to the filter.
+struct RayScene::Query : RTCIntersectContext
 {
-    const RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    explicit Query(const RayScene& scene, RayOrder order = RayOrder::scattered)
+        : isOpen(scene.isOpen_.get())
+    {
+        rtcInitIntersectContext(this);
+        flags = order == RayOrder::coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                            : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+        if (isOpen != nullptr) filter = passOpen;
+    }
+
+    static void passOpen(const RTCFilterFunctionNArguments* hits)
+    {
+        const std::vector<uint8_t>& isOpen = *static_cast<const Query*>(hits->context)->isOpen;
+        for (unsigned int i = 0; i < hits->N; ++i)
+            if (hits->valid[i] != 0 && isOpen[RTCHitN_primID(hits->hit, hits->N, i)] != 0)
+                hits->valid[i] = 0;
+    }
+
+    const std::vector<uint8_t>* isOpen;
+};
+
+RayScene::RayScene(const Scan& scan) : bounds_(boundsOf(scan))
+{
+    auto embree = std::make_shared<Embree>();
+    const RTCGeometry geometry = rtcNewGeometry(embree->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     fillBuffers(geometry, scan);
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(embree_->scene, geometry);
+    rtcAttachGeometry(embree->scene, geometry);
     rtcReleaseGeometry(geometry);
     // RTC_SCENE_FLAG_ROBUST costs a quarter of the rate, and of two million rays through scanned
     // rooms it held back none that slipped through an edge without it.
     if (scan.triangleCount() <= kTrianglesOfFineTree)
-        rtcSetSceneBuildQuality(embree_->scene, RTC_BUILD_QUALITY_HIGH);
-    rtcCommitScene(embree_->scene);
+        rtcSetSceneBuildQuality(embree->scene, RTC_BUILD_QUALITY_HIGH);
+    rtcSetSceneFlags(embree->scene, RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION); // for without()
+    rtcCommitScene(embree->scene);
+    embree_ = std::move(embree);
 }
 
-RayScene::~RayScene() = default;
-RayScene::RayScene(RayScene&&) noexcept = default;
-RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+RayScene RayScene::without(std::vector<uint8_t> isOpen) const
+{
+    RayScene rest = *this;
+    if (std::ranges::any_of(isOpen, [](uint8_t open) { return open != 0; }))
+        rest.isOpen_ = std::make_shared<const std::vector<uint8_t>>(std::move(isOpen));
+    return rest;
+}
 
 void RayScene::intersect(std::span<const Ray> rays, std::span<Hit> hits, RayOrder order) const
 {
     assert(rays.size() == hits.size());
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = order == RayOrder::coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
-                                                : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    Query context(*this, order);
     for (size_t begin = 0; begin < rays.size(); begin += kPacket) {
         const size_t count = std::min(kPacket, rays.size() - begin);
         alignas(64) int valid[kPacket];
@@ -153,8 +181,7 @@ void RayScene::intersect(std::span<const Ray> rays, std::span<Hit> hits, RayOrde
 void RayScene::occluded(std::span<const Ray> rays, std::span<uint8_t> blocked) const
 {
     assert(rays.size() == blocked.size());
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    Query context(*this);
     for (size_t begin = 0; begin < rays.size(); begin += kPacket) {
         const size_t count = std::min(kPacket, rays.size() - begin);
         alignas(64) int valid[kPacket];
@@ -167,8 +194,7 @@ void RayScene::occluded(std::span<const Ray> rays, std::span<uint8_t> blocked) c
 
 bool RayScene::occluded(const Ray& ray) const
 {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    Query context(*this);
     RTCRay query = embreeRay(ray);
     rtcOccluded1(embree_->scene, &context, &query);
     return query.tfar < 0.0f;
@@ -176,8 +202,7 @@ bool RayScene::occluded(const Ray& ray) const
 
 Hit RayScene::intersect(const Ray& ray) const
 {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    Query context(*this);
     RTCRayHit query{};
     query.ray = embreeRay(ray);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;

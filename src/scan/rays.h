@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -38,14 +39,15 @@ struct Hit
 /// How rays next to each other go: nearly the same way, as those of a picture, or all ways.
 enum class RayOrder : uint8_t { coherent, scattered };
 
-/// The scan's surface as something that rays can meet. Thread safe once built.
+/// The scan's surface as something that rays can meet. Thread safe once built; copies share it.
 class RayScene
 {
 public:
     explicit RayScene(const Scan& scan);
-    ~RayScene();
-    RayScene(RayScene&&) noexcept;
-    RayScene& operator=(RayScene&&) noexcept;
+
+    /// The same surface, of which rays pass the triangles that `isOpen` is not 0 for, one a
+    /// triangle. Both share the tree.
+    [[nodiscard]] RayScene without(std::vector<uint8_t> isOpen) const;
 
     /// First surface that each ray meets; hits[i] belongs to rays[i]. Many rays at once cost less
     /// than one by one, and least where neighbouring rays go as `order` says.
@@ -61,7 +63,10 @@ public:
 
 private:
     struct Embree;
-    std::unique_ptr<Embree> embree_;
+    struct Query;
+
+    std::shared_ptr<const Embree> embree_;
+    std::shared_ptr<const std::vector<uint8_t>> isOpen_; // null: rays pass none
     Bounds bounds_;
 };
 

@@ -176,7 +176,7 @@ TEST(AlbedoScale, ItsErrorIsInThatOfTheLampsAndTheSun)
     room.radiance.plainArea = {1.0f, 1.0f};
     room.radiance.clippedArea = {0.0f, 0.0f};
     room.found.lamps.push_back({.logError = glm::vec3(0.1f)});
-    room.found.sun.emplace();
+    room.found.sun = {.sun = {}, .outside = RayScene(Scan{}), .onSides = {}};
     scaleAlbedo(std::vector<glm::vec3>(2, glm::vec3(kPi)), room);
     const float log = std::log(room.tempering.scale.g);
     EXPECT_GT(log, 0.1f);

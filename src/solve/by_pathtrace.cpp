@@ -131,7 +131,7 @@ TracedRoom tracedRoomOf(const Texels& texels, const FoundRoom& room, std::vector
             [outside = sun->outside, disc = AreaLight(sunDisc(sun->sun, *texels.scan)),
              radiance = room.found.powers.lamps.back()](const TexelSite& place, Random& random) {
                 const AreaSample one =
-                    sampleAreaLight(*outside, disc, place.position, place.normal, 1, random.next());
+                    sampleAreaLight(outside, disc, place.position, place.normal, 1, random.next());
                 return one.visible / kPi * radiance;
             };
     return traced;

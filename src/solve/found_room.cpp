@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
@@ -91,15 +90,16 @@ Fixture fixtureOf(const FoundLamp& lamp, glm::vec3 radiance, std::span<const Cli
 }
 
 /// Numbers and names for all that was found.
-void label(FoundLamps& found, const Texels& texels, std::span<const uint8_t> roomOfSurfel,
-           Progress& progress)
+void label(FoundLamps& found, const Texels& texels, const CoarsePieces& coarse,
+           std::span<const uint8_t> roomOfSurfel, Progress& progress)
 {
     std::vector<std::vector<ClippedPatch>> surfaces;
     for (const FoundLamp& lamp : found.lamps)
         if (!lamp.isSunlit)
             for (const auto& patches : singlesOf(lamp))
                 surfaces.emplace_back(patches.begin(), patches.end());
-    const std::vector<FixtureLabel> labels = labelsOf(texels, surfaces, roomOfSurfel, progress);
+    const std::vector<FixtureLabel> labels =
+        labelsOf(texels, coarse, surfaces, roomOfSurfel, progress);
     auto next = labels.begin();
     for (FoundLamp& lamp : found.lamps) {
         if (lamp.isSunlit) continue;
@@ -215,7 +215,8 @@ std::string otherOpenings(size_t given, size_t seen)
 
 /// Finds lamps and sun; once more where something turns out to glow, for then the light of the room
 /// comes from there and is better looked for than met by chance.
-void search(const Texels& texels, const RayScene& scene, Progress& progress, FoundRoom& room)
+void search(const Texels& texels, const RayScene& scene, const CoarsePieces& coarse,
+            Progress& progress, FoundRoom& room)
 {
     searchOnce(texels, scene, {}, progress, room);
     std::vector<Glowing> glowing =
@@ -236,7 +237,7 @@ void search(const Texels& texels, const RayScene& scene, Progress& progress, Fou
         if (std::find(refused.begin(), refused.end(), place) == refused.end())
             room.warnings.push_back(nothingNear(place));
     room.glowsFrom = leastOfGlowing(texels, room.glowing, &room.linearization);
-    label(room.found, texels, room.hits.roomOfSurfel, progress);
+    label(room.found, texels, coarse, room.hits.roomOfSurfel, progress);
 }
 
 /// Lights the room as a person says. Fixtures that are off are panes to the sun as well.
@@ -262,10 +263,10 @@ void take(const Lights& given, const DelightOptions& options, const Texels& texe
     if (!given.sun) return;
     FoundLamps panes;
     for (const auto& surface : surfaces) panes.lamps.push_back({.patches = surface});
-    const auto outside =
-        std::make_shared<const RayScene>(sceneWithoutPanes(texels, room.radiance, panes));
+    RayScene outside = sceneWithoutPanes(scene, texels, room.radiance, panes);
     const AreaLight disc(sunDisc(*given.sun, *texels.scan));
-    room.found.sun = {*given.sun, outside, directOfLists(texels, *outside, room.hits, {disc})};
+    LampSight onSides = directOfLists(texels, outside, room.hits, {disc});
+    room.found.sun = {*given.sun, std::move(outside), std::move(onSides)};
     letSunIn(texels, room);
 }
 
@@ -309,6 +310,7 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
         room.glowing = glowingBy(options.fixtures, room.radiance.isClipped);
         takeForBurntOut(room.glowing, texels, room.radiance);
     }
+    const CoarsePieces coarse = options.lights ? CoarsePieces{} : coarsePiecesOf(texels, progress);
     const bool isCast = isBefore && room.glowing.areNone();
     room.hits = isCast && before->options.rays == room.options.rays
                     ? before->hits
@@ -317,7 +319,7 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
     if (options.lights)
         take(beforeScale(*options.lights), options, texels, scene, progress, room);
     else
-        search(texels, scene, progress, room);
+        search(texels, scene, coarse, progress, room);
     if (room.found.lamps.empty() && !room.found.sun)
         room.warnings.emplace_back("no lamp was found; the room is taken to be lit from "
                                    "outside alone. Point at one with --light or --lights");

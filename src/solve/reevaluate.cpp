@@ -57,7 +57,7 @@ std::shared_ptr<const GatheredLight> lightOf(const Texels& texels, const RayScen
     if (const auto& sun = room.found.sun) {
         const AreaLight disc(sunDisc(sun->sun, *texels.scan));
         lamps.emplace_back(disc);
-        visibility.add(*sun->outside, disc, sun->onSides, rays,
+        visibility.add(sun->outside, disc, sun->onSides, rays,
                        openShares(room, indirect, room.found.lamps.size()), sun->inShade);
     }
     return std::make_shared<const GatheredLight>(GatheredLight{

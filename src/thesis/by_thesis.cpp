@@ -37,7 +37,8 @@ Lights findLights(SurfelLight& light, const Texels& texels, const ThesisOptions&
     for (const Emitter& emitter : light.emitters)
         surfaces[static_cast<size_t>(emitter.fixture)].push_back(
             {emitter.position, emitter.normal, emitter.area, emitter.surfel});
-    const std::vector<FixtureLabel> labels = labelsOf(texels, surfaces, {}, progress);
+    const std::vector<FixtureLabel> labels =
+        labelsOf(texels, coarsePiecesOf(texels, progress), surfaces, {}, progress);
     for (size_t f = 0; f < labels.size(); ++f) putLabel(labels[f], lights.fixtures[f]);
     lights.points = pointLightsFrom(light.emitters, thesis.lightLevels);
     return lights;
