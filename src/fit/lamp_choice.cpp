@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "fit/light_gain.h"
+#include "lights/candidates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -287,6 +288,11 @@ double natsOfLamp()
     return kLampNats;
 }
 
+double natsOfSize(float area)
+{
+    return std::log(static_cast<double>(std::max(kCrumb / area, 1.0f)));
+}
+
 double natsToEmit(const Choosable& piece, std::span<const uint8_t> emits)
 {
     const auto anyOf = [&](const std::vector<uint32_t>& others) {
@@ -294,7 +300,7 @@ double natsToEmit(const Choosable& piece, std::span<const uint8_t> emits)
                            [&](uint32_t other) { return emits[other] != 0; });
     };
     if (anyOf(piece.leansOn)) return kLeanNats;
-    return anyOf(piece.model) ? kModelNats : kLampNats;
+    return piece.natsOfSize + (anyOf(piece.model) ? kModelNats : kLampNats);
 }
 
 ChosenLight chooseLamps(const FittedLight& light, std::span<const Choosable> pieces)

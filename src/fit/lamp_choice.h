@@ -17,13 +17,17 @@ struct Choosable
     bool isGiven = false;
     bool isUnseen = false;
     bool isOpening = false;
+    double natsOfSize = 0.0;         // more to believe in it, for it is small; see natsOfSize()
     std::vector<uint32_t> model{};   // other pieces that look like it
     std::vector<uint32_t> leansOn{}; // larger ones that it may be a part of
 };
 
 /// Nats that it takes to believe that a lamp is one: its log odds among burnt-out pieces.
 double natsOfLamp();
-/// The same of this piece beside those that emit: none where one does that it is a part of, and one
+/// More where it has less than kCrumb of `area`, m^2: the smaller, the more pieces are specks, and
+/// as many times less likely is one a lamp.
+double natsOfSize(float area);
+/// Of this piece beside those that emit: none where one does that it is a part of, and one
 /// of its model that emits speaks for it.
 double natsToEmit(const Choosable& piece, std::span<const uint8_t> emits);
 

@@ -91,6 +91,11 @@ const char* kindOf(const Candidate& piece, const RoomHeights& room)
     return isUpright && length > kOneSided ? "wall lamp" : "floor lamp";
 }
 
+FixtureLabel labelOf(const Candidate& piece, const RoomHeights& room, int id)
+{
+    return {id, fmt::format("{} {}", kindOf(piece, room), id)};
+}
+
 /// What ends sharply comes first, as lamps do; each part from the largest.
 std::vector<Candidate> piecesOf(const Texels& texels, Progress& progress)
 {
@@ -174,9 +179,8 @@ void NumberedPieces::label(std::span<const std::vector<ClippedPatch>> surfaces,
         FixtureLabel& label = labels[cover.fixture];
         if (label.id >= 0 || isGiven[cover.piece]) continue;
         isGiven[cover.piece] = true;
-        label.id = first + static_cast<int>(cover.piece);
-        label.name = fmt::format(
-            "{} {}", kindOf(pieces_[cover.piece], rooms.around(surfaces[cover.fixture])), label.id);
+        label = labelOf(pieces_[cover.piece], rooms.around(surfaces[cover.fixture]),
+                        first + static_cast<int>(cover.piece));
     }
 }
 
@@ -216,8 +220,9 @@ std::vector<FixtureLabel> labelsOf(const Texels& texels, const CoarsePieces& coa
     const NumberedPieces small(piecesOf(texels, progress), texels.surfels.size);
     small.label(surfaces, rooms, large.count(), labels);
     int next = large.count() + small.count();
-    for (FixtureLabel& label : labels)
-        if (label.id < 0) label = {.id = next, .name = fmt::format("lamp {}", next++)};
+    for (size_t f = 0; f < labels.size(); ++f)
+        if (labels[f].id < 0)
+            labels[f] = labelOf(candidateOf(surfaces[f]), rooms.around(surfaces[f]), next++);
     return labels;
 }
 

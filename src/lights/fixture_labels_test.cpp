@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -118,6 +119,18 @@ TEST(FixtureLabels, OfAHouseAreByStorey)
     const auto asOneRoom = labelsOf(house.texels, coarse, surfaces, {}, progress);
     EXPECT_EQ(asOneRoom[0].name, "floor lamp 0");
     EXPECT_EQ(asOneRoom[1].id, labels[1].id);
+}
+
+// Such as a lamp in a hole of the ceiling, which was not scanned, or one that is not burnt out.
+TEST(FixtureLabels, OfWhatLiesOnNoPieceAreByItsOwnPlace)
+{
+    const scenes::Surfaces room(litRoom(64));
+    const Surface inCeiling{{{2.0f, 2.5f, 1.0f}, {0.0f, -1.0f, 0.0f}, 0.2f, Surfels::kNone}};
+    Progress progress;
+    const auto labels = labelsOf(room.texels, coarsePiecesOf(room.texels, progress),
+                                 std::vector<Surface>{inCeiling}, {}, progress);
+    EXPECT_GE(labels[0].id, 4); // behind all pieces
+    EXPECT_EQ(labels[0].name, "ceiling lamp " + std::to_string(labels[0].id));
 }
 
 TEST(FixtureLabels, NoTwoHaveOneNumber)
