@@ -3,6 +3,7 @@
 #include "image/burnt_out.shared.h"
 #include "relamp/printable.h"
 #include "scan/charts.h"
+#include "scan/inside_out.h"
 #include "scan/overlap.h"
 #include "scan/texels.h"
 
@@ -126,6 +127,8 @@ Inspection inspect(const Scan& scan, Progress& progress)
     }
     result.problems = scan.warnings;
     findProblems(scan, result);
+    if (auto note = noteOnFacing(texels.surfels, RayScene(scan)))
+        result.problems.push_back(std::move(*note));
     return result;
 }
 
