@@ -162,8 +162,8 @@ std::vector<Choosable> LampSearch::choosable(std::span<const uint32_t> ofRoom) c
     std::vector<Choosable> pieces;
     for (const uint32_t f : ofRoom)
         pieces.push_back({pieces_[f].isGiven, pieces_[f].isUnseen, pieces_[f].isOpening,
-                          natsOfSize(pieces_[f].candidate.area), here(kin_.model[f]),
-                          here(kin_.leansOn[f])});
+                          pieces_[f].isGiven ? 0.0 : natsOfSize(pieces_[f].candidate.area),
+                          here(kin_.model[f]), here(kin_.leansOn[f])});
     return pieces;
 }
 
