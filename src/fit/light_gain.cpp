@@ -60,9 +60,10 @@ double LightGain::of(size_t piece, double& best) const
     for (int tried = 0; tried < kTried; ++tried, r *= 3.0) {
         if (r < was) continue;
         const double gained = without - nats(r);
-        if (gained <= most) break; // more is worse still
-        most = gained;
-        best = std::log(r);
+        if (gained > most) {
+            most = gained;
+            best = std::log(r);
+        }
     }
     const size_t own = fit_.model_.placeOf(piece);
     return most + fit_.boundCost(piece, std::log(fit_.irradiance(radiance_, own, own + 1).front()));
