@@ -4,7 +4,6 @@
 #include "decomposition_state.h"
 #include "lights/fixture_map.h"
 #include "relamp/delighter.h"
-#include "scan/inside_out.h"
 #include "scan/overlap.h"
 
 #include <algorithm>
@@ -79,10 +78,7 @@ std::vector<std::string> Decomposition::warnings() const
 {
     const Solution& solution = state_->solution;
     std::vector<std::string> warnings = solution.warnings;
-    const Texels& texels = *state_->texels;
-    if (auto note = noteOn(texels.overlap)) warnings.push_back(std::move(*note));
-    if (auto note = noteOnFacing(texels.surfels, *state_->scene))
-        warnings.push_back(std::move(*note));
+    if (auto note = noteOn(state_->texels->overlap)) warnings.push_back(std::move(*note));
     if (!solution.engine) return warnings;
     if (std::string note = solution.engine().note; !note.empty())
         warnings.push_back(std::move(note));

@@ -2,6 +2,7 @@
 
 #include "decomposition_state.h"
 #include "relamp/error.h"
+#include "scan/inside_out.h"
 #include "scan/overlap.h"
 #include "shading/enclosed_texels.h"
 #include "solve/by_gather.h"
@@ -12,6 +13,7 @@
 #include <cassert>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace relamp
@@ -48,7 +50,8 @@ struct Delighter::State
     std::shared_ptr<const Scan> scan; // outlives all below, which refers to it
     std::shared_ptr<const RayScene> scene;
     std::shared_ptr<const Texels> texels;
-    SurfelOptions surfels; // of `texels`
+    SurfelOptions surfels;             // of `texels`
+    std::optional<std::string> facing; // what is to say of which way they face
     std::optional<GatherSolver> gather;
     std::optional<ThesisSolver> thesis;
     Solver last = Solver::pathtrace; // that solved; nothing was: none that re-evaluates
@@ -71,6 +74,7 @@ void Delighter::State::prepare(const DelightOptions& options, Progress& progress
     if (options.solver != Solver::thesis) separateEnclosed(*found, *scene, progress);
     texels = std::move(found);
     surfels = wanted;
+    facing = noteOnFacing(texels->surfels, *scene);
     gather.emplace(*texels, *scene);
     thesis.emplace(*texels, *scene);
 }
@@ -90,6 +94,7 @@ Solution Delighter::State::solve(const DelightOptions& options, Progress& progre
 
 Decomposition Delighter::State::decompositionOf(Solution solution) const
 {
+    if (facing) solution.warnings.push_back(*facing);
     return Decomposition(std::make_unique<Decomposition::State>(
         Decomposition::State{scan, scene, texels, std::move(solution)}));
 }

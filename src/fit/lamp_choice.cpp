@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -290,7 +291,8 @@ double natsOfLamp()
 
 double natsOfSize(float area)
 {
-    return std::log(static_cast<double>(std::max(kCrumb / area, 1.0f)));
+    const float divisor = std::max(area, std::numeric_limits<float>::min());
+    return std::max(std::log(static_cast<double>(kCrumb / divisor)), 0.0);
 }
 
 double natsToEmit(const Choosable& piece, std::span<const uint8_t> emits)

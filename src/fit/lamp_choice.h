@@ -24,8 +24,8 @@ struct Choosable
 
 /// Nats that it takes to believe that a lamp is one: its log odds among burnt-out pieces.
 double natsOfLamp();
-/// More where it has less than kCrumb of `area`, m^2: the smaller, the more pieces are specks, and
-/// as many times less likely is one a lamp.
+/// More where it has less than kCrumb of `area`, m^2, >= 0: the smaller, the more pieces are
+/// specks, and as many times less likely is one a lamp.
 double natsOfSize(float area);
 /// Of this piece beside those that emit: none where one does that it is a part of, and one
 /// of its model that emits speaks for it.

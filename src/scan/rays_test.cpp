@@ -2,8 +2,7 @@
 
 #include "scenes/scenes.h"
 
-#include <algorithm>
-#include <array>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -12,7 +11,7 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kNear = 2; // triangles of a panel
+constexpr size_t kOfPanel = 2; // triangles
 constexpr Ray kUpwards{{0.3f, -1.0f, 0.6f}, {0.0f, 1.0f, 0.0f}};
 
 /// Two squares, 1 m and 2 m above where the ray starts.
@@ -48,15 +47,15 @@ bool isBlocked(const RayScene& scene)
 TEST(Rays, PassWhatIsOpenAndMeetWhatIsBehind)
 {
     const Scan scan = twoPanels();
-    ASSERT_EQ(scan.triangleCount(), 2 * kNear);
+    ASSERT_EQ(scan.triangleCount(), 2 * kOfPanel);
     const RayScene whole(scan);
     const RayScene rest = whole.without({1, 1, 0, 0});
     for (const Hit& hit : hitsOf(whole)) {
-        EXPECT_LT(hit.triangle, kNear);
+        EXPECT_LT(hit.triangle, kOfPanel);
         EXPECT_NEAR(hit.distance, 1.0f, 1e-5f);
     }
     for (const Hit& hit : hitsOf(rest)) {
-        EXPECT_GE(hit.triangle, kNear); // numbers stay those of the scan
+        EXPECT_GE(hit.triangle, kOfPanel); // numbers stay those of the scan
         EXPECT_FALSE(hit.missed());
         EXPECT_NEAR(hit.distance, 2.0f, 1e-5f);
     }
@@ -68,7 +67,7 @@ TEST(Rays, PassWhatIsOpenAndMeetWhatIsBehind)
 TEST(Rays, MeetAllWhereNothingIsOpen)
 {
     const RayScene same = RayScene(twoPanels()).without({0, 0, 0, 0}); // that outlives the first
-    for (const Hit& hit : hitsOf(same)) EXPECT_LT(hit.triangle, kNear);
+    for (const Hit& hit : hitsOf(same)) EXPECT_LT(hit.triangle, kOfPanel);
 }
 
 } // namespace relamp
