@@ -3,6 +3,7 @@
 #include "base/fail.h"
 #include "base/json.h"
 #include "base/parallel.h"
+#include "base/spill.h"
 #include "scan/finish_mesh.h"
 #include "scan/gltf_accessor.h"
 #include "scan/gltf_cameras.h"
@@ -403,6 +404,7 @@ void GltfReader::keepSource()
         source_->imageOfTexture.push_back(findImage(model_, t));
     mendAccessors(model_, source_->document);
     if (!model_.buffers.empty()) source_->binary = std::move(model_.buffers[0].data);
+    if (isLarge(scan_)) spill(source_->binary); // of which most are the pictures
     scan_.gltf = std::move(source_);
 }
 

@@ -10,7 +10,7 @@ namespace relamp
 
 uint64_t pixelsInMemory()
 {
-    constexpr uint64_t kUsual = uint64_t{1} << 28;
+    constexpr uint64_t kUsual = uint64_t{1} << 26;
     const char* wish = std::getenv("RELAMP_PIXELS_IN_MEMORY");
     if (wish == nullptr) return kUsual;
     char* end = nullptr;

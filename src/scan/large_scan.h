@@ -7,7 +7,7 @@
 namespace relamp
 {
 
-/// Pixels of all pages together up to which a scan stays in memory: 2^28, four pages of
+/// Pixels of all pages together up to which a scan stays in memory: 2^26, one page of
 /// 8192 x 8192; or what RELAMP_PIXELS_IN_MEMORY says. Beyond, pages and their texels lie in
 /// temporary files while nobody reads them, and what looks at places anywhere in the room keeps
 /// only as many of them as it needs.
