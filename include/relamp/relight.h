@@ -133,7 +133,7 @@ struct RelightOptions
 {
     Solver solver = Solver::gather; // gather: radiosity with shadows; see docs/guide/relighting.md
     int rays = 0;                   // of a surfel, for bounce light, 4..1024; 0: by their number
-    int shadowRays = 16;            // of a texel in a penumbra, to each light, 1..1024
+    int shadowRays = 16;            // of a texel, or 6 mm, in a penumbra, to each light, 1..1024
     PathtraceOptions pathtrace;
     ThesisOptions thesis;
     std::filesystem::path transport; // file that keeps what the rays met; empty: nothing is kept

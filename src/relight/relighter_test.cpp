@@ -271,6 +271,54 @@ TEST(Relighter, PenumbraOfAPanelIsSmoothAndWhereItBelongs)
     EXPECT_LT(rmsBetween(few, many), 0.0105); // 0.0128 as the rays say it
 }
 
+// A tenth as large, with texels of 1.6 mm that look at the light four by four: its edge is as sharp
+// as the texels all the same.
+TEST(Relighter, ShadowOfFineTexelsIsAsSharpAsTheyAre)
+{
+    const std::vector<scenes::Panel> panels{{{0, 0, 0}, {0, 0, 0.4f}, {0.4f, 0, 0}},
+                                            {{0.15f, 0.1f, 0.15f}, {0.1f, 0, 0}, {0, 0, 0.1f}}};
+    const DelitRoom room = painted(scenes::panels(
+        panels, 256, [](glm::vec3, glm::vec3 n) { return glm::vec3(n.y > 0.5f ? 0.5f : 0.0f); }));
+    const Image image = lit(room, bulb(glm::vec3(0.2f), glm::vec3(0.04f)));
+    forEachTexel(room, image, [&](const TexelSite& site, glm::vec3 radiance) {
+        if (site.normal.y < 0.5f) return;
+        const glm::vec3 off = glm::abs(site.position - glm::vec3(0.2f, 0.0f, 0.2f));
+        const float from = std::max(off.x, off.z);
+        if (from < 0.096f) {
+            EXPECT_LT(radiance.g, 0.003f);
+        } else if (from > 0.104f) {
+            const glm::vec3 way = glm::vec3(0.2f) - site.position;
+            const float distance = glm::length(way);
+            const float exact = 0.5f / kPi * 0.04f * way.y / (distance * distance * distance);
+            EXPECT_NEAR(radiance.g, exact, 0.02f * exact);
+        }
+    });
+}
+
+// The same room ten times as large, where every texel casts rays, many of them, has the same light.
+TEST(Relighter, PenumbraOfFineTexelsIsThatOfCoarseOnes)
+{
+    const auto litAt = [](float metre, float width, int rays) {
+        const std::vector<scenes::Panel> panels{
+            {{0, 0, 0}, {0, 0, 8 * metre}, {8 * metre, 0, 0}},
+            {metre * glm::vec3(3, 1, 3), {2 * metre, 0, 0}, {0, 0, 2 * metre}}};
+        NewLight panel;
+        panel.type = LightType::rectangle;
+        panel.position = metre * glm::vec3(4);
+        panel.size = {width * metre, width * metre};
+        panel.emission = glm::vec3(9.0f / (width * width));
+        Relighting lighting;
+        lighting.lights.push_back(panel);
+        const DelitRoom room = painted(scenes::panels(panels, 512, [](glm::vec3, glm::vec3 n) {
+            return glm::vec3(n.y > 0.5f ? 0.5f : 0.0f);
+        }));
+        return lit(room, lighting, {.shadowRays = rays});
+    };
+    EXPECT_LT(rmsBetween(litAt(0.1f, 3.0f, 16), litAt(1.0f, 3.0f, 256)), 0.001); // wide
+    EXPECT_LT(rmsBetween(litAt(0.1f, 0.2f, 16), litAt(1.0f, 0.2f, 256)),
+              0.0007); // as wide as a cell: 7 mm
+}
+
 TEST(Relighter, SunComesThroughAWindowAndNoWall)
 {
     DelitRoom room = litRoom();

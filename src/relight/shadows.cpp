@@ -2,7 +2,8 @@
 
 #include "base/parallel.h"
 #include "base/sampling.shared.h"
-#include "scan/footprints.h"
+#include "relight/shadow_cells.h"
+#include "relight/shadow_looks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,74 +16,7 @@ namespace relamp
 namespace
 {
 
-constexpr size_t kFirstRays = 4; // of a texel
-constexpr size_t kBatch = 256;   // rays
-
-/// Rays of several texels that are traced together.
-class Batch
-{
-public:
-    Batch(const Obstacles& obstacles, const LightSource& light)
-        : obstacles_(obstacles), light_(light)
-    {}
-
-    /// Adds rays [first, end) of a texel's sequence.
-    void add(const Footprints& prints, size_t texel, size_t first, size_t end, AreaSample& sum)
-    {
-        const auto salt = static_cast<uint32_t>(texel);
-        const glm::vec2 shift(hashedShift(salt, 3), hashedShift(salt, 4));
-        const glm::vec2 turn(hashedShift(salt, 5), hashedShift(salt, 6));
-        const float turned = hashedShift(salt, 7);
-        for (size_t i = first; i < end; ++i) {
-            if (count_ == kBatch) trace();
-            const auto at = static_cast<float>(i);
-            const TexelSite site = prints.at(texel, evenPoint(at, shift));
-            const glm::vec3 origin = site.position + kOffSurface * site.normal;
-            // The golden ratio fills the light evenly at any number of rays, and apart from where
-            // the rays start.
-            const float share = glm::fract(turned + 0.61803399f * at);
-            const Look look = light_.look(origin, site.normal, share,
-                                          glm::fract(turn + glm::vec2(share, 0.41421356f * at)));
-            if (look.irradiance <= 0.0f) continue;
-            sum.open += look.irradiance;
-            rays_[count_] = {
-                .origin = origin, .direction = look.direction, .farthest = look.distance};
-            gains_[count_] = look.irradiance;
-            sums_[count_++] = &sum;
-        }
-    }
-
-    void trace()
-    {
-        uint8_t blocked[kBatch];
-        obstacles_.blocked({rays_, count_}, {blocked, count_});
-        for (size_t i = 0; i < count_; ++i)
-            if (blocked[i] == 0) sums_[i]->visible += gains_[i];
-        count_ = 0;
-    }
-
-private:
-    const Obstacles& obstacles_;
-    const LightSource& light_;
-    Ray rays_[kBatch];
-    float gains_[kBatch];
-    AreaSample* sums_[kBatch];
-    size_t count_ = 0;
-};
-
-/// Whether rays met different things. In a penumbra all of a surfel's are asked together: a texel's
-/// own few often agree by chance, and it would be too bright or too dark.
-bool disagree(std::span<const AreaSample> sums)
-{
-    bool anySeesAll = false;
-    bool anySeesNone = false;
-    for (const AreaSample& sum : sums) {
-        if (sum.open <= 0.0f) continue;
-        anySeesAll |= sum.visible > 0.0f;
-        anySeesNone |= !seesAll(sum);
-    }
-    return anySeesAll && anySeesNone;
-}
+constexpr size_t kRaysOfSides = 256; // rays
 
 /// Where a thing stands on a part of a surfel, its edge crosses texels that the surfel's rays,
 /// which start beside it, know nothing of.
@@ -109,11 +43,15 @@ void scaleToOpen(const LightSource& light, const TexelBlock& block, size_t origi
 }
 
 /// Of a share that `rays` rays told; 0 and 1 are not sure either.
-float varianceOf(float share, size_t rays)
+float varianceOf(float share, float n)
 {
-    const auto n = static_cast<float>(rays);
     const float likely = (n * share + 0.5f) / (n + 1.0f);
     return likely * (1.0f - likely) / n;
+}
+
+uint8_t toByte(float share)
+{
+    return static_cast<uint8_t>(std::lround(255.0f * share));
 }
 
 } // namespace
@@ -124,10 +62,10 @@ LampSight directOfSides(const Texels& texels, const Obstacles& obstacles, const 
     const SurfelSites sites(texels);
     const auto perSide = static_cast<float>(origins);
     std::vector<AreaSample> direct(sides.size());
-    forEachChunk(sides.size(), kBatch / origins, [&](size_t begin, size_t end) {
-        Ray rays[kBatch];
-        float gains[kBatch];
-        size_t owner[kBatch];
+    forEachChunk(sides.size(), kRaysOfSides / origins, [&](size_t begin, size_t end) {
+        Ray rays[kRaysOfSides];
+        float gains[kRaysOfSides];
+        size_t owner[kRaysOfSides];
         size_t count = 0;
         TexelBlock block; // of all origins
         for (size_t i = begin; i < end; ++i)
@@ -148,7 +86,7 @@ LampSight directOfSides(const Texels& texels, const Obstacles& obstacles, const 
                 gains[count] = look.irradiance / perSide;
                 owner[count++] = i;
             }
-        uint8_t blocked[kBatch];
+        uint8_t blocked[kRaysOfSides];
         obstacles.blocked({rays, count}, {blocked, count});
         for (size_t i = 0; i < count; ++i)
             if (blocked[i] == 0) direct[owner[i]].visible += gains[i];
@@ -191,41 +129,44 @@ Shadows::OfPage Shadows::look(size_t p, std::span<const Seen> states, const Obst
 {
     const PageTexels& page = texels_.pages[p];
     OfPage found;
+    std::vector<uint32_t> doubtful; // runs
     uint32_t count = 0;
-    for (size_t run = 0; run + 1 < page.runs.size(); ++run) {
+    for (uint32_t run = 0; run + 1 < page.runs.size(); ++run) {
         const Seen state = states[page.runs[run].surfel];
         found.firstShare.push_back(state == Seen::some ? count : state == Seen::all ? kAll : kNone);
-        if (state == Seen::some) count += page.runs[run + 1].begin - page.runs[run].begin;
+        if (state != Seen::some) continue;
+        doubtful.push_back(run);
+        count += page.runs[run + 1].begin - page.runs[run].begin;
     }
     if (std::ranges::all_of(found.firstShare, [](uint32_t first) { return first == kNone; }))
         return {}; // as most pages of a house
     found.shares.resize(count);
     found.moments.resize(found.firstShare.size());
-    const Footprints prints(texels_, p);
-    forEachChunk(found.firstShare.size(), 32, [&](size_t begin, size_t end) {
-        Batch batch(obstacles, light);
-        std::vector<AreaSample> sums;
-        std::vector<size_t> raysOf;
-        for (size_t run = begin; run < end; ++run) {
+    const ShadowCells cells(texels_, p, doubtful);
+    const ShadowLooks looks(texels_, p, cells, obstacles, light, rays);
+    std::vector<float> raysOf(count); // of shares
+    forEachChunk(cells.count(), 256, [&](size_t begin, size_t end) {
+        std::vector<TexelShare> shares;
+        for (size_t cell = begin; cell < end; ++cell) {
+            looks.sharesOf(cell, shares);
+            const auto texels = cells.texelsOf(cell);
+            for (size_t i = 0; i < texels.size(); ++i) {
+                const uint32_t run = texels[i].run;
+                const uint32_t at = found.firstShare[run] + texels[i].index - page.runs[run].begin;
+                found.shares[at] = toByte(shares[i].share);
+                raysOf[at] = shares[i].rays;
+            }
+        }
+    });
+    forEachChunk(doubtful.size(), 256, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            const uint32_t run = doubtful[i];
             const uint32_t first = found.firstShare[run];
-            if (first == kNone || first == kAll) continue;
-            const size_t texel = page.runs[run].begin;
-            sums.assign(page.runs[run + 1].begin - texel, {});
-            const size_t few = std::min(kFirstRays, rays);
-            for (size_t i = 0; i < sums.size(); ++i) batch.add(prints, texel + i, 0, few, sums[i]);
-            batch.trace();
-            raysOf.assign(sums.size(), few);
-            for (size_t i = 0; i < sums.size(); ++i)
-                if (disagree(light.isPoint() ? std::span(&sums[i], 1) : std::span(sums)))
-                    raysOf[i] = rays;
-            for (size_t i = 0; i < sums.size(); ++i)
-                batch.add(prints, texel + i, few, raysOf[i], sums[i]);
-            batch.trace();
-            for (size_t i = 0; i < sums.size(); ++i) {
-                if (sums[i].open <= 0.0f) continue;
-                const float share = std::min(sums[i].visible / sums[i].open, 1.0f);
-                found.shares[first + i] = static_cast<uint8_t>(std::lround(255.0f * share));
-                found.moments[run].add(share, varianceOf(share, raysOf[i]));
+            const uint32_t texels = page.runs[run + 1].begin - page.runs[run].begin;
+            for (uint32_t at = first; at < first + texels; ++at) {
+                if (raysOf[at] <= 0.0f) continue;
+                const float share = static_cast<float>(found.shares[at]) / 255.0f;
+                found.moments[run].add(share, varianceOf(share, raysOf[at]));
             }
         }
     });
@@ -266,8 +207,7 @@ void Shadows::smoothPage(size_t p, std::span<const Moments> ofSurfels)
             const uint32_t count = page.runs[run + 1].begin - page.runs[run].begin;
             for (uint32_t i = first; i < first + count; ++i) {
                 const float share = static_cast<float>(found.shares[i]) / 255.0f;
-                found.shares[i] =
-                    static_cast<uint8_t>(std::lround(255.0f * (mean + kept * (share - mean))));
+                found.shares[i] = toByte(mean + kept * (share - mean));
             }
         }
     });

@@ -22,10 +22,9 @@ LampSight directOfSides(const Texels& texels, const Obstacles& obstacles, const 
 /// What share of a light every texel sees.
 ///
 /// Rays go where the answer changes: a surfel that sees all or nothing, as its neighbours do, needs
-/// none. Elsewhere every texel looks for itself, from all over its own area, so that an edge lies
-/// between texels as it does in a picture; a few rays first, all of them where those of a surfel do
-/// not agree (of a texel, where the light is a point). What then varies from texel to texel no more
-/// than so few rays do is smoothed.
+/// none. Elsewhere cells of texels look (ShadowLooks), and at an edge every texel for itself, from
+/// all over its own area, so that the edge lies between texels as it does in a picture. What then
+/// varies from texel to texel no more than so few rays do is smoothed.
 class Shadows
 {
 public:

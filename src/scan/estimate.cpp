@@ -67,7 +67,7 @@ double sum(const Rates& rates, const Sizes& of)
 // Bytes.
 constexpr Rates kDelightMemory{9.2e7, 35, 12, 0.0, 4.6e2, 5.1e5, 0.0, 2.4e4};
 // Of a large scan, whose pages lie in files (large_scan.h).
-constexpr Rates kLargeDelightMemory{9.2e7, 0.37, 47, 0.0, 4.6e2, 5.1e5, 0.0, 2.4e4};
+constexpr Rates kLargeDelightMemory{9.2e7, 0.37, 47, 0.0, 6.6e2, 5.1e5, 0.0, 2.4e4};
 constexpr Rates kVerifyMemory{2e8, 15, 0.0, 22, 2.8e2, 7.6e4, 1.5e4, 1.8e4};
 constexpr Rates kRelightMemory{1.9e8, 16, 7.8, 24, 2.9e2, 8.2e4, 3.5e4, 2.3e4};
 // Seconds of a core.

@@ -1,0 +1,163 @@
+#include "relight/shadow_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <glm/geometric.hpp>
+
+namespace relamp
+{
+namespace
+{
+
+constexpr double kSide = 0.006;   // m
+constexpr float kOneFace = 0.7f;  // cosine: a corner of a room is none
+constexpr size_t kSampled = 1000; // texels
+constexpr double kMostOf = 0.9;   // of them are finer than what counts as a page's texel
+
+/// Metres along a texel of a page whose charts may differ.
+double texelOn(const Texels& texels, size_t page)
+{
+    const std::vector<uint32_t>& facet = texels.pages[page].facet;
+    std::vector<float> areas;
+    const size_t step = std::max<size_t>(facet.size() / kSampled, 1);
+    for (size_t i = 0; i < facet.size(); i += step)
+        areas.push_back(texels.facets.facets[facet[i]].texelArea);
+    const auto most =
+        areas.begin() + static_cast<std::ptrdiff_t>(kMostOf * static_cast<double>(areas.size()));
+    std::nth_element(areas.begin(), most, areas.end());
+    return std::sqrt(static_cast<double>(*most));
+}
+
+/// How many pixels are about kSide.
+uint32_t sideOn(const Texels& texels, size_t page)
+{
+    const Page& picture = texels.scan->pages[page];
+    if (picture.ofVertices || texels.pages[page].count() == 0) return 1;
+    const double texel = texelOn(texels, page);
+    const double most = std::max(picture.image.width, picture.image.height);
+    return texel > 0.0 ? static_cast<uint32_t>(std::clamp(std::round(kSide / texel), 1.0, most))
+                       : 1;
+}
+
+} // namespace
+
+ShadowCells::ShadowCells(const Texels& texels, size_t page, std::span<const uint32_t> runs)
+    : texels_(texels), page_(texels.pages[page]),
+      width_(static_cast<uint32_t>(texels.scan->pages[page].image.width)),
+      side_(sideOn(texels, page)), squaresAcross_((width_ + side_ - 1) / side_),
+      squaresDown_((static_cast<uint32_t>(texels.scan->pages[page].image.height) + side_ - 1) /
+                   side_)
+{
+    size_t count = 0;
+    for (const uint32_t run : runs) count += page_.runs[run + 1].begin - page_.runs[run].begin;
+    order_.reserve(count);
+    for (const uint32_t run : runs)
+        for (uint32_t texel = page_.runs[run].begin; texel < page_.runs[run + 1].begin; ++texel)
+            order_.push_back({texel, run});
+    if (side_ > 1) {
+        sortBySquare();
+        return;
+    }
+    first_.resize(count + 1);
+    std::iota(first_.begin(), first_.end(), 0u);
+    for (const Texel& texel : order_) run_.push_back(texel.run);
+}
+
+uint32_t ShadowCells::squareOf(const Texel& texel) const
+{
+    const uint32_t pixel = page_.pixel[texel.index];
+    return pixel / width_ / side_ * squaresAcross_ + pixel % width_ / side_;
+}
+
+bool ShadowCells::areOfOneFace(uint32_t run, uint32_t other) const
+{
+    const Surfels& surfels = texels_.surfels;
+    const uint32_t a = page_.runs[run].surfel;
+    const uint32_t b = page_.runs[other].surfel;
+    return a == b ||
+           (surfels.areBeside(a, b) && glm::dot(surfels.normal[a], surfels.normal[b]) > kOneFace);
+}
+
+/// Those of a square stay in the order of their surfels; those of another face than its middle one
+/// become cells by themselves.
+void ShadowCells::sortBySquare()
+{
+    std::vector<uint32_t> end(size_t{squaresAcross_} * squaresDown_ + 1, 0);
+    for (const Texel& texel : order_) ++end[squareOf(texel) + 1];
+    for (size_t square = 1; square < end.size(); ++square) end[square] += end[square - 1];
+    std::vector<Texel> sorted(order_.size());
+    for (const Texel& texel : order_) sorted[end[squareOf(texel)]++] = texel; // now its end
+    order_ = std::move(sorted);
+
+    inSquare_.assign(end.size() - 1, kNone);
+    const auto add = [&](size_t first, uint32_t run, uint32_t square) {
+        first_.push_back(static_cast<uint32_t>(first));
+        run_.push_back(run);
+        square_.push_back(square);
+    };
+    for (uint32_t square = 0, begin = 0; square + 1 < end.size(); begin = end[square++]) {
+        if (begin == end[square]) continue;
+        const std::span all = std::span(order_).subspan(begin, end[square] - begin);
+        const uint32_t run = all[all.size() / 2].run;
+        const auto isOwn = [&](const Texel& texel) { return areOfOneFace(run, texel.run); };
+        auto others = all.end();
+        if (all.front().run != all.back().run)
+            others = std::stable_partition(all.begin(), all.end(), isOwn);
+        inSquare_[square] = static_cast<uint32_t>(first_.size());
+        add(begin, run, square);
+        for (; others != all.end(); ++others)
+            add(begin + static_cast<size_t>(others - all.begin()), others->run, kNone);
+    }
+    first_.push_back(static_cast<uint32_t>(order_.size()));
+}
+
+size_t ShadowCells::around(size_t cell, uint32_t* cells) const
+{
+    if (inSquare_.empty() || square_[cell] == kNone) return 0;
+    const uint32_t column = square_[cell] % squaresAcross_;
+    const uint32_t row = square_[cell] / squaresAcross_;
+    size_t count = 0;
+    for (uint32_t y = std::max(row, 1u) - 1; y <= std::min(row + 1, squaresDown_ - 1); ++y)
+        for (uint32_t x = std::max(column, 1u) - 1; x <= std::min(column + 1, squaresAcross_ - 1);
+             ++x) {
+            const uint32_t other = inSquare_[size_t{y} * squaresAcross_ + x];
+            if (other == kNone || other == cell || !areOfOneFace(run_[cell], run_[other])) continue;
+            cells[count++] = other;
+        }
+    return count;
+}
+
+size_t ShadowCells::between(const Texel& texel, uint32_t* cells, float* weights) const
+{
+    if (inSquare_.empty() || !areOfOneFace(texel.run, run_[inSquare_[squareOf(texel)]])) return 0;
+    const uint32_t pixel = page_.pixel[texel.index];
+    // In squares, from the middle of the first.
+    const auto along = [&](uint32_t at) {
+        return (static_cast<float>(at) + 0.5f) / static_cast<float>(side_) - 0.5f;
+    };
+    const float x = along(pixel % width_);
+    const float y = along(pixel / width_);
+    const float left = std::floor(x);
+    const float top = std::floor(y);
+    size_t count = 0;
+    float sum = 0.0f;
+    for (int corner = 0; corner < 4; ++corner) {
+        const float column = left + static_cast<float>(corner % 2);
+        const float row = top + static_cast<float>(corner / 2);
+        if (column < 0.0f || row < 0.0f || column >= static_cast<float>(squaresAcross_) ||
+            row >= static_cast<float>(squaresDown_))
+            continue;
+        const uint32_t cell =
+            inSquare_[static_cast<size_t>(row) * squaresAcross_ + static_cast<size_t>(column)];
+        if (cell == kNone || !areOfOneFace(texel.run, run_[cell])) continue;
+        cells[count] = cell;
+        weights[count] = (1.0f - std::abs(x - column)) * (1.0f - std::abs(y - row));
+        sum += weights[count++];
+    }
+    for (size_t i = 0; i < count; ++i) weights[i] /= sum;
+    return count;
+}
+
+} // namespace relamp
