@@ -44,7 +44,7 @@ uint32_t sideOn(const Texels& texels, size_t page)
 } // namespace
 
 ShadowCells::ShadowCells(const Texels& texels, size_t page, std::span<const uint32_t> runs)
-    : texels_(texels), page_(texels.pages[page]),
+    : texels_(texels), index_(page), page_(texels.pages[page]),
       width_(static_cast<uint32_t>(texels.scan->pages[page].image.width)),
       side_(sideOn(texels, page)), squaresAcross_((width_ + side_ - 1) / side_),
       squaresDown_((static_cast<uint32_t>(texels.scan->pages[page].image.height) + side_ - 1) /
@@ -62,6 +62,7 @@ ShadowCells::ShadowCells(const Texels& texels, size_t page, std::span<const uint
     }
     first_.resize(count + 1);
     std::iota(first_.begin(), first_.end(), 0u);
+    run_.reserve(count);
     for (const Texel& texel : order_) run_.push_back(texel.run);
 }
 
@@ -80,8 +81,23 @@ bool ShadowCells::areOfOneFace(uint32_t run, uint32_t other) const
            (surfels.areBeside(a, b) && glm::dot(surfels.normal[a], surfels.normal[b]) > kOneFace);
 }
 
-/// Those of a square stay in the order of their surfels; those of another face than its middle one
-/// become cells by themselves.
+bool ShadowCells::areBeside(uint32_t cell, uint32_t other) const
+{
+    return glm::distance(middle_[cell], middle_[other]) < kReach &&
+           areOfOneFace(run_[cell], run_[other]);
+}
+
+void ShadowCells::add(size_t first, uint32_t run, uint32_t square, glm::vec3 middle)
+{
+    first_.push_back(static_cast<uint32_t>(first));
+    run_.push_back(run);
+    square_.push_back(square);
+    middle_.push_back(middle);
+}
+
+/// Those of a square stay in the order of their surfels. Those of another face than its middle one
+/// become cells by themselves, and so do all where the page's texels are wider than most: they
+/// stand apart.
 void ShadowCells::sortBySquare()
 {
     std::vector<uint32_t> end(size_t{squaresAcross_} * squaresDown_ + 1, 0);
@@ -92,23 +108,27 @@ void ShadowCells::sortBySquare()
     order_ = std::move(sorted);
 
     inSquare_.assign(end.size() - 1, kNone);
-    const auto add = [&](size_t first, uint32_t run, uint32_t square) {
-        first_.push_back(static_cast<uint32_t>(first));
-        run_.push_back(run);
-        square_.push_back(square);
-    };
     for (uint32_t square = 0, begin = 0; square + 1 < end.size(); begin = end[square++]) {
         if (begin == end[square]) continue;
         const std::span all = std::span(order_).subspan(begin, end[square] - begin);
-        const uint32_t run = all[all.size() / 2].run;
-        const auto isOwn = [&](const Texel& texel) { return areOfOneFace(run, texel.run); };
-        auto others = all.end();
-        if (all.front().run != all.back().run)
-            others = std::stable_partition(all.begin(), all.end(), isOwn);
-        inSquare_[square] = static_cast<uint32_t>(first_.size());
-        add(begin, run, square);
-        for (; others != all.end(); ++others)
-            add(begin + static_cast<size_t>(others - all.begin()), others->run, kNone);
+        const Texel middle = all[all.size() / 2];
+        const glm::vec3 place = texels_.siteOf(index_, middle.index).position;
+        const auto isOwn = [&](const Texel& texel) {
+            return areOfOneFace(middle.run, texel.run) &&
+                   glm::distance(texels_.siteOf(index_, texel.index).position, place) < kReach;
+        };
+        const float texel = std::sqrt(texels_.facets.facets[page_.facet[middle.index]].texelArea);
+        auto apart = all.end();
+        if (static_cast<float>(side_) * texel > 2.0f * static_cast<float>(kSide))
+            apart = all.begin();
+        else if (all.front().run != all.back().run)
+            apart = std::stable_partition(all.begin(), all.end(), isOwn);
+        if (apart != all.begin()) {
+            inSquare_[square] = static_cast<uint32_t>(first_.size());
+            add(begin, middle.run, square, place);
+        }
+        for (; apart != all.end(); ++apart)
+            add(begin + static_cast<size_t>(apart - all.begin()), apart->run, kNone, place);
     }
     first_.push_back(static_cast<uint32_t>(order_.size()));
 }
@@ -123,15 +143,16 @@ size_t ShadowCells::around(size_t cell, uint32_t* cells) const
         for (uint32_t x = std::max(column, 1u) - 1; x <= std::min(column + 1, squaresAcross_ - 1);
              ++x) {
             const uint32_t other = inSquare_[size_t{y} * squaresAcross_ + x];
-            if (other == kNone || other == cell || !areOfOneFace(run_[cell], run_[other])) continue;
+            if (other == kNone || other == cell || !areBeside(static_cast<uint32_t>(cell), other))
+                continue;
             cells[count++] = other;
         }
     return count;
 }
 
-size_t ShadowCells::between(const Texel& texel, uint32_t* cells, float* weights) const
+size_t ShadowCells::between(size_t cell, const Texel& texel, uint32_t* cells, float* weights) const
 {
-    if (inSquare_.empty() || !areOfOneFace(texel.run, run_[inSquare_[squareOf(texel)]])) return 0;
+    if (inSquare_.empty() || square_[cell] == kNone) return 0;
     const uint32_t pixel = page_.pixel[texel.index];
     // In squares, from the middle of the first.
     const auto along = [&](uint32_t at) {
@@ -149,10 +170,10 @@ size_t ShadowCells::between(const Texel& texel, uint32_t* cells, float* weights)
         if (column < 0.0f || row < 0.0f || column >= static_cast<float>(squaresAcross_) ||
             row >= static_cast<float>(squaresDown_))
             continue;
-        const uint32_t cell =
+        const uint32_t other =
             inSquare_[static_cast<size_t>(row) * squaresAcross_ + static_cast<size_t>(column)];
-        if (cell == kNone || !areOfOneFace(texel.run, run_[cell])) continue;
-        cells[count] = cell;
+        if (other == kNone || !areBeside(static_cast<uint32_t>(cell), other)) continue;
+        cells[count] = other;
         weights[count] = (1.0f - std::abs(x - column)) * (1.0f - std::abs(y - row));
         sum += weights[count++];
     }

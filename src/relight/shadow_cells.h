@@ -32,33 +32,39 @@ public:
     [[nodiscard]] uint32_t runOf(size_t cell) const { return run_[cell]; }
 
     static constexpr size_t kAround = 8;
-    /// Cells beside it of the same face, at most kAround. Returns how many.
+    /// Cells of the squares beside its own, of its face, at most kAround. Returns how many; 0 where
+    /// it has no square, and is one texel.
     size_t around(size_t cell, uint32_t* cells) const;
 
     static constexpr size_t kBetween = 4;
-    /// Cells whose middles lie around a texel's, on its face, and by how much each counts in
-    /// linear interpolation, in sum 1; at most kBetween. Returns how many; 0 where it is a cell by
-    /// itself.
-    size_t between(const Texel& texel, uint32_t* cells, float* weights) const;
+    /// Its own and those of around() whose middles lie around a texel of it, and by how much each
+    /// counts in linear interpolation, in sum 1; at most kBetween. Returns how many; 0 where it has
+    /// no square.
+    size_t between(size_t cell, const Texel& texel, uint32_t* cells, float* weights) const;
 
 private:
     static constexpr uint32_t kNone = ~0u;
 
     void sortBySquare();
+    void add(size_t first, uint32_t run, uint32_t square, glm::vec3 middle);
     [[nodiscard]] uint32_t squareOf(const Texel& texel) const;
     [[nodiscard]] bool areOfOneFace(uint32_t run, uint32_t other) const;
+    [[nodiscard]] bool areBeside(uint32_t cell, uint32_t other) const;
 
     const Texels& texels_;
+    size_t index_; // of the page
     const PageTexels& page_;
     uint32_t width_; // pixels
     uint32_t side_;  // pixels of a square
     uint32_t squaresAcross_;
     uint32_t squaresDown_;
-    std::vector<Texel> order_;       // by cell
-    std::vector<uint32_t> first_;    // of cells, into order_, and one more
-    std::vector<uint32_t> run_;      // of cells
-    std::vector<uint32_t> square_;   // of cells; kNone: of another face than the square's cell
-    std::vector<uint32_t> inSquare_; // of squares: the cell; empty where each texel is a cell
+    std::vector<Texel> order_;    // by cell
+    std::vector<uint32_t> first_; // of cells, into order_, and one more
+    std::vector<uint32_t> run_;   // of cells
+    // Where each texel is a cell, these are empty.
+    std::vector<uint32_t> square_;   // of cells; kNone: apart from the square's cell
+    std::vector<glm::vec3> middle_;  // of cells: where their middle texel lies
+    std::vector<uint32_t> inSquare_; // of squares: the cell
 };
 
 } // namespace relamp

@@ -74,7 +74,7 @@ TEST(ShadowCells, AreTexelsWhereTheseAreCoarse)
     uint32_t others[ShadowCells::kAround];
     float weights[ShadowCells::kBetween];
     EXPECT_EQ(cells.around(0, others), 0u);
-    EXPECT_EQ(cells.between(cells.texelsOf(0).front(), others, weights), 0u);
+    EXPECT_EQ(cells.between(0, cells.texelsOf(0).front(), others, weights), 0u);
 }
 
 // A linear share comes out as it is: within a wall, the weighted middles are the texel itself.
@@ -99,7 +99,7 @@ TEST(ShadowCells, BetweenThemIsInterpolatedLinearly)
             if (off[1] > 0.18f) continue; // at the rim of its wall
             uint32_t between[ShadowCells::kBetween];
             float weights[ShadowCells::kBetween];
-            const size_t count = cells.between(texel, between, weights);
+            const size_t count = cells.between(cell, texel, between, weights);
             ASSERT_GT(count, 0u);
             glm::vec3 sum(0.0f);
             for (size_t i = 0; i < count; ++i) sum += weights[i] * middle[between[i]];

@@ -20,8 +20,6 @@ constexpr size_t kBatch = 256;   // rays
 constexpr size_t kChunk = 1024;  // cells
 // Between shares of cells: a penumbra of three cells, 2 cm, or narrower.
 constexpr float kEdge = 0.3f;
-// Linear interpolation leaves (2/3)^2 of the variance of cells: it is as good as so many more rays.
-constexpr float kMeanOf = 2.25f;
 
 constexpr uint8_t kMetLight = 1;
 constexpr uint8_t kMetThing = 2;
@@ -61,9 +59,9 @@ public:
         for (size_t i = first; i < end; ++i) {
             if (count_ == kBatch) trace();
             const auto at = static_cast<float>(i);
-            // The silver ratio fills a cell evenly at any number of rays, the golden one the light,
-            // apart from where the rays start.
-            const float ofCell = glm::fract(begin + 0.41421356f * at);
+            // The square roots of three and two and the golden ratio fill a cell and the light
+            // evenly at any number of rays, and apart from each other.
+            const float ofCell = glm::fract(begin + 0.73205081f * at);
             const auto texel = static_cast<size_t>(ofCell * static_cast<float>(cell.size()));
             const TexelSite site = looks_.prints_.at(cell[std::min(texel, cell.size() - 1)].index,
                                                      evenPoint(at, shift));
@@ -101,7 +99,7 @@ ShadowLooks::ShadowLooks(const Texels& texels, size_t page, const ShadowCells& c
                          const Obstacles& obstacles, const LightSource& light, size_t rays)
     : prints_(texels, page), cells_(cells), obstacles_(obstacles), light_(light),
       few_(std::min(kFirstRays, rays)), rays_(rays), sums_(cells.count()),
-      met_(texels.pages[page].runs.size(), 0)
+      met_(texels.pages[page].runs.size(), 0), isEdge_(cells.count())
 {
     forEachChunk(cells_.count(), kChunk, [&](size_t begin, size_t end) {
         Batch batch(*this);
@@ -118,6 +116,9 @@ ShadowLooks::ShadowLooks(const Texels& texels, size_t page, const ShadowCells& c
         for (size_t cell = begin; cell < end; ++cell)
             batch.add(cells_.texelsOf(cell), few_, raysOf(cell), sums_[cell]);
     });
+    forEachChunk(cells_.count(), kChunk, [&](size_t begin, size_t end) {
+        for (size_t cell = begin; cell < end; ++cell) isEdge_[cell] = findEdge(cell) ? 1 : 0;
+    });
 }
 
 /// The shadow of a point has no penumbra, so there a texel's own rays say whether it needs more,
@@ -128,23 +129,30 @@ size_t ShadowLooks::raysOf(size_t cell) const
     return cells_.texelsOf(cell).size() == 1 && metBy(sums_[cell]) == kMetBoth ? rays_ : few_;
 }
 
+TexelShare ShadowLooks::ownShare(size_t cell) const
+{
+    const AreaSample& sum = sums_[cell];
+    return {shareOf(sum), sum.open > 0.0f ? static_cast<float>(raysOf(cell)) : 0.0f};
+}
+
 void ShadowLooks::sharesOf(size_t cell, std::vector<TexelShare>& shares) const
 {
     const auto texels = cells_.texelsOf(cell);
-    shares.resize(texels.size());
-    if (isEdge(cell))
-        lookThemselves(texels, shares);
-    else
+    shares.assign(texels.size(), ownShare(cell));
+    if (isEdge_[cell] == 0)
         for (size_t i = 0; i < texels.size(); ++i) shares[i] = interpolated(cell, texels[i]);
+    else if (texels.size() > 1)
+        lookThemselves(cell, shares);
 }
 
-bool ShadowLooks::isEdge(size_t cell) const
+/// A cell without any beside it that its rays could be compared with is one as soon as they differ.
+bool ShadowLooks::findEdge(size_t cell) const
 {
+    if (sums_[cell].open <= 0.0f) return false;
     std::array<uint32_t, ShadowCells::kAround> around;
     const size_t count = cells_.around(cell, around.data());
-    if (count == 0 || sums_[cell].open <= 0.0f) return false;
     const bool isPoint = light_.isPoint();
-    if (isPoint && metBy(sums_[cell]) == kMetBoth) return true;
+    if ((isPoint || count == 0) && metBy(sums_[cell]) == kMetBoth) return true;
     const float share = shareOf(sums_[cell]);
     return std::any_of(around.begin(), around.begin() + count, [&](uint32_t other) {
         return sums_[other].open > 0.0f &&
@@ -152,16 +160,16 @@ bool ShadowLooks::isEdge(size_t cell) const
     });
 }
 
-void ShadowLooks::lookThemselves(std::span<const ShadowCells::Texel> texels,
-                                 std::span<TexelShare> shares) const
+void ShadowLooks::lookThemselves(size_t cell, std::span<TexelShare> shares) const
 {
+    const auto texels = cells_.texelsOf(cell);
     std::vector<AreaSample> sums(texels.size());
     {
         Batch batch(*this);
         for (size_t i = 0; i < texels.size(); ++i)
             batch.add(texels.subspan(i, 1), 0, few_, sums[i]);
     }
-    uint8_t met = 0;
+    uint8_t met = metBy(sums_[cell]);
     for (const AreaSample& sum : sums) met |= metBy(sum);
     std::vector<size_t> rays(texels.size());
     {
@@ -175,21 +183,26 @@ void ShadowLooks::lookThemselves(std::span<const ShadowCells::Texel> texels,
         shares[i] = {shareOf(sums[i]), sums[i].open > 0.0f ? static_cast<float>(rays[i]) : 0.0f};
 }
 
+/// The mean of a cell that an edge goes through is none of the texels beside it, where all rays met
+/// the same.
 TexelShare ShadowLooks::interpolated(size_t cell, const ShadowCells::Texel& texel) const
 {
-    const auto rays = static_cast<float>(raysOf(cell));
     std::array<uint32_t, ShadowCells::kBetween> between;
     std::array<float, ShadowCells::kBetween> weight;
-    const size_t count = cells_.between(texel, between.data(), weight.data());
+    const size_t count = cells_.between(cell, texel, between.data(), weight.data());
+    const bool isClear = metBy(sums_[cell]) != kMetBoth;
     float sum = 0.0f;
     float all = 0.0f;
+    float squares = 0.0f;
     for (size_t i = 0; i < count; ++i) {
-        if (sums_[between[i]].open <= 0.0f) continue;
+        if (sums_[between[i]].open <= 0.0f || (isClear && isEdge_[between[i]] != 0)) continue;
         sum += weight[i] * shareOf(sums_[between[i]]);
         all += weight[i];
+        squares += weight[i] * weight[i];
     }
-    if (all > 0.0f) return {sum / all, kMeanOf * rays};
-    return {shareOf(sums_[cell]), sums_[cell].open > 0.0f ? rays : 0.0f};
+    if (all <= 0.0f) return ownShare(cell);
+    // The variance of a weighted mean is that of so many more rays.
+    return {sum / all, static_cast<float>(raysOf(cell)) * all * all / squares};
 }
 
 } // namespace relamp

@@ -25,8 +25,8 @@ struct TexelShare
 /// Every cell casts a few rays from all over its texels, and all of its rays where those of a
 /// surfel do not agree: a cell's own few often agree by chance in a penumbra, and it would be too
 /// bright or too dark. What its texels see is interpolated between cells. Where cells beside each
-/// other differ much, or the light is a point and a cell's rays do not agree, an edge may be
-/// narrower than cells are, and texels look for themselves.
+/// other differ much, or at all if the light is a point, an edge may be narrower than cells are,
+/// and their texels look for themselves.
 class ShadowLooks
 {
 public:
@@ -41,9 +41,9 @@ private:
     class Batch;
 
     [[nodiscard]] size_t raysOf(size_t cell) const;
-    [[nodiscard]] bool isEdge(size_t cell) const;
-    void lookThemselves(std::span<const ShadowCells::Texel> texels,
-                        std::span<TexelShare> shares) const;
+    [[nodiscard]] bool findEdge(size_t cell) const;
+    [[nodiscard]] TexelShare ownShare(size_t cell) const;
+    void lookThemselves(size_t cell, std::span<TexelShare> shares) const;
     [[nodiscard]] TexelShare interpolated(size_t cell, const ShadowCells::Texel& texel) const;
 
     Footprints prints_;
@@ -54,6 +54,7 @@ private:
     size_t rays_;
     std::vector<AreaSample> sums_; // of cells
     std::vector<uint8_t> met_;     // of the page's runs: what the first rays of their cells met
+    std::vector<uint8_t> isEdge_;  // of cells
 };
 
 } // namespace relamp
