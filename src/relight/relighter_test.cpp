@@ -286,7 +286,7 @@ TEST(Relighter, ShadowOfFineTexelsIsAsSharpAsTheyAre)
             const float from = std::max(off.x, off.z);
             const float exact = exactAt(site.position);
             if (from < half - 0.004f) {
-                EXPECT_LT(radiance.g, 0.03f * exact); // that few rays are not sure of
+                EXPECT_LT(radiance.g, 0.04f * exact); // of few rays that agree one is not sure
             } else if (from > half + 0.004f) {
                 EXPECT_NEAR(radiance.g, exact, 0.02f * exact);
             }
