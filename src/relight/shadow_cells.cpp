@@ -11,10 +11,11 @@ namespace relamp
 namespace
 {
 
-constexpr double kSide = 0.006;   // m
-constexpr float kOneFace = 0.7f;  // cosine: a corner of a room is none
-constexpr size_t kSampled = 1000; // texels
-constexpr double kMostOf = 0.9;   // of them are finer than what counts as a page's texel
+constexpr double kSide = 0.006;      // m
+constexpr float kOneFace = 0.7f;     // cosine: a corner of a room is none
+constexpr float kWayBeside = 0.018f; // m between middles of cells beside each other: 3 kSide
+constexpr size_t kSampled = 1000;    // texels
+constexpr double kMostOf = 0.9;      // of them are finer than what counts as a page's texel
 
 /// Metres along a texel of a page whose charts may differ.
 double texelOn(const Texels& texels, size_t page)
@@ -83,7 +84,7 @@ bool ShadowCells::areOfOneFace(uint32_t run, uint32_t other) const
 
 bool ShadowCells::areBeside(uint32_t cell, uint32_t other) const
 {
-    return glm::distance(middle_[cell], middle_[other]) < kReach &&
+    return glm::distance(middle_[cell], middle_[other]) < kWayBeside &&
            areOfOneFace(run_[cell], run_[other]);
 }
 
@@ -115,7 +116,7 @@ void ShadowCells::sortBySquare()
         const glm::vec3 place = texels_.siteOf(index_, middle.index).position;
         const auto isOwn = [&](const Texel& texel) {
             return areOfOneFace(middle.run, texel.run) &&
-                   glm::distance(texels_.siteOf(index_, texel.index).position, place) < kReach;
+                   glm::distance(texels_.siteOf(index_, texel.index).position, place) < kWayBeside;
         };
         const float texel = std::sqrt(texels_.facets.facets[page_.facet[middle.index]].texelArea);
         auto apart = all.end();
