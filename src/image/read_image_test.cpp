@@ -267,9 +267,9 @@ TEST(ReadImage, AFlippedBitInAPngIsAlwaysSeen)
     }
 }
 
-void expectFlippedBitsDoNoHarm(const char* format, unsigned seed)
+void expectFlippedBitsDoNoHarm(const char* format)
 {
-    std::mt19937 random(seed);
+    std::mt19937 random(7);
     const Bytes whole = pictureFile(format, noise());
     for (int i = 0; i < 20; ++i) {
         Bytes broken = whole;
@@ -281,13 +281,13 @@ void expectFlippedBitsDoNoHarm(const char* format, unsigned seed)
 
 TEST(ReadImage, FlippedBitsDoNoHarm)
 {
-    for (const char* format : {"png", "jpeg"}) expectFlippedBitsDoNoHarm(format, 7);
+    for (const char* format : {"png", "jpeg"}) expectFlippedBitsDoNoHarm(format);
 }
 
 TEST(ReadImage, FlippedBitsOfOtherFormatsDoNoHarm)
 {
     for (const char* format : {"webp", "tiff", "bmp", "targa", "openexr", "hdr"})
-        expectFlippedBitsDoNoHarm(format, 7);
+        expectFlippedBitsDoNoHarm(format);
 }
 
 /// The memory that a child may take is at its end; under a sanitizer its allocator is.
