@@ -271,6 +271,38 @@ TEST(Relighter, PenumbraOfAPanelIsSmoothAndWhereItBelongs)
     EXPECT_LT(rmsBetween(few, many), 0.0105); // 0.0128 as the rays say it
 }
 
+// A plate below a panel hides 7 % of it from all of the floor, where all rays of a surfel's ring
+// miss the plate in one place of fourteen. What the plate hides, it would send if it shone.
+TEST(Relighter, WhatIsHardlyHiddenHasNoHolesOfFullLight)
+{
+    const scenes::Panel floor{{0, 0, 0}, {0, 0, 2}, {2, 0, 0}};
+    const scenes::Panel plate{{0.95f, 1.8f, 0.95f}, {0.1f, 0, 0}, {0, 0, 0.1f}};
+    const auto litBy = [](const std::vector<scenes::Panel>& panels, float height, glm::vec2 size) {
+        NewLight panel;
+        panel.type = LightType::rectangle;
+        panel.position = {1, height, 1};
+        panel.along = {1, 0, 0};
+        panel.size = size;
+        panel.emission = glm::vec3(9.0f);
+        Relighting lighting;
+        lighting.lights.push_back(panel);
+        const DelitRoom room = painted(scenes::panels(panels, 256, [](glm::vec3, glm::vec3 n) {
+            return glm::vec3(n.y > 0.5f ? 0.5f : 0.0f);
+        }));
+        std::vector<float> radiance(256 * 256); // rows of z
+        forEachTexel(room, lit(room, lighting), [&](const TexelSite& site, glm::vec3 rgb) {
+            const glm::uvec3 at(128.0f * site.position);
+            if (site.normal.y > 0.5f) radiance[256 * at.z + at.x] = rgb.g;
+        });
+        return radiance;
+    };
+    const std::vector<float> hidden = litBy({floor, plate}, 2.0f, glm::vec2(0.4f));
+    const std::vector<float> open = litBy({floor}, 2.0f, glm::vec2(0.4f));
+    const std::vector<float> byPlate = litBy({floor}, 1.8f, {0.1f, 0.1f});
+    ASSERT_EQ(hidden.size(), open.size());
+    for (size_t i = 0; i < hidden.size(); ++i) ASSERT_LT(hidden[i], open[i] - 0.3f * byPlate[i]);
+}
+
 // A tenth as large, with texels of 1.6 mm that look at the light four by four: its edge is as sharp
 // as the texels all the same.
 TEST(Relighter, ShadowOfFineTexelsIsAsSharpAsTheyAre)
