@@ -1,9 +1,11 @@
 #pragma once
 
+#include "base/radiometry.shared.h"
 #include "relamp/progress.h"
 #include "scan/pixel_marks.h"
 #include "scan/texels.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -32,10 +34,18 @@ struct SurfelRadiance
     std::vector<ClippedPatch> clipped; // ascending by surfel
     PixelMarks isClipped;              // where a texel is burnt out
     std::vector<glm::vec3> white;      // what white of the texture stands for; empty: 1
+    std::vector<float> limit;          // of luminance, by energy_limit.h; empty: there is none
 
     [[nodiscard]] glm::vec3 whiteOf(size_t surfel) const
     {
         return white.empty() ? glm::vec3(1.0f) : white[surfel];
+    }
+
+    /// What of the radiance that a surfel shows the room can be lit by.
+    [[nodiscard]] glm::vec3 sent(size_t surfel, glm::vec3 shown) const
+    {
+        if (limit.empty()) return shown;
+        return std::min(limit[surfel] / std::max(luminance(shown), kFaintest), 1.0f) * shown;
     }
 };
 

@@ -49,6 +49,9 @@ RadianceField fieldOf(const SurfelRadiance& radiance)
                         .back = std::vector<glm::vec3>(surfels, glm::vec3(0.0f)),
                         .shines = std::vector<uint8_t>(surfels, 0)};
     for (const ClippedPatch& patch : radiance.clipped) field.clipped[patch.surfel] = patch.radiance;
+    for (size_t s = 0; s < surfels; ++s)
+        for (glm::vec3* shown : {&field.plain[s], &field.clipped[s]})
+            *shown = radiance.sent(s, *shown);
     return field;
 }
 

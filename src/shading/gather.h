@@ -22,8 +22,8 @@ struct RadianceField
     std::vector<uint8_t> shines;    // not 0 where the burnt-out texels of a surfel belong to a lamp
 };
 
-/// The field before anything is known: burnt-out texels as the texture shows them, backs dark, no
-/// lamps.
+/// The field before anything is known: texels as the texture shows them, burnt-out ones, too, none
+/// beyond its limit; backs dark, no lamps.
 RadianceField fieldOf(const SurfelRadiance& radiance);
 
 /// Light that arrives at the sides of surfels, one entry a list.

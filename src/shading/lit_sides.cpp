@@ -164,8 +164,9 @@ std::vector<glm::vec3> albedoOf(const Texels& texels, const SurfelRadiance& radi
                                 std::span<const glm::vec3> irradiance)
 {
     std::vector<glm::vec3> albedo(texels.surfels.count());
-    forEach(albedo.size(),
-            [&](size_t s) { albedo[s] = albedoUnder(irradiance[s], radiance.plain[s]); });
+    forEach(albedo.size(), [&](size_t s) {
+        albedo[s] = albedoUnder(irradiance[s], radiance.sent(s, radiance.plain[s]));
+    });
     guessBurntOut(texels, radiance, albedo);
     return albedo;
 }

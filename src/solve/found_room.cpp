@@ -14,6 +14,7 @@
 #include "lights/surfel_radiance.h"
 #include "relamp/error.h"
 #include "shading/direct_sum.h"
+#include "shading/energy_limit.h"
 #include "shading/even_openings.h"
 #include "shading/lit_sides.shared.h"
 #include "shading/rooms.h"
@@ -35,6 +36,7 @@ namespace
 constexpr double kLargestSurfel = 0.04; // m; light changes within more
 constexpr float kTooMuchLack = 1.25f;   // times the light found: a scale that is off lacks less
 constexpr float kFaintestLight = 1e-4f; // irradiance, that divides
+constexpr int kLimitRounds = 2;         // what has a limit lights other things that have one
 constexpr float kNoFacing = 0.3f; // length of a mean normal below which a lamp shines all around
 
 /// Rays of a room and of its places, by quality.
@@ -139,11 +141,16 @@ void letSunIn(const Texels& texels, FoundRoom& room)
     room.sides = sidesOf(texels, room);
 }
 
-/// Lights a room by its lamps alone.
-void lightByLamps(const Texels& texels, const RayScene& scene, FoundRoom& room)
+/// Lights a room by what was found.
+void light(const Texels& texels, const RayScene& scene, FoundRoom& room)
 {
     lookAtAll(texels, scene, room.hits, room.found);
     room.sides = sidesOf(texels, room);
+    if (room.found.sun) letSunIn(texels, room);
+    for (int round = 0; round < kLimitRounds; ++round) {
+        room.radiance.limit = energyLimit(texels.surfels, room.hits, room.sides);
+        room.sides = sidesOf(texels, room);
+    }
 }
 
 /// Takes out of the radiance what the camera made of it.
@@ -167,8 +174,7 @@ void searchOnce(const Texels& texels, const RayScene& scene, std::span<const Glo
     linearize(texels, room);
     addGlowing(glowing, room.radiance, room.found);
     const Progress::Stage stage(progress, "sun");
-    lightByLamps(texels, scene, room);
-    if (room.found.sun) letSunIn(texels, room);
+    light(texels, scene, room);
 }
 
 /// What glows counts as burnt out from now on.
@@ -259,15 +265,15 @@ void take(const Lights& given, const DelightOptions& options, const Texels& texe
         room.found.powers.outside = {given.ambient, given.openings};
     else if (!given.openings.empty())
         room.warnings.push_back(otherOpenings(given.openings.size(), room.hits.shareOfPart.size()));
-    lightByLamps(texels, scene, room);
-    if (!given.sun) return;
-    FoundLamps panes;
-    for (const auto& surface : surfaces) panes.lamps.push_back({.patches = surface});
-    RayScene outside = sceneWithoutPanes(scene, texels, room.radiance, panes);
-    const AreaLight disc(sunDisc(*given.sun, *texels.scan));
-    LampSight onSides = directOfLists(texels, outside, room.hits, {disc});
-    room.found.sun = {*given.sun, std::move(outside), std::move(onSides)};
-    letSunIn(texels, room);
+    if (given.sun) {
+        FoundLamps panes;
+        for (const auto& surface : surfaces) panes.lamps.push_back({.patches = surface});
+        RayScene outside = sceneWithoutPanes(scene, texels, room.radiance, panes);
+        const AreaLight disc(sunDisc(*given.sun, *texels.scan));
+        LampSight onSides = directOfLists(texels, outside, room.hits, {disc});
+        room.found.sun = {*given.sun, std::move(outside), std::move(onSides)};
+    }
+    light(texels, scene, room);
 }
 
 /// Marks the surfels of the lamps that shine.
