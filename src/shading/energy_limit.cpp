@@ -13,8 +13,8 @@ namespace relamp
 namespace
 {
 
-constexpr float kNearestCamera = 0.3f; // m; from nearer a picture shows too little to be placed
-constexpr float kSlit = 0.1f;          // of directions: through less no picture is taken
+constexpr float kNearestCamera = 0.15f; // m; no phone is in focus nearer
+constexpr float kSlit = 0.2f;           // of directions: through less no camera looks
 
 /// Whether hardly a ray of its front goes as far as a camera would have to be away.
 bool isHidden(const Surfels& surfels, const HitLists& hits, uint32_t surfel)
