@@ -26,7 +26,8 @@ LitSides litBy(const scenes::Surfaces& surfaces, const HitLists& hits, float dir
 // A drawer of 0.1 m whose walls of 0.4 see each other and get pi of direct light.
 TEST(EnergyLimit, IsWhatTheWhitestPaintSends)
 {
-    const scenes::Surfaces box(scenes::room({0.1f, 0.05f, 0.1f}, 8, scenes::plain(glm::vec3(0.4f))));
+    const scenes::Surfaces box(
+        scenes::room({0.1f, 0.05f, 0.1f}, 8, scenes::plain(glm::vec3(0.4f))));
     const HitLists hits = scenes::hitListsOf(box, 16);
     const LitSides sides = litBy(box, hits, kPi);
     for (const float limit : energyLimit(box.texels.surfels, hits, sides))
