@@ -312,6 +312,7 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
     room.radiance = isBefore && before->linearization.isNeutral()
                         ? before->radiance
                         : collectRadiance(texels, progress);
+    room.radiance.limit.clear(); // under the light of before
     if (options.lights) {
         room.glowing = glowingBy(options.fixtures, room.radiance.isClipped);
         takeForBurntOut(room.glowing, texels, room.radiance);
