@@ -5,6 +5,7 @@
 #include "albedo/fill.shared.h"
 #include "albedo/page_layers.gpu.h"
 #include "albedo/page_layers.shared.h"
+#include "albedo/paint_prior.shared.h"
 #include "base/radiometry.shared.h"
 #include "lights/shining.shared.h"
 #include "shading/enclosed_texels.shared.h"
@@ -55,9 +56,10 @@ struct Filled
     vec3 lack; // its light, times the shading
 };
 
-// What is burnt out, hidden by noise or whiter than paper, and if asked for what is unlit, follows
-// the surface around.
-Filled filled(vec3 albedo, float lack, vec3 shown, vec3 shading, vec3 around, vec3 white)
+// What is burnt out, hidden by noise, whiter than paper or in doubtful light, and if asked for what
+// is unlit, follows the surface around.
+Filled filled(vec3 albedo, float lack, vec3 shown, vec3 shading, vec3 around, vec3 white,
+              vec3 trust)
 {
     UnknownChannels unknown;
     unknown.burntOut = burntOutShares(shown, isSo(kClips));
@@ -65,8 +67,11 @@ Filled filled(vec3 albedo, float lack, vec3 shown, vec3 shading, vec3 around, ve
         hiddenWhereLit(shown, shading, arguments.darkest, arguments.constants.at[0].noise);
     unknown.noise = noiseOfAlbedo(shading, lack, white, arguments.constants.at[0].noise);
     unknown.isUnlit = lessThan(shading, vec3(isSo(kFillsUnlit) ? arguments.darkest : 0.0));
-    if (!isSo(kFills) || (!isAnyUnknown(unknown) && lack == 1.0)) return Filled(albedo, vec3(lack));
-    const vec3 believed = believedUnderLack(albedo, lack, around, unknown.burntOut);
+    if (!isSo(kFills) || (!isAnyUnknown(unknown) && lack == 1.0 && isTrustedByAll(trust)))
+        return Filled(albedo, vec3(lack));
+    const vec3 believed =
+        drawnToPaint(believedUnderLack(albedo, lack, around, unknown.burntOut), around, trust,
+                        unknown.burntOut, shading, arguments.darkest);
     return Filled(filledAlbedo(believed, lack, around, unknown),
                   lackOfChannels(albedo, lack, believed));
 }
@@ -100,10 +105,12 @@ void main()
         arguments.ratingOut.at[pixel] = kDoubtShines << 8; // confidence is 0
         return;
     }
-    const Filled result = filled(divided / lack, lack, shown, total, around.rgb, white);
+    const vec4 trust = arguments.trust.at[surfel];
+    const Filled result =
+        filled(divided / lack, lack, shown, total, around.rgb, white,
+               rim.w > 0.0 ? vec3(1.0) : trust.xyz); // what is enclosed has its light by the rim
     storeLight(pixel, shading, result.lack);
     arguments.albedoOut.at[pixel] = packedHalves(vec4(result.albedo, 1.0));
-    const vec4 trust = arguments.trust.at[surfel];
     const float hidden = hiddenShare(brightestChannel(shown), arguments.constants.at[0].noise);
     const float burntOut = brightestChannel(burntOutShares(shown, clips));
     const Rated rated = ratedAlbedo(radiance, burntOut, total, arguments.darkest, trust, hidden);

@@ -5,6 +5,7 @@
 #include "albedo/fill.shared.h"
 #include "albedo/layer_parts.h"
 #include "albedo/page_layers.shared.h"
+#include "albedo/paint_prior.shared.h"
 #include "base/half.h"
 #include "image/padding.h"
 #include "image/texture_noise.h"
@@ -41,6 +42,11 @@ private:
                     size_t i, uint32_t pixel);
     glm::vec3 fillChannels(glm::vec3 shown, glm::vec3 burntOut, glm::vec3 shading, uint32_t surfel,
                            float lack, uint16_t* rho) const;
+    [[nodiscard]] SurfelTrust trustIn(uint32_t surfel) const
+    {
+        return solved_.trust.empty() ? SurfelTrust{} : solved_.trust[surfel];
+    }
+    glm::vec3 trustInLight(uint32_t surfel) const;
     void fillPadding();
 
     size_t page_;
@@ -69,8 +75,16 @@ LayerMaker::LayerMaker(const Texels& texels, size_t page, const SolvedTexels& so
     covered_.resize(image.pixels());
 }
 
-/// What is burnt out, hidden by noise or whiter than paper, and if asked for what is unlit, follows
-/// the surface around. Returns how many times the shading its light is.
+/// What is enclosed has its light by what it shows (letRimsIn()), and nothing else is asked.
+glm::vec3 LayerMaker::trustInLight(uint32_t surfel) const
+{
+    if (!solved_.rims.empty() && solved_.rims[surfel].albedo > 0.0f) return glm::vec3(1.0f);
+    const SurfelTrust trust = trustIn(surfel);
+    return {trust.seen, trust.front, trust.edges};
+}
+
+/// What is burnt out, hidden by noise, whiter than paper or in doubtful light, and if asked for
+/// what is unlit, follows the surface around. Returns how many times the shading its light is.
 glm::vec3 LayerMaker::fillChannels(glm::vec3 shown, glm::vec3 burntOut, glm::vec3 shading,
                                    uint32_t surfel, float lack, uint16_t* rho) const
 {
@@ -81,9 +95,12 @@ glm::vec3 LayerMaker::fillChannels(glm::vec3 shown, glm::vec3 burntOut, glm::vec
         .noise = noiseOfAlbedo(shading, lack, solved_.linearization.whiteOf(surfel), noise_),
         .isUnlit = options_.fill ? glm::lessThan(shading, glm::vec3(options_.darkest))
                                  : glm::bvec3(false)};
-    if (!isAnyUnknown(unknown) && lack == 1.0f) return glm::vec3(1.0f);
+    const glm::vec3 trust = trustInLight(surfel);
+    if (!isAnyUnknown(unknown) && lack == 1.0f && isTrustedByAll(trust)) return glm::vec3(1.0f);
     const glm::vec3 own(floatFromHalf(rho[0]), floatFromHalf(rho[1]), floatFromHalf(rho[2]));
-    const glm::vec3 believed = believedUnderLack(own, lack, around, unknown.burntOut);
+    const glm::vec3 believed =
+        drawnToPaint(believedUnderLack(own, lack, around, unknown.burntOut), around, trust,
+                     unknown.burntOut, shading, options_.darkest);
     const glm::vec3 filled = filledAlbedo(believed, lack, around, unknown);
     for (int c = 0; c < 3; ++c) rho[c] = halfFromFloat(filled[c]);
     return lackOfChannels(own, lack, believed);
@@ -120,8 +137,7 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
     const glm::vec3 burntOut = burntOutShares(shown, clips_);
     const Confidence confidence =
         confidenceOf(radiance, brightestChannel(burntOut), total, options_.darkest,
-                     solved_.trust.empty() ? SurfelTrust{} : solved_.trust[block.surfel[i]],
-                     hiddenShare(brightestChannel(shown), noise_));
+                     trustIn(block.surfel[i]), hiddenShare(brightestChannel(shown), noise_));
     layers_.confidence[pixel] = confidence.byte();
     layers_.doubt[pixel] = confidence.doubt;
     if (!texels_.isShared.empty() && texels_.isShared[pixel]) doubtShared(pixel, layers_);

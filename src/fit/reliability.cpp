@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
+#include "fit/reliability.shared.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,6 @@ constexpr float kUnsureOfOutside = 0.4f; // times the share of a view that leave
 // Of these, in rooms with ground truth, after the correction.
 constexpr float kLeftUnsure = 0.28f;       // of the deviation before it
 constexpr float kLeftOfCorrection = 0.72f; // of what was corrected, in log light
-constexpr float kRight = 0.15f;            // of log light: an error that people hardly see
 
 float squareOf(float value)
 {
@@ -54,14 +54,6 @@ ShareOfView viewOf(const HitLists& hits, size_t surfel)
     }
     const auto rays = static_cast<float>(targets.size());
     return {view.outside / rays, view.backs / rays};
-}
-
-/// That an error is within kRight, of Student's distribution of two degrees of freedom: its tails
-/// are as long as those of the errors of light.
-float probabilityRight(float variance)
-{
-    const float t = kRight / std::sqrt(variance);
-    return t / std::sqrt(2.0f + t * t);
 }
 
 } // namespace

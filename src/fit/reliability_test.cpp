@@ -1,6 +1,7 @@
 #include "fit/reliability.h"
 
 #include "base/radiometry.shared.h"
+#include "fit/reliability.shared.h"
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"
 
@@ -124,6 +125,12 @@ TEST(Reliability, AResponseThatIsNotKnownCountsFarFromTheUsualBrightness)
     const auto trust = reliabilityOf(light, {}, variance);
     EXPECT_GT(probability(trust[0]), 0.95f);
     EXPECT_LT(probability(trust[1]), 0.6f);
+}
+
+TEST(Reliability, VarianceAndProbabilityAreOneThing)
+{
+    for (const float variance : {0.0004f, 0.01f, 0.3f, 4.0f})
+        EXPECT_NEAR(varianceWhereRight(probabilityRight(variance)), variance, 1e-3f * variance);
 }
 
 } // namespace relamp

@@ -151,13 +151,15 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
     temper(texels, witnesses, settled.irradiance, found);
     scaleAlbedo(settled.irradiance, found);
     solution.warnings = found.warnings;
+    const std::vector<SurfelTrust> trust = reliabilityOf(
+        varianceOf(found.hits, {settled.irradiance, {}}), {}, varianceOfCamera(found));
     solution.texels = {.shade = shadingOf(texels, scene, room, options.pathtrace),
                        .tempering = found.tempering,
                        .shining = shiningOf(found),
-                       .trust = reliabilityOf(varianceOf(found.hits, {settled.irradiance, {}}), {},
-                                              varianceOfCamera(found)),
+                       .trust = trust,
                        .fill = fillOf(texels.surfels, found.radiance,
-                                      tempered(found.tempering, settled.irradiance)),
+                                      tempered(found.tempering, settled.irradiance), trust, {},
+                                      options.albedo.darkest),
                        .linearization = found.linearization};
     solution.lights = lightsOf(found);
     solution.openings = openingsOf(found);

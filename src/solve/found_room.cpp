@@ -2,6 +2,7 @@
 
 #include "albedo/divide.shared.h"
 #include "albedo/fill.h"
+#include "albedo/paint_prior.h"
 #include "fit/given_lamps.h"
 #include "fit/glowing.h"
 #include "fit/lamp_groups.h"
@@ -35,7 +36,6 @@ namespace
 
 constexpr double kLargestSurfel = 0.04; // m; light changes within more
 constexpr float kTooMuchLack = 1.25f;   // times the light found: a scale that is off lacks less
-constexpr float kFaintestLight = 1e-4f; // irradiance, that divides
 constexpr int kLimitRounds = 2;         // what has a limit lights other things that have one
 constexpr float kNoFacing = 0.3f; // length of a mean normal below which a lamp shines all around
 
@@ -439,19 +439,25 @@ std::vector<float> varianceOfCamera(const FoundRoom& room)
 }
 
 std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radiance,
-                              std::span<const glm::vec3> irradiance)
+                              std::span<const glm::vec3> irradiance,
+                              std::span<const SurfelTrust> trust, std::span<const Rim> rims,
+                              float darkest)
 {
     std::vector<glm::vec3> paint(surfels.count());
     std::vector<uint8_t> isKnown(surfels.count());
+    std::vector<uint8_t> isLit(surfels.count()); // so that its light tells its paint
     for (size_t s = 0; s < isKnown.size(); ++s) {
-        const glm::vec3 divided =
-            kPi * radiance.plain[s] / glm::max(irradiance[s], glm::vec3(kFaintestLight));
+        const glm::vec3 shading = irradiance[s] / kPi;
+        const glm::vec3 divided = dividedByShading(radiance.plain[s], shading, darkest);
         const float lack = lightThatLacks(divided);
         paint[s] = divided / lack;
         const bool isPlain = radiance.plainArea[s] > radiance.clippedArea[s];
         isKnown[s] = isPlain && lack < kTooMuchLack ? 1 : 0;
+        const bool isOpen = rims.empty() || rims[s].albedo == 0.0f;
+        isLit[s] = isKnown[s] != 0 && isOpen && brightestChannel(shading) >= darkest ? 1 : 0;
     }
-    return fillFromAround(surfels, paint, isKnown, kAlbedoOfTheUnknown);
+    return paintAround(surfels, fillFromAround(surfels, paint, isKnown, kAlbedoOfTheUnknown), isLit,
+                       trust);
 }
 
 } // namespace relamp

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "fit/lamps.h"
+#include "fit/reliability.h"
 #include "fit/sun.h"
 #include "lights/glow_marks.h"
 #include "lights/shining.h"
 #include "relamp/delight.h"
 #include "scan/rays.h"
 #include "scan/texels.h"
+#include "shading/enclosed_texels.h"
 #include "shading/hit_lists.h"
 #include "shading/lit_sides.h"
 
@@ -83,9 +85,12 @@ Shining shiningOf(const FoundRoom& room);
 /// as reliabilityOf() takes it.
 std::vector<float> varianceOfCamera(const FoundRoom& room);
 
-/// Albedo for texels that cannot be trusted, one a surfel. Those that are mostly burnt out, or much
-/// whiter than paper in this light, do not know their own and get that of the surface around them.
+/// Albedo for texels that cannot be trusted, one a surfel: paintAround() by the trust in their
+/// light. Those that are mostly burnt out, or much whiter than paper in this light, do not know
+/// their own and get that of the surface around them.
 std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radiance,
-                              std::span<const glm::vec3> irradiance);
+                              std::span<const glm::vec3> irradiance,
+                              std::span<const SurfelTrust> trust, std::span<const Rim> rims,
+                              float darkest);
 
 } // namespace relamp

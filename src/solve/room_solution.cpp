@@ -19,19 +19,22 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightO
 {
     const FoundRoom& found = room.found;
     const std::vector<glm::vec3> irradiance = irradianceOf(room);
+    const std::vector<SurfelTrust> trust =
+        reliabilityOf(varianceOf(found.hits, room.lighting), room.lit, varianceOfCamera(found));
+    const std::vector<Rim> rims = rimsOf(texels.surfels, found.radiance, irradiance);
     Solution solution{.options = asked};
     solution.options.gather = found.options;
     solution.warnings = found.warnings;
     solution.closure = closure;
-    solution.texels = {
-        .shade = shadingOf(texels, room),
-        .rims = rimsOf(texels.surfels, found.radiance, irradiance),
-        .tempering = found.tempering,
-        .shining = shiningOf(found),
-        .trust =
-            reliabilityOf(varianceOf(found.hits, room.lighting), room.lit, varianceOfCamera(found)),
-        .fill = fillOf(texels.surfels, found.radiance, tempered(found.tempering, irradiance)),
-        .linearization = found.linearization};
+    solution.texels = {.shade = shadingOf(texels, room),
+                       .rims = rims,
+                       .tempering = found.tempering,
+                       .shining = shiningOf(found),
+                       .trust = trust,
+                       .fill = fillOf(texels.surfels, found.radiance,
+                                      tempered(found.tempering, irradiance), trust, rims,
+                                      asked.albedo.darkest),
+                       .linearization = found.linearization};
     solution.lights = lightsOf(found);
     solution.openings = openingsOf(found);
     prove(room.witnesses, room.lighting.irradiance, solution);
