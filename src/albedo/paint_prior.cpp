@@ -14,6 +14,7 @@ namespace
 constexpr float kSharpest = 0.05f; // of log albedo: a surfel tells no more of those around
 
 // Numerics.
+constexpr float kNothing = -1.0f;
 constexpr int kRounds = 6; // each goes one ring further, by ever less
 constexpr size_t kChunk = 1024;
 
@@ -21,19 +22,45 @@ constexpr size_t kChunk = 1024;
 struct Belief
 {
     glm::vec3 log;
-    float variance; // < 0: nothing is known, and nothing is to be
+    float variance; // kNothing: nothing is known, and nothing is to be
+
+    [[nodiscard]] bool isKnown() const { return variance >= 0.0f; }
 };
 
-/// A round: what is not sure, by those of its surface beside it.
-Belief drawn(const Surfels& surfels, uint32_t s, std::span<const Belief> beliefs)
+glm::vec3 inLight(const SurfelTrust& trust)
 {
-    const Belief& own = beliefs[s];
+    return {trust.seen, trust.front, trust.edges};
+}
+
+/// Surfels that are not sure of their paint, each with those beside it that know something.
+struct Unsure
+{
+    std::vector<uint32_t> surfel;
+    std::vector<uint32_t> first{0}; // those of i: first[i] .. first[i + 1] - 1
+    std::vector<uint32_t> beside;
+
+    void add(const Surfels& surfels, uint32_t s, std::span<const Belief> beliefs)
+    {
+        surfel.push_back(s);
+        for (const uint32_t n : surfels.neighborsOf(s))
+            if (n != s && beliefs[n].isKnown() && surfels.areBeside(s, n)) beside.push_back(n);
+        first.push_back(static_cast<uint32_t>(beside.size()));
+    }
+
+    [[nodiscard]] std::span<const uint32_t> besideOf(size_t i) const
+    {
+        return std::span(beside).subspan(first[i], first[i + 1] - first[i]);
+    }
+};
+
+/// One belief, drawn to others.
+Belief drawn(const Belief& own, std::span<const uint32_t> others, std::span<const Belief> beliefs)
+{
     glm::vec3 sum(0.0f);
     float weights = 0.0f;
     float likely = 0.0f; // of them, that are of its paint
-    for (const uint32_t n : surfels.neighborsOf(s)) {
+    for (const uint32_t n : others) {
         const Belief& other = beliefs[n];
-        if (n == s || other.variance < 0.0f || !surfels.areBeside(s, n)) continue;
         const float like = likenessOfPaints(other.log - own.log, own.variance + other.variance);
         const float weight = like / (other.variance + kSharpest * kSharpest);
         sum += like * weight * other.log;
@@ -53,21 +80,23 @@ std::vector<glm::vec3> paintAround(const Surfels& surfels, std::span<const glm::
                                    std::span<const SurfelTrust> trust)
 {
     std::vector<Belief> beliefs(surfels.count());
-    std::vector<uint32_t> unsure;
-    for (uint32_t s = 0; s < beliefs.size(); ++s) {
-        const glm::vec3 trusted(trust[s].seen, trust[s].front, trust[s].edges);
-        beliefs[s] = {logOfPaint(albedo[s]), isKnown[s] != 0 ? varianceOfAlbedo(trusted) : -1.0f};
-        if (isKnown[s] != 0 && !isTrustedByAll(trusted)) unsure.push_back(s);
-    }
-    std::vector<Belief> next(unsure.size());
+    forEach(beliefs.size(), [&](size_t s) {
+        beliefs[s] = {logOfPaint(albedo[s]),
+                      isKnown[s] != 0 ? varianceOfAlbedo(inLight(trust[s])) : kNothing};
+    });
+    Unsure unsure;
+    for (uint32_t s = 0; s < beliefs.size(); ++s)
+        if (isKnown[s] != 0 && !isTrustedByAll(inLight(trust[s]))) unsure.add(surfels, s, beliefs);
+    std::vector<Belief> next(unsure.surfel.size());
     for (int round = 0; round < kRounds; ++round) {
-        forEachChunk(unsure.size(), kChunk, [&](size_t begin, size_t end) {
-            for (size_t i = begin; i < end; ++i) next[i] = drawn(surfels, unsure[i], beliefs);
+        forEachChunk(next.size(), kChunk, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i)
+                next[i] = drawn(beliefs[unsure.surfel[i]], unsure.besideOf(i), beliefs);
         });
-        for (size_t i = 0; i < unsure.size(); ++i) beliefs[unsure[i]] = next[i];
+        for (size_t i = 0; i < next.size(); ++i) beliefs[unsure.surfel[i]] = next[i];
     }
     std::vector<glm::vec3> paint(albedo.begin(), albedo.end());
-    for (const uint32_t s : unsure) paint[s] = glm::exp(beliefs[s].log);
+    for (const uint32_t s : unsure.surfel) paint[s] = glm::exp(beliefs[s].log);
     return paint;
 }
 
