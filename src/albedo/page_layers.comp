@@ -69,9 +69,8 @@ Filled filled(vec3 albedo, float lack, vec3 shown, vec3 shading, vec3 around, ve
     unknown.isUnlit = lessThan(shading, vec3(isSo(kFillsUnlit) ? arguments.darkest : 0.0));
     if (!isSo(kFills) || (!isAnyUnknown(unknown) && lack == 1.0 && isTrustedByAll(trust)))
         return Filled(albedo, vec3(lack));
-    const vec3 believed =
-        drawnToPaint(believedUnderLack(albedo, lack, around, unknown.burntOut), around, trust,
-                        unknown.burntOut, shading, arguments.darkest);
+    const vec3 believed = drawnToPaint(believedUnderLack(albedo, lack, around, unknown.burntOut),
+                                       around, trust, unknown.burntOut, shading, arguments.darkest);
     return Filled(filledAlbedo(believed, lack, around, unknown),
                   lackOfChannels(albedo, lack, believed));
 }
