@@ -59,7 +59,7 @@ struct Filled
 // What is burnt out, hidden by noise, whiter than paper or in doubtful light, and if asked for what
 // is unlit, follows the surface around.
 Filled filled(vec3 albedo, float lack, vec3 shown, vec3 shading, vec3 around, vec3 white,
-              vec3 trust)
+              float doubt)
 {
     UnknownChannels unknown;
     unknown.burntOut = burntOutShares(shown, isSo(kClips));
@@ -67,10 +67,10 @@ Filled filled(vec3 albedo, float lack, vec3 shown, vec3 shading, vec3 around, ve
         hiddenWhereLit(shown, shading, arguments.darkest, arguments.constants.at[0].noise);
     unknown.noise = noiseOfAlbedo(shading, lack, white, arguments.constants.at[0].noise);
     unknown.isUnlit = lessThan(shading, vec3(isSo(kFillsUnlit) ? arguments.darkest : 0.0));
-    if (!isSo(kFills) || (!isAnyUnknown(unknown) && lack == 1.0 && isTrustedByAll(trust)))
+    if (!isSo(kFills) || (!isAnyUnknown(unknown) && lack == 1.0 && doubt < kSureOfPaint))
         return Filled(albedo, vec3(lack));
     const vec3 believed = drawnToPaint(believedUnderLack(albedo, lack, around, unknown.burntOut),
-                                       around, trust, unknown.burntOut, shading, arguments.darkest);
+                                       around, doubt, unknown.burntOut, shading, arguments.darkest);
     return Filled(filledAlbedo(believed, lack, around, unknown),
                   lackOfChannels(albedo, lack, believed));
 }
@@ -89,7 +89,8 @@ void main()
     const uint pixel = arguments.pixel.at[i];
     const bool clips = isSo(kClips);
     const vec3 radiance = halves(arguments.radiance.at[i]).rgb;
-    const vec3 white = arguments.white.at[surfel].rgb;
+    const vec4 ofSurfel = arguments.white.at[surfel];
+    const vec3 white = ofSurfel.rgb;
     const vec3 shown = radiance / white;
     const vec4 rim = arguments.rims.at[surfel];
     const Shading shading = shadingOf(i, rim, radiance);
@@ -104,12 +105,12 @@ void main()
         arguments.ratingOut.at[pixel] = kDoubtShines << 8; // confidence is 0
         return;
     }
-    const vec4 trust = arguments.trust.at[surfel];
-    const Filled result =
-        filled(divided / lack, lack, shown, total, around.rgb, white,
-               rim.w > 0.0 ? vec3(1.0) : trust.xyz); // what is enclosed has its light by the rim
+    // What is enclosed has its light by the rim.
+    const float doubt = rim.w > 0.0 ? 0.0 : ofSurfel.w;
+    const Filled result = filled(divided / lack, lack, shown, total, around.rgb, white, doubt);
     storeLight(pixel, shading, result.lack);
     arguments.albedoOut.at[pixel] = packedHalves(vec4(result.albedo, 1.0));
+    const vec4 trust = arguments.trust.at[surfel];
     const float hidden = hiddenShare(brightestChannel(shown), arguments.constants.at[0].noise);
     const float burntOut = brightestChannel(burntOutShares(shown, clips));
     const Rated rated = ratedAlbedo(radiance, burntOut, total, arguments.darkest, trust, hidden);

@@ -42,11 +42,7 @@ private:
                     size_t i, uint32_t pixel);
     glm::vec3 fillChannels(glm::vec3 shown, glm::vec3 burntOut, glm::vec3 shading, uint32_t surfel,
                            float lack, uint16_t* rho) const;
-    [[nodiscard]] SurfelTrust trustIn(uint32_t surfel) const
-    {
-        return solved_.trust.empty() ? SurfelTrust{} : solved_.trust[surfel];
-    }
-    glm::vec3 trustInLight(uint32_t surfel) const;
+    [[nodiscard]] float doubtOf(uint32_t surfel) const;
     void fillPadding();
 
     size_t page_;
@@ -76,11 +72,10 @@ LayerMaker::LayerMaker(const Texels& texels, size_t page, const SolvedTexels& so
 }
 
 /// What is enclosed has its light by what it shows (letRimsIn()), and nothing else is asked.
-glm::vec3 LayerMaker::trustInLight(uint32_t surfel) const
+float LayerMaker::doubtOf(uint32_t surfel) const
 {
-    if (!solved_.rims.empty() && solved_.rims[surfel].albedo > 0.0f) return glm::vec3(1.0f);
-    const SurfelTrust trust = trustIn(surfel);
-    return {trust.seen, trust.front, trust.edges};
+    const bool isEnclosed = !solved_.rims.empty() && solved_.rims[surfel].albedo > 0.0f;
+    return isEnclosed || solved_.doubt.empty() ? 0.0f : solved_.doubt[surfel];
 }
 
 /// What is burnt out, hidden by noise, whiter than paper or in doubtful light, and if asked for
@@ -95,11 +90,11 @@ glm::vec3 LayerMaker::fillChannels(glm::vec3 shown, glm::vec3 burntOut, glm::vec
         .noise = noiseOfAlbedo(shading, lack, solved_.linearization.whiteOf(surfel), noise_),
         .isUnlit = options_.fill ? glm::lessThan(shading, glm::vec3(options_.darkest))
                                  : glm::bvec3(false)};
-    const glm::vec3 trust = trustInLight(surfel);
-    if (!isAnyUnknown(unknown) && lack == 1.0f && isTrustedByAll(trust)) return glm::vec3(1.0f);
+    const float doubt = doubtOf(surfel);
+    if (!isAnyUnknown(unknown) && lack == 1.0f && doubt < kSureOfPaint) return glm::vec3(1.0f);
     const glm::vec3 own(floatFromHalf(rho[0]), floatFromHalf(rho[1]), floatFromHalf(rho[2]));
     const glm::vec3 believed =
-        drawnToPaint(believedUnderLack(own, lack, around, unknown.burntOut), around, trust,
+        drawnToPaint(believedUnderLack(own, lack, around, unknown.burntOut), around, doubt,
                      unknown.burntOut, shading, options_.darkest);
     const glm::vec3 filled = filledAlbedo(believed, lack, around, unknown);
     for (int c = 0; c < 3; ++c) rho[c] = halfFromFloat(filled[c]);
@@ -137,7 +132,8 @@ void LayerMaker::storeTexel(const TexelBlock& block, const ShadingBlock& shade,
     const glm::vec3 burntOut = burntOutShares(shown, clips_);
     const Confidence confidence =
         confidenceOf(radiance, brightestChannel(burntOut), total, options_.darkest,
-                     trustIn(block.surfel[i]), hiddenShare(brightestChannel(shown), noise_));
+                     solved_.trust.empty() ? SurfelTrust{} : solved_.trust[block.surfel[i]],
+                     hiddenShare(brightestChannel(shown), noise_));
     layers_.confidence[pixel] = confidence.byte();
     layers_.doubt[pixel] = confidence.doubt;
     if (!texels_.isShared.empty() && texels_.isShared[pixel]) doubtShared(pixel, layers_);

@@ -31,7 +31,7 @@ struct PageLayersArguments
     Vec4s trust;  // seen, front, edges, proven
     Vec4s around; // albedo for what is burnt out; w: 0 where it holds no part of a lamp, else
                   // kOfLamp and the luminance from which what is not burnt out shines
-    Vec4s white;  // radiance that white of the texture stands for
+    Vec4s white;  // radiance that white of the texture stands for; w: SolvedTexels::doubt
     Uvec2s albedoOut;
     Uvec2s directOut;
     Uvec2s indirectOut;

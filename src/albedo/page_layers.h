@@ -25,7 +25,8 @@ struct SolvedTexels
     Tempering tempering;   // of the shading, rims included
     Shining shining;
     std::vector<SurfelTrust> trust; // in the shading of surfels; empty: full
-    std::vector<glm::vec3> fill;    // albedo of surfels, for what is burnt out; or none
+    std::vector<glm::vec3> fill;    // albedo of surfels, for what is burnt out or in doubt; or none
+    std::vector<float> doubt;       // variance of the logarithm of their light; empty: none
     Linearization linearization;    // of the texture, which `shade` explains
 };
 

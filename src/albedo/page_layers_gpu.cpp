@@ -125,7 +125,9 @@ void PageLayersGpu::setSurfels(const SolvedTexels& solved)
     for (size_t s = 0; s < count; ++s)
         if (solved.shining.surfels[s] != 0)
             around[s].w = kOfLamp + std::min(solved.shining.glowsFromOf(s), kMostGlow);
-    for (size_t s = 0; s < count; ++s) white[s] = glm::vec4(solved.linearization.whiteOf(s), 0.0f);
+    for (size_t s = 0; s < count; ++s)
+        white[s] = glm::vec4(solved.linearization.whiteOf(s),
+                             solved.doubt.empty() ? 0.0f : solved.doubt[s]);
     rims_.upload(rims);
     trust_.upload(trust);
     around_.upload(around);

@@ -70,6 +70,7 @@ struct Lit
             said.trust.push_back(
                 {drawn(s, 51), 1.0f, 0.5f + 0.5f * drawn(s, 52), 0.5f + 0.5f * drawn(s, 53)});
             said.fill.push_back(0.9f * drawnColor(s, 61));
+            said.doubt.push_back(drawn(s, 71) < 0.3f ? 0.0f : drawn(s, 72));
         }
     }
 

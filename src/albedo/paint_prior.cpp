@@ -3,6 +3,7 @@
 #include "albedo/paint_prior.shared.h"
 #include "base/parallel.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -26,11 +27,6 @@ struct Belief
 
     [[nodiscard]] bool isKnown() const { return variance >= 0.0f; }
 };
-
-glm::vec3 inLight(const SurfelTrust& trust)
-{
-    return {trust.seen, trust.front, trust.edges};
-}
 
 /// Surfels that are not sure of their paint, each with those beside it that know something.
 struct Unsure
@@ -77,16 +73,15 @@ Belief drawn(const Belief& own, std::span<const uint32_t> others, std::span<cons
 
 std::vector<glm::vec3> paintAround(const Surfels& surfels, std::span<const glm::vec3> albedo,
                                    std::span<const uint8_t> isKnown,
-                                   std::span<const SurfelTrust> trust)
+                                   std::span<const float> variance)
 {
     std::vector<Belief> beliefs(surfels.count());
     forEach(beliefs.size(), [&](size_t s) {
-        beliefs[s] = {logOfPaint(albedo[s]),
-                      isKnown[s] != 0 ? varianceOfAlbedo(inLight(trust[s])) : kNothing};
+        beliefs[s] = {logOfPaint(albedo[s]), isKnown[s] != 0 ? variance[s] : kNothing};
     });
     Unsure unsure;
     for (uint32_t s = 0; s < beliefs.size(); ++s)
-        if (isKnown[s] != 0 && !isTrustedByAll(inLight(trust[s]))) unsure.add(surfels, s, beliefs);
+        if (isKnown[s] != 0 && variance[s] >= kSureOfPaint) unsure.add(surfels, s, beliefs);
     std::vector<Belief> next(unsure.surfel.size());
     for (int round = 0; round < kRounds; ++round) {
         forEachChunk(next.size(), kChunk, [&](size_t begin, size_t end) {
@@ -98,6 +93,15 @@ std::vector<glm::vec3> paintAround(const Surfels& surfels, std::span<const glm::
     std::vector<glm::vec3> paint(albedo.begin(), albedo.end());
     for (const uint32_t s : unsure.surfel) paint[s] = glm::exp(beliefs[s].log);
     return paint;
+}
+
+std::vector<float> varianceByTrust(std::span<const SurfelTrust> trust)
+{
+    std::vector<float> variance;
+    for (const SurfelTrust& t : trust)
+        variance.push_back(
+            varianceWhereRight(std::clamp(t.seen * t.front * t.edges, kLeastTrusted, 1.0f)));
+    return variance;
 }
 
 } // namespace relamp

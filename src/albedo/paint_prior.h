@@ -12,11 +12,14 @@ namespace relamp
 {
 
 /// Albedo of surfels by their own light, as far as it is trusted, and by what is of their paint
-/// around them: the prior of the texels (drawnToPaint()). `trust`: of each. One that is not
-/// `isKnown` tells nothing of the others. Gaussian Markov field with robust weights, a few Jacobi
-/// rounds.
+/// around them: the prior of the texels (drawnToPaint()). `variance`: of the logarithm of each
+/// one's light. One that is not `isKnown` tells nothing of the others. Gaussian Markov field with
+/// robust weights, a few Jacobi rounds.
 std::vector<glm::vec3> paintAround(const Surfels& surfels, std::span<const glm::vec3> albedo,
                                    std::span<const uint8_t> isKnown,
-                                   std::span<const SurfelTrust> trust);
+                                   std::span<const float> variance);
+
+/// Variances of the logarithm of the light on surfels, by the trust in it.
+std::vector<float> varianceByTrust(std::span<const SurfelTrust> trust);
 
 } // namespace relamp

@@ -10,18 +10,7 @@ SHARED_CONST kPaintSpread = 0.3f;     // of log albedo, of what is of one colour
 SHARED_CONST kOtherBrightness = 0.6f; // of log luminance: more is rather another paint
 SHARED_CONST kOtherHue = 0.2f;        // of log colour without brightness, likewise
 SHARED_CONST kLeastTrusted = 0.02f;   // probability: below, all is alike unknown
-SHARED_CONST kTrustedByAll = 0.97f;   // above, an albedo would move by a hundredth at most
-
-SHARED_FN bool isTrustedByAll(vec3 trust)
-{
-    return trust.x * trust.y * trust.z >= kTrustedByAll;
-}
-
-// Variance of a log albedo by the trust in its light: SurfelTrust's seen, front, edges.
-SHARED_FN float varianceOfAlbedo(vec3 trust)
-{
-    return varianceWhereRight(clamp(trust.x * trust.y * trust.z, kLeastTrusted, 1.0f));
-}
+SHARED_CONST kSureOfPaint = 7e-4f; // variance: below, an albedo would move by a hundredth at most
 
 SHARED_FN vec3 logOfPaint(vec3 albedo)
 {
@@ -42,12 +31,11 @@ SHARED_FN float likenessOfPaints(vec3 off, float variance)
 
 // The albedo that is likeliest by its own light and by the paint around, for what of the channels
 // is not burnt out. Where hardly any light falls, all is as likely as the division has it
-// (dividedByShading()).
-SHARED_FN vec3 drawnToPaint(vec3 own, vec3 around, vec3 trust, vec3 burntOut, vec3 shading,
+// (dividedByShading()). `variance`: of the logarithm of its light.
+SHARED_FN vec3 drawnToPaint(vec3 own, vec3 around, float variance, vec3 burntOut, vec3 shading,
                             float darkest)
 {
-    if (isTrustedByAll(trust)) return own;
-    const float variance = varianceOfAlbedo(trust);
+    if (variance < kSureOfPaint) return own;
     const float share = variance / (variance + kPaintSpread * kPaintSpread);
     const vec3 off = logOfPaint(around) - logOfPaint(own);
     const vec3 drawn = own * exp(share * likenessOfPaints(off, variance) * off);

@@ -20,15 +20,10 @@ constexpr glm::vec3 kNoneBurntOut(0.0f); // no channel is burnt out
 constexpr glm::vec3 kWellLitPlace(1.0f); // shading
 constexpr float kNoDarker = 0.005f;
 
-SurfelTrust trusted(float probability)
-{
-    return {.edges = probability};
-}
-
 glm::vec3 drawn(glm::vec3 own, glm::vec3 around, float trust, glm::vec3 burntOut = kNoneBurntOut,
                 glm::vec3 shading = kWellLitPlace)
 {
-    return drawnToPaint(own, around, {1.0f, 1.0f, trust}, burntOut, shading, kNoDarker);
+    return drawnToPaint(own, around, varianceWhereRight(trust), burntOut, shading, kNoDarker);
 }
 
 /// Grey surfels in a row, of which the middle one shows something else.
@@ -40,7 +35,7 @@ struct Row
     Surfels surfels;
     std::vector<glm::vec3> albedo = std::vector<glm::vec3>(kCount, kWallPaint);
     std::vector<uint8_t> isKnown = std::vector<uint8_t>(kCount, 1);
-    std::vector<SurfelTrust> trust = std::vector<SurfelTrust>(kCount);
+    std::vector<float> variance = std::vector<float>(kCount, 0.0f);
 
     Row(glm::vec3 middle, float trustInIt)
     {
@@ -54,12 +49,12 @@ struct Row
             surfels.firstNeighbor.push_back(static_cast<uint32_t>(surfels.neighbor.size()));
         }
         albedo[kMiddle] = middle;
-        trust[kMiddle] = trusted(trustInIt);
+        variance[kMiddle] = varianceWhereRight(trustInIt);
     }
 
     [[nodiscard]] glm::vec3 middle() const
     {
-        return paintAround(surfels, albedo, isKnown, trust)[kMiddle];
+        return paintAround(surfels, albedo, isKnown, variance)[kMiddle];
     }
 };
 

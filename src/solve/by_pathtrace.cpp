@@ -1,6 +1,7 @@
 #include "solve/by_pathtrace.h"
 
 #include "albedo/gather_closure.h"
+#include "albedo/paint_prior.h"
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "solve/albedo_scale.h"
@@ -151,15 +152,16 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
     temper(texels, witnesses, settled.irradiance, found);
     scaleAlbedo(settled.irradiance, found);
     solution.warnings = found.warnings;
-    const std::vector<SurfelTrust> trust = reliabilityOf(
-        varianceOf(found.hits, {settled.irradiance, {}}), {}, varianceOfCamera(found));
+    const std::vector<LightVariance> variance = varianceOf(found.hits, {settled.irradiance, {}});
+    const std::vector<float> doubt = varianceByTrust(reliabilityOf(variance, {}));
     solution.texels = {.shade = shadingOf(texels, scene, room, options.pathtrace),
                        .tempering = found.tempering,
                        .shining = shiningOf(found),
-                       .trust = trust,
+                       .trust = reliabilityOf(variance, {}, varianceOfCamera(found)),
                        .fill = fillOf(texels.surfels, found.radiance,
-                                      tempered(found.tempering, settled.irradiance), trust, {},
+                                      tempered(found.tempering, settled.irradiance), doubt, {},
                                       options.albedo.darkest),
+                       .doubt = doubt,
                        .linearization = found.linearization};
     solution.lights = lightsOf(found);
     solution.openings = openingsOf(found);

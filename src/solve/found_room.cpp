@@ -439,9 +439,8 @@ std::vector<float> varianceOfCamera(const FoundRoom& room)
 }
 
 std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radiance,
-                              std::span<const glm::vec3> irradiance,
-                              std::span<const SurfelTrust> trust, std::span<const Rim> rims,
-                              float darkest)
+                              std::span<const glm::vec3> irradiance, std::span<const float> doubt,
+                              std::span<const Rim> rims, float darkest)
 {
     std::vector<glm::vec3> paint(surfels.count());
     std::vector<uint8_t> isKnown(surfels.count());
@@ -457,7 +456,7 @@ std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radi
         isLit[s] = isKnown[s] != 0 && isOpen && brightestChannel(shading) >= darkest ? 1 : 0;
     }
     return paintAround(surfels, fillFromAround(surfels, paint, isKnown, kAlbedoOfTheUnknown), isLit,
-                       trust);
+                       doubt);
 }
 
 } // namespace relamp

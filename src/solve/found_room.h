@@ -85,12 +85,11 @@ Shining shiningOf(const FoundRoom& room);
 /// as reliabilityOf() takes it.
 std::vector<float> varianceOfCamera(const FoundRoom& room);
 
-/// Albedo for texels that cannot be trusted, one a surfel: paintAround() by the trust in their
+/// Albedo for texels that cannot be trusted, one a surfel: paintAround() by the `doubt` of their
 /// light. Those that are mostly burnt out, or much whiter than paper in this light, do not know
 /// their own and get that of the surface around them.
 std::vector<glm::vec3> fillOf(const Surfels& surfels, const SurfelRadiance& radiance,
-                              std::span<const glm::vec3> irradiance,
-                              std::span<const SurfelTrust> trust, std::span<const Rim> rims,
-                              float darkest);
+                              std::span<const glm::vec3> irradiance, std::span<const float> doubt,
+                              std::span<const Rim> rims, float darkest);
 
 } // namespace relamp

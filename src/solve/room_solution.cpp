@@ -1,6 +1,7 @@
 #include "solve/room_solution.h"
 
 #include "albedo/gather_closure.h"
+#include "albedo/paint_prior.h"
 #include "shading/lit_sides.h"
 #include "solve/found_room.h"
 #include "solve/proof.h"
@@ -19,8 +20,9 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightO
 {
     const FoundRoom& found = room.found;
     const std::vector<glm::vec3> irradiance = irradianceOf(room);
-    const std::vector<SurfelTrust> trust =
-        reliabilityOf(varianceOf(found.hits, room.lighting), room.lit, varianceOfCamera(found));
+    const std::vector<LightVariance> variance = varianceOf(found.hits, room.lighting);
+    // A camera errs alike on all of one paint, and what is around says nothing of that.
+    const std::vector<float> doubt = varianceByTrust(reliabilityOf(variance, room.lit));
     const std::vector<Rim> rims = rimsOf(texels.surfels, found.radiance, irradiance);
     Solution solution{.options = asked};
     solution.options.gather = found.options;
@@ -30,10 +32,11 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightO
                        .rims = rims,
                        .tempering = found.tempering,
                        .shining = shiningOf(found),
-                       .trust = trust,
+                       .trust = reliabilityOf(variance, room.lit, varianceOfCamera(found)),
                        .fill = fillOf(texels.surfels, found.radiance,
-                                      tempered(found.tempering, irradiance), trust, rims,
+                                      tempered(found.tempering, irradiance), doubt, rims,
                                       asked.albedo.darkest),
+                       .doubt = doubt,
                        .linearization = found.linearization};
     solution.lights = lightsOf(found);
     solution.openings = openingsOf(found);
