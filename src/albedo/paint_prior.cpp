@@ -3,7 +3,6 @@
 #include "albedo/paint_prior.shared.h"
 #include "base/parallel.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -93,15 +92,6 @@ std::vector<glm::vec3> paintAround(const Surfels& surfels, std::span<const glm::
     std::vector<glm::vec3> paint(albedo.begin(), albedo.end());
     for (const uint32_t s : unsure.surfel) paint[s] = glm::exp(beliefs[s].log);
     return paint;
-}
-
-std::vector<float> varianceByTrust(std::span<const SurfelTrust> trust)
-{
-    std::vector<float> variance;
-    for (const SurfelTrust& t : trust)
-        variance.push_back(
-            varianceWhereRight(std::clamp(t.seen * t.front * t.edges, kLeastTrusted, 1.0f)));
-    return variance;
 }
 
 } // namespace relamp

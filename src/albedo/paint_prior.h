@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fit/reliability.h"
 #include "scan/surfels.h"
 
 #include <span>
@@ -18,8 +17,5 @@ namespace relamp
 std::vector<glm::vec3> paintAround(const Surfels& surfels, std::span<const glm::vec3> albedo,
                                    std::span<const uint8_t> isKnown,
                                    std::span<const float> variance);
-
-/// Variances of the logarithm of the light on surfels, by the trust in it.
-std::vector<float> varianceByTrust(std::span<const SurfelTrust> trust);
 
 } // namespace relamp

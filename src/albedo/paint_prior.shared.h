@@ -2,14 +2,12 @@
 #define RELAMP_PAINT_PRIOR_SHARED_H
 
 #include "albedo/fill.shared.h"
-#include "fit/reliability.shared.h"
 
 SHARED_BEGIN
 
-SHARED_CONST kPaintSpread = 0.3f;     // of log albedo, of what is of one colour on one surface
+SHARED_CONST kPaintSpread = 0.4f;     // of log albedo, of what is of one colour on one surface
 SHARED_CONST kOtherBrightness = 0.6f; // of log luminance: more is rather another paint
 SHARED_CONST kOtherHue = 0.2f;        // of log colour without brightness, likewise
-SHARED_CONST kLeastTrusted = 0.02f;   // probability: below, all is alike unknown
 SHARED_CONST kSureOfPaint = 7e-4f; // variance: below, an albedo would move by a hundredth at most
 
 SHARED_FN vec3 logOfPaint(vec3 albedo)

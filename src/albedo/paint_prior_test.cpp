@@ -20,6 +20,13 @@ constexpr glm::vec3 kNoneBurntOut(0.0f); // no channel is burnt out
 constexpr glm::vec3 kWellLitPlace(1.0f); // shading
 constexpr float kNoDarker = 0.005f;
 
+/// Of what is right to within 15 % with this probability: docs/method/reliability.md.
+float varianceWhereRight(float probability)
+{
+    const float square = probability * probability;
+    return 0.5f * 0.15f * 0.15f * (1.0f - square) / square;
+}
+
 glm::vec3 drawn(glm::vec3 own, glm::vec3 around, float trust, glm::vec3 burntOut = kNoneBurntOut,
                 glm::vec3 shading = kWellLitPlace)
 {

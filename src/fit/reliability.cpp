@@ -2,7 +2,6 @@
 
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
-#include "fit/reliability.shared.h"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +19,7 @@ constexpr float kUnsureOfOutside = 0.4f; // times the share of a view that leave
 // Of these, in rooms with ground truth, after the correction.
 constexpr float kLeftUnsure = 0.28f;       // of the deviation before it
 constexpr float kLeftOfCorrection = 0.72f; // of what was corrected, in log light
+constexpr float kRight = 0.15f;            // of log light: an error that people hardly see
 
 float squareOf(float value)
 {
@@ -54,6 +54,14 @@ ShareOfView viewOf(const HitLists& hits, size_t surfel)
     }
     const auto rays = static_cast<float>(targets.size());
     return {view.outside / rays, view.backs / rays};
+}
+
+/// That an error is within kRight, of Student's distribution of two degrees of freedom: its tails
+/// are as long as those of the errors of light.
+float probabilityRight(float variance)
+{
+    const float t = kRight / std::sqrt(variance);
+    return t / std::sqrt(2.0f + t * t);
 }
 
 } // namespace
@@ -100,22 +108,30 @@ std::vector<float> varianceOfResponse(std::span<const glm::vec3> texture,
     return variance;
 }
 
+std::vector<float> varianceLeft(std::span<const LightVariance> variance, std::span<const float> lit)
+{
+    std::vector<float> left(variance.size());
+    forEach(left.size(), [&](size_t s) {
+        const float corrected =
+            lit.empty() ? 0.0f : squareOf(kLeftOfCorrection * logOfLight(lit[s]));
+        left[s] = squareOf(kLeftUnsure) * variance[s].total() + corrected;
+    });
+    return left;
+}
+
 std::vector<SurfelTrust> reliabilityOf(std::span<const LightVariance> variance,
                                        std::span<const float> lit, std::span<const float> ofCamera)
 {
+    const std::vector<float> ofLight = varianceLeft(variance, lit);
     std::vector<SurfelTrust> trust(variance.size());
     forEach(trust.size(), [&](size_t s) {
-        const LightVariance& before = variance[s];
-        const float corrected =
-            lit.empty() ? 0.0f : squareOf(kLeftOfCorrection * logOfLight(lit[s]));
-        const float camera = ofCamera.empty() ? 0.0f : ofCamera[s];
-        const float left = squareOf(kLeftUnsure);
-        const float total = left * before.total() + corrected + camera;
+        const float total = ofLight[s] + (ofCamera.empty() ? 0.0f : ofCamera[s]);
+        const float outside = squareOf(kLeftUnsure) * variance[s].outside;
+        const float backs = squareOf(kLeftUnsure) * variance[s].backs;
         const float right = std::log(probabilityRight(total));
-        trust[s].seen = std::exp(right * left * before.outside / total);
-        trust[s].front = std::exp(right * left * before.backs / total);
-        trust[s].edges =
-            std::exp(right * (left * (before.edges + before.rest) + corrected + camera) / total);
+        trust[s].seen = std::exp(right * outside / total);
+        trust[s].front = std::exp(right * backs / total);
+        trust[s].edges = std::exp(right * (total - outside - backs) / total);
     });
     return trust;
 }

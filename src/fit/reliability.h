@@ -33,6 +33,10 @@ struct LightVariance
 /// surfel; `light.spread` may be empty where a solver does not know it.
 std::vector<LightVariance> varianceOf(const HitLists& hits, const SurfelLighting& light);
 
+/// What is left of them after the light was corrected by `lit` times; empty: it was not.
+std::vector<float> varianceLeft(std::span<const LightVariance> variance,
+                                std::span<const float> lit);
+
 /// Of the logarithm of radiance, one a surfel, where a camera's response is known as well as
 /// `slopes` say. What makes all of the room as much brighter or darker is left out. `texture`:
 /// linear, what surfels show; `area`: over which they do.

@@ -1,7 +1,6 @@
 #include "fit/reliability.h"
 
 #include "base/radiometry.shared.h"
-#include "fit/reliability.shared.h"
 #include "scenes/scenes.h"
 #include "scenes/surfaces.h"
 
@@ -100,6 +99,15 @@ TEST(Reliability, WhatWasCorrectedByMuchIsLessSureThanWhatWasByLittle)
 }
 
 // By its share of the logarithm: two alike causes each take the root.
+TEST(Reliability, WhatIsLeftIsThatOfTheLightAndItsCorrection)
+{
+    const LightVariance before{.outside = 0.1f, .backs = 0.2f, .edges = 0.3f, .rest = 0.4f};
+    const float lit = std::exp(-1.0f);
+    const float alone = varianceLeft({&before, 1}, {}).front();
+    EXPECT_NEAR(alone, 0.28f * 0.28f, 1e-6f);
+    EXPECT_NEAR(varianceLeft({&before, 1}, {&lit, 1}).front(), alone + 0.72f * 0.72f, 1e-5f);
+}
+
 TEST(Reliability, CausesShareTheDoubt)
 {
     const LightVariance variance[] = {{.outside = 0.2f, .backs = 0.2f}, {.outside = 0.4f}};
@@ -125,12 +133,6 @@ TEST(Reliability, AResponseThatIsNotKnownCountsFarFromTheUsualBrightness)
     const auto trust = reliabilityOf(light, {}, variance);
     EXPECT_GT(probability(trust[0]), 0.95f);
     EXPECT_LT(probability(trust[1]), 0.6f);
-}
-
-TEST(Reliability, VarianceAndProbabilityAreOneThing)
-{
-    for (const float variance : {0.0004f, 0.01f, 0.3f, 4.0f})
-        EXPECT_NEAR(varianceWhereRight(probabilityRight(variance)), variance, 1e-3f * variance);
 }
 
 } // namespace relamp

@@ -1,7 +1,6 @@
 #include "solve/by_pathtrace.h"
 
 #include "albedo/gather_closure.h"
-#include "albedo/paint_prior.h"
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "solve/albedo_scale.h"
@@ -153,7 +152,7 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
     scaleAlbedo(settled.irradiance, found);
     solution.warnings = found.warnings;
     const std::vector<LightVariance> variance = varianceOf(found.hits, {settled.irradiance, {}});
-    const std::vector<float> doubt = varianceByTrust(reliabilityOf(variance, {}));
+    const std::vector<float> doubt = varianceLeft(variance, {});
     solution.texels = {.shade = shadingOf(texels, scene, room, options.pathtrace),
                        .tempering = found.tempering,
                        .shining = shiningOf(found),

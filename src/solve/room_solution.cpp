@@ -1,7 +1,6 @@
 #include "solve/room_solution.h"
 
 #include "albedo/gather_closure.h"
-#include "albedo/paint_prior.h"
 #include "shading/lit_sides.h"
 #include "solve/found_room.h"
 #include "solve/proof.h"
@@ -22,7 +21,7 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightO
     const std::vector<glm::vec3> irradiance = irradianceOf(room);
     const std::vector<LightVariance> variance = varianceOf(found.hits, room.lighting);
     // A camera errs alike on all of one paint, and what is around says nothing of that.
-    const std::vector<float> doubt = varianceByTrust(reliabilityOf(variance, room.lit));
+    const std::vector<float> doubt = varianceLeft(variance, room.lit);
     const std::vector<Rim> rims = rimsOf(texels.surfels, found.radiance, irradiance);
     Solution solution{.options = asked};
     solution.options.gather = found.options;

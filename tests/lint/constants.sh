@@ -38,7 +38,7 @@ find src/fit src/lights/candidates.{h,cpp} -type f \( -name '*.cpp' -o -name '*.
     /^ *$/ { numerics = 0 }
     /^ *\/\/ Numerics/ { numerics = 1 }
     line != "" { sub(/^ */, " "); line = line $0; if (/;/) flush(); next } # went on
-    /^ *(((static|inline) )*constexpr [^(]*|SHARED_CONST )k[A-Z][A-Za-z0-9]*(\[[^]]*\])? *=/ {
+    /^ *((static|inline) )*constexpr [^(]*k[A-Z][A-Za-z0-9]*(\[[^]]*\])? *=/ {
         line = $0
         file = FILENAME
         sub(/^src\//, "", file)
