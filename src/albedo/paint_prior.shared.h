@@ -8,7 +8,7 @@ SHARED_BEGIN
 SHARED_CONST kPaintSpread = 0.4f;     // of log albedo, of what is of one colour on one surface
 SHARED_CONST kOtherBrightness = 0.6f; // of log luminance: more is rather another paint
 SHARED_CONST kOtherHue = 0.2f;        // of log colour without brightness, likewise
-SHARED_CONST kSureOfPaint = 7e-4f; // variance: below, an albedo would move by a hundredth at most
+SHARED_CONST kSureOfPaint = 7e-4f;    // variance: below, an albedo hardly moves
 
 SHARED_FN vec3 logOfPaint(vec3 albedo)
 {
