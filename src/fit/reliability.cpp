@@ -21,6 +21,9 @@ constexpr float kLeftUnsure = 0.28f;       // of the deviation before it
 constexpr float kLeftOfCorrection = 0.72f; // of what was corrected, in log light
 constexpr float kRight = 0.15f;            // of log light: an error that people hardly see
 
+// Numerics.
+constexpr float kMostVariance = 1e6f; // of what is not known at all; finite beside any other
+
 float squareOf(float value)
 {
     return value * value;
@@ -114,7 +117,7 @@ std::vector<float> varianceLeft(std::span<const LightVariance> variance, std::sp
     forEach(left.size(), [&](size_t s) {
         const float corrected =
             lit.empty() ? 0.0f : squareOf(kLeftOfCorrection * logOfLight(lit[s]));
-        left[s] = squareOf(kLeftUnsure) * variance[s].total() + corrected;
+        left[s] = std::min(kMostVariance, squareOf(kLeftUnsure) * variance[s].total() + corrected);
     });
     return left;
 }

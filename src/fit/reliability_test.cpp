@@ -5,6 +5,7 @@
 #include "scenes/surfaces.h"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -106,6 +107,15 @@ TEST(Reliability, WhatIsLeftIsThatOfTheLightAndItsCorrection)
     const float alone = varianceLeft({&before, 1}, {}).front();
     EXPECT_NEAR(alone, 0.28f * 0.28f, 1e-6f);
     EXPECT_NEAR(varianceLeft({&before, 1}, {&lit, 1}).front(), alone + 0.72f * 0.72f, 1e-5f);
+}
+
+TEST(Reliability, IsANumberWhateverTheLightErrsBy)
+{
+    const LightVariance endless{.edges = std::numeric_limits<float>::infinity()};
+    EXPECT_LT(varianceLeft({&endless, 1}, {}).front(), 1e7f);
+    const SurfelTrust trust = reliabilityOf({&endless, 1}, {}).front();
+    EXPECT_NEAR(trust.seen * trust.front, 1.0f, 1e-3f);
+    EXPECT_LT(trust.edges, 0.01f);
 }
 
 TEST(Reliability, CausesShareTheDoubt)
