@@ -33,7 +33,6 @@ constexpr double kGainStep =
     0.25; // log: of the gain from knot to knot; little of it is left at two
 constexpr float kToneSpacing = 0.6f; // m: what local tone mapping flattens is larger
 constexpr double kToneSpread = 0.4;  // of 1 / exponent - 1: exponents of 0.6 to 1
-constexpr double kDriftNats = 8.0;   // log odds of a drift: hardly a set of photos has none
 
 // Numerics.
 constexpr int kMostKnots = 250;       // in a hall they lie farther apart
@@ -274,7 +273,7 @@ CameraColumns columnsOf(const Gain& known, const TexturePlaces& places)
 
 double likelihoodByEvidence(double drift)
 {
-    return 1.0 / (1.0 + std::exp(-drift - kDriftNats));
+    return 1.0 / (1.0 + std::exp(-drift - kHardlyEverNats));
 }
 
 double worthOfGain(double likely)

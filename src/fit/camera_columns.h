@@ -12,6 +12,10 @@
 namespace relamp
 {
 
+/// Log odds against what hardly a scan has: an exposure that does not drift, a mesh through which
+/// no light leaks.
+inline constexpr double kHardlyEverNats = 8.0;
+
 /// Radiance: local tone mapping lifts nothing darker.
 inline constexpr float kDarkestBase = 0.01f;
 

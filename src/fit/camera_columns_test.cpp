@@ -26,8 +26,8 @@ struct LitWall
     std::vector<glm::vec3> positions;
     std::vector<MaterialPair> pairs;
 
-    /// `paintNoise`: log, of albedo from place to place.
-    explicit LitWall(double paintNoise)
+    /// `paintNoise`: log, of albedo from place to place. `gathered`: irradiance by other walls.
+    explicit LitWall(double paintNoise, float gathered = 0.02f)
     {
         constexpr float kRadiance = 60.0f;
         std::mt19937 random(3);
@@ -41,10 +41,10 @@ struct LitWall
             const float direct = 0.02f * 0.6f / (squared * std::sqrt(squared));
             const double noise =
                 paintNoise * static_cast<double>(unit() + unit() + unit() - 1.5f) * 2.0;
-            model.gathered.emplace_back(0.02f);
+            model.gathered.emplace_back(gathered);
             model.missed.emplace_back();
             model.direct.push_back({{0, direct}});
-            model.shown.emplace_back(0.4f / kPi * (0.02f + kRadiance * direct) *
+            model.shown.emplace_back(0.4f / kPi * (gathered + kRadiance * direct) *
                                      static_cast<float>(std::exp(noise)));
         }
         for (size_t i = 0; i < 3 * positions.size(); ++i)
@@ -133,6 +133,34 @@ TEST(CameraColumns, WhatLeaksIsNoCurve)
     EXPECT_GT(whole, 1.0);
     EXPECT_LT(open, 0.0);
     EXPECT_NEAR(wall.solve(straight).camera.front(), flattenedBy(0.9), 0.005);
+}
+
+// What leaks is told by the dark alone, and the dark tells most of the contrast. Where all is lit
+// evenly nothing tells, and leaks are expected as ever.
+TEST(CameraColumns, WhereNothingLeaksTheDarkTellsTheContrast)
+{
+    const std::vector<uint8_t> emits{1};
+    for (const bool isDark : {false, true}) {
+        LitWall wall(0.01, isDark ? 0.0005f : 1.0f);
+        for (size_t i = 0; i < wall.places(); ++i) {
+            glm::vec3& shown = wall.model.shown[i];
+            shown = glm::vec3(0.18f * std::pow(shown.g / 0.18f, 1.35f));
+        }
+        const CameraColumns columns = columnsOf(Response{}, wall.asSeen());
+        LightFit fit(wall.model, wall.pairs, {}, isDark ? kNoiseOfPaint : kFirstNoise);
+        const LightEstimate first = fit.solve(emits, fit.beginning(), columns);
+        fit.expectLeaks(first.log);
+        const LightEstimate asUsual = fit.solve(emits, first.log, columns);
+        fit.expectLeaks(first, columns);
+        const LightEstimate found = fit.solve(emits, first.log, columns);
+        const double narrower = found.cameraCovariance.front() / asUsual.cameraCovariance.front();
+        if (!isDark) {
+            EXPECT_GT(narrower, 0.95);
+            continue;
+        }
+        EXPECT_LT(narrower, 0.5);
+        EXPECT_NEAR(responseOf(found.camera).contrast(), 1.35f, 0.03f);
+    }
 }
 
 // The exposure rises by half a stop from left to right, which no lamp explains.

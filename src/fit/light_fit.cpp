@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
+#include "fit/camera_columns.h"
 #include "fit/light_fit_search.h"
 #include "fit/reliability.h"
 
@@ -105,7 +106,13 @@ double LightFit::expectLeaks(const LightEstimate& estimate, const CameraColumns&
                          (noiseAbove_[k] * noiseAbove_[k] + noiseBelow_[k] * noiseBelow_[k]);
     const double ofScan = costOfLeak(leakOfScan * usual, light, logAlbedo);
     const double open = 1.0 / (1.0 + std::exp(perPair() * (ofScan - ofModel)));
-    const double leak = leakOfModel + open * (leakOfScan - leakOfModel);
+    double leak = leakOfModel + open * (leakOfScan - leakOfModel);
+    // A contrast curve, too, makes the dark too dark: where leaks are expected that are not there,
+    // it is hardly heard. (Lamps are told with leaks whatever the pairs say of none.)
+    if (camera.count() > 0) {
+        const double ofNone = costOfLeak(0.0, light, logAlbedo);
+        leak /= 1.0 + std::exp(perPair() * (std::min(ofModel, ofScan) - ofNone) - kHardlyEverNats);
+    }
     costOfLeak(leak * usual, light, logAlbedo);
     return open;
 }

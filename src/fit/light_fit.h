@@ -70,7 +70,8 @@ public:
     /// much, as the pairs have it. How likely much: that the mesh stands open as a reconstruction,
     /// 0..1.
     double expectLeaks(std::span<const double> log);
-    /// The same of what is shown once these coefficients of the camera are undone.
+    /// The same of what is shown once these coefficients of the camera are undone; with a camera
+    /// that has any, of nothing as well, where the pairs are for that beyond doubt.
     double expectLeaks(const LightEstimate& estimate, const CameraColumns& camera);
     /// From now on these pairs count as well, which a person said to be of one paint.
     void believe(std::span<const MaterialPair> same) { told_ = same; }
