@@ -99,7 +99,6 @@ TEST(Reliability, WhatWasCorrectedByMuchIsLessSureThanWhatWasByLittle)
     EXPECT_FLOAT_EQ(probability(trust[2]), probability(trust[3]));
 }
 
-// By its share of the logarithm: two alike causes each take the root.
 TEST(Reliability, WhatIsLeftIsThatOfTheLightAndItsCorrection)
 {
     const LightVariance before{.outside = 0.1f, .backs = 0.2f, .edges = 0.3f, .rest = 0.4f};
@@ -118,6 +117,7 @@ TEST(Reliability, IsANumberWhateverTheLightErrsBy)
     EXPECT_LT(trust.edges, 0.01f);
 }
 
+// By its share of the logarithm: two alike causes each take the root.
 TEST(Reliability, CausesShareTheDoubt)
 {
     const LightVariance variance[] = {{.outside = 0.2f, .backs = 0.2f}, {.outside = 0.4f}};
