@@ -118,7 +118,7 @@ TEST(Delight, FurnaceIsUniform)
     const Scan scan = scenes::room(kRoom, 32, scenes::plain(glm::vec3(0.4f)));
     const Worked worked = work(scan, thesis());
     const auto error = [](glm::vec3, glm::vec3, glm::vec3 albedo) {
-        return std::abs(albedo.g - 0.9f);
+        return std::abs(albedo.g - kWhitePaint);
     };
     EXPECT_LT(largestError(worked, error), 0.01f);
 }

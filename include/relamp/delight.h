@@ -73,7 +73,7 @@ struct PageLayers
 {
     int width = 0;
     int height = 0;
-    std::vector<uint16_t> albedo;       // 0..0.9: no paper is whiter
+    std::vector<uint16_t> albedo;       // 0..0.87: no paper is whiter
     std::vector<uint16_t> direct;       // irradiance / pi straight from the lights
     std::vector<uint16_t> indirect;     // irradiance / pi by way of other surfaces, and ambient
     std::vector<uint8_t> emission;      // sRGB of texels that shine, else 0; empty where none does

@@ -38,7 +38,7 @@ struct GatherOptions
     std::vector<glm::vec3> lights; // places, m, whose burnt-out surface shines
     std::vector<glm::vec3> notLights; // places, m, whose burnt-out surface does not
     std::vector<SamePaint> same;      // the surfaces nearest to these have one albedo
-    std::vector<glm::vec3> white;     // places, m, whose albedo is about 0.9: the scale of all
+    std::vector<glm::vec3> white;     // places, m, whose albedo is about 0.87: the scale of all
     bool sun = true;                  // false: no sun is looked for
     std::optional<Response> response; // what the camera applied, if it is known; none: looked for
     bool gain = true;                 // false: its exposure was the same everywhere

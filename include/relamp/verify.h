@@ -41,7 +41,7 @@ struct Verification
                                  // and no less than that could hide
     float standardError = 0.0f;  // of rmsError, by the scatter of the places
     float rmsOfScan = 0.0f;      // of the texture there, to compare with
-    float asWhiteAsPaper = 0.0f; // share of the area whose albedo is 0.9: there light may lack
+    float asWhiteAsPaper = 0.0f; // share of the area whose albedo is 0.87: there light may lack
     float rmsErrorElsewhere = 0.0f; // rmsError without these places
     float psnr = 0.0f;              // dB, peak 1; 120 where the error is nothing
     glm::vec3 ratio{0.0f};          // of what was rendered over the scan, means of each channel

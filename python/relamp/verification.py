@@ -31,7 +31,7 @@ class Verification:
     rms_error: float  #: radiance, 1 = the texture's white
     standard_error: float  #: of rms_error
     rms_of_scan: float  #: of the texture there, to compare with
-    as_white_as_paper: float  #: share of the area whose albedo is 0.9: there light may lack
+    as_white_as_paper: float  #: share of the area whose albedo is 0.87: there light may lack
     rms_error_elsewhere: float  #: rms_error without these places
     psnr: float  #: dB, peak 1
     ratio: Triple  #: of what was rendered over the scan, means of each channel

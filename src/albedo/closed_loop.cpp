@@ -102,7 +102,7 @@ struct ErrorSum
 /// The whitest that divide() gives, as a half float.
 bool isAsWhiteAsPaper(const RenderedPlace& place)
 {
-    return brightestChannel(place.albedo) > kWhitestPaper - 1e-3f;
+    return brightestChannel(place.albedo) > kWhitePaint - 1e-3f;
 }
 
 float shadingOf(const RenderedPlace& place)

@@ -1,5 +1,6 @@
 #include "albedo/closed_loop.h"
 
+#include "base/radiometry.shared.h"
 #include "base/random.h"
 
 #include <cmath>
@@ -68,7 +69,7 @@ TEST(ClosedLoop, PlacesAsWhiteAsPaperAreAShareOfTheirOwn)
 {
     std::vector<RenderedPlace> places = noisyPlaces(0.0f, 0.0f);
     for (size_t i = 0; i < places.size() / 4; ++i) {
-        places[i].albedo = glm::vec3(0.9f, 0.5f, 0.5f);
+        places[i].albedo = glm::vec3(kWhitePaint, 0.5f, 0.5f);
         places[i].first = places[i].second = places[i].scan - 0.2f;
     }
     Verification found;

@@ -1,6 +1,7 @@
 #include "albedo/confidence.h"
 
 #include "albedo/layer_parts.h"
+#include "base/radiometry.shared.h"
 #include "image/burnt_out.shared.h"
 
 #include <gmock/gmock.h>
@@ -60,13 +61,14 @@ TEST(Confidence, LowOneHasTheReasonThatWeighsMost)
     EXPECT_EQ(why(kGrey, kLit, {.edges = 0.6f}), Doubt::none); // not low
 }
 
-// What shows 0.9 of white and got less light than that is whiter than paper, or got more.
+// What shows more than white paint under the light that was found is whiter than paper, or got
+// more.
 TEST(Confidence, FallsWhereNoPaperIsAsWhite)
 {
     const glm::vec3 light(0.45f);
-    EXPECT_EQ(rated(0.9f * light, true, light).value, 1.0f);
-    EXPECT_NEAR(rated(1.35f * light, true, light).value, 0.5f, 1e-3f);
-    EXPECT_EQ(rated(1.8f * light, true, light).doubt, Doubt::whiterThanPaper);
+    EXPECT_EQ(rated(kWhitePaint * light, true, light).value, 1.0f);
+    EXPECT_NEAR(rated(1.5f * kWhitePaint * light, true, light).value, 0.5f, 1e-3f);
+    EXPECT_EQ(rated(2.0f * kWhitePaint * light, true, light).doubt, Doubt::whiterThanPaper);
 }
 
 TEST(Confidence, DoubtsMultiply)

@@ -12,7 +12,7 @@ namespace relamp
 /// Divides the light out of a block of texels: albedo = radiance / (direct + indirect).
 ///
 /// A shading below `darkest` is believed the less the darker it is (divide.shared.h). Where albedo
-/// would be above 0.9, the shading is raised by `lack`, which makes it that: no paper is whiter.
+/// would be above 0.87, the shading is raised by `lack`, which makes it that: no paper is whiter.
 /// Half floats; entries behind the block's last texel are unspecified.
 struct AlbedoBlock
 {

@@ -29,7 +29,7 @@ SHARED_FN vec3 dividedByShading(vec3 radiance, vec3 shading, float darkest)
 // What came out whiter than paper got more light than was known: how many times as much, at least.
 SHARED_FN float lightThatLacks(vec3 albedo)
 {
-    return max(brightestChannel(albedo) / kWhitestPaper, 1.0f);
+    return max(brightestChannel(albedo) / kWhitePaint, 1.0f);
 }
 
 SHARED_END

@@ -2,6 +2,7 @@
 
 #include "albedo/divide.shared.h"
 #include "base/half.h"
+#include "base/radiometry.shared.h"
 
 #include <gtest/gtest.h>
 
@@ -41,9 +42,9 @@ TEST(Divide, NothingIsWhiterThanPaperAndItsHueIsKept)
     for (float* channel : {shading.direct.r, shading.direct.g, shading.direct.b}) channel[0] = 0.5f;
     AlbedoBlock albedo{};
     divide(block, shading, 0.02f, albedo);
-    EXPECT_NEAR(floatFromHalf(albedo.r[0]), 0.9f, 1e-3f);
-    EXPECT_NEAR(floatFromHalf(albedo.g[0]), 0.6f, 1e-3f);
-    EXPECT_NEAR(floatFromHalf(albedo.b[0]), 0.3f, 1e-3f);
+    EXPECT_NEAR(floatFromHalf(albedo.r[0]), kWhitePaint, 1e-3f);
+    EXPECT_NEAR(floatFromHalf(albedo.g[0]), kWhitePaint * 2.0f / 3.0f, 1e-3f);
+    EXPECT_NEAR(floatFromHalf(albedo.b[0]), kWhitePaint / 3.0f, 1e-3f);
     EXPECT_NEAR(floatFromHalf(albedo.r[0]) * albedo.lack[0] * 0.5f, block.r[0], 1e-3f);
 }
 

@@ -94,7 +94,7 @@ SHARED_FN vec3 filledAlbedo(vec3 own, float lack, vec3 around, UnknownChannels u
     const float like =
         likenessOfPaint(most) + told * (likenessOfPaint(ofWhole) - likenessOfPaint(most));
     const float grey = brightest + told * (whole / max(count, 1e-6f) - brightest);
-    const vec3 theirColor = min(scale * around, vec3(kWhitestPaper));
+    const vec3 theirColor = min(scale * around, vec3(kWhitePaint));
     const vec3 guess = grey + like * (theirColor - grey);
     // What is burnt out is raised alike, as far as that can be the paint around: channel by
     // channel, white by warm light would come out blue.
@@ -109,8 +109,7 @@ SHARED_FN vec3 filledAlbedo(vec3 own, float lack, vec3 around, UnknownChannels u
             filled[c] = theirColor[c];
             continue;
         }
-        filled[c] +=
-            unknown.burntOut[c] * (min(max(raised[c], least[c]), kWhitestPaper) - filled[c]);
+        filled[c] += unknown.burntOut[c] * (min(max(raised[c], least[c]), kWhitePaint) - filled[c]);
         const float seen = clamp(max(theirColor[c], kDarkestPaint),
                                  max(own[c] - unknown.noise[c], 0.0f), own[c] + unknown.noise[c]);
         filled[c] += unknown.hidden[c] * (seen - filled[c]);

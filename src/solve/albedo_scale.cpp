@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -20,41 +21,56 @@ namespace
 {
 
 constexpr float kMuch = 3.0f; // times: the paint of a room's usual surface is that far from white
-constexpr double kUnsureLevel = 0.3; // log: of a room's light as a whole
-constexpr double kUnsurePlace = 0.3; // log: of the light at one surface
-constexpr double kSurfaces = 5.0;    // that err by themselves, in a room
+// Of what light falls on, brightest channel: ceilings have 0.8, walls 0.5, floors 0.2.
+constexpr double kUsual = 0.5;
+constexpr double kRoomsDiffer = 0.3;   // log: in that; 0.2 in eleven rooms with truth
+constexpr double kAllOverPlaces = 3.5; // times: all light is off by, beside places of one paint
+constexpr double kNothingTells = 0.1;  // log: what these differ by where nothing tells
+constexpr double kSurfaces = 5.0;      // that err by themselves, in a room
+constexpr double kClearlyLacks = 0.3;  // log: worth a warning
 
 // Numerics.
-constexpr double kBin = 0.02;    // log
-constexpr double kStep = 0.005;  // log: of the levels that are tried
-constexpr size_t kBins = 100;    // up to 7 times as white as paper
-constexpr double kHighest = 1.5; // log: of the levels that are tried
+constexpr double kBin = 0.02;         // log
+constexpr double kStep = 0.005;       // log: of the levels that are tried
+constexpr size_t kBins = 150;         // of what is whiter than white paint at the lowest of them
+constexpr double kLowest = -1.0;      // log: of these levels
+constexpr double kHighest = 1.5;      // log
+constexpr double kLeastProven = 0.01; // log
+constexpr float kDarkestPaint = 0.01f;
 
-/// Shares of all light that fall on surfaces which seem whiter than paper, by how much: a
-/// logarithm, kBin a bin.
-using TooWhite = std::array<double, kBins>;
-
-TooWhite tooWhite(std::span<const float> albedo, std::span<const float> light)
+/// Shares of all light.
+struct Paint
 {
-    TooWhite found{};
+    std::array<double, kBins> white{}; // by log(albedo / paper's), kBin a bin from kLowest on
+    double mean = 0.0;                 // log(albedo / kUsual)
+};
+
+Paint paintOf(std::span<const float> albedo, std::span<const float> light)
+{
+    Paint paint;
     const double all = std::accumulate(light.begin(), light.end(), 0.0);
     for (size_t s = 0; s < albedo.size(); ++s) {
-        if (light[s] <= 0.0f || albedo[s] <= kWhitestPaper) continue;
-        const double log = std::log(static_cast<double>(albedo[s] / kWhitestPaper));
-        const auto bin = std::min(static_cast<size_t>(log / kBin), kBins - 1);
-        found[bin] += static_cast<double>(light[s]) / all;
+        if (light[s] <= 0.0f) continue;
+        const double share = static_cast<double>(light[s]) / all;
+        const double log = std::log(static_cast<double>(std::max(albedo[s], kDarkestPaint)));
+        const double white = log - std::log(static_cast<double>(kWhitePaint));
+        paint.mean += share * (log - std::max(white, 0.0) - std::log(kUsual)); // or it shines
+        const double bin = (white - kLowest) / kBin;
+        if (bin >= 0.0) paint.white[std::min(static_cast<size_t>(bin), kBins - 1)] += share;
     }
-    return found;
+    return paint;
 }
 
-/// Of a room whose light was `log` more than what was found.
-double natsOf(const TooWhite& found, double log)
+/// Of a room whose light was `log` more than what was found, where places err by `error`.
+double natsOf(const Paint& paint, double log, double error)
 {
-    const double level = log / kUnsureLevel;
-    double nats = 0.5 * level * level;
+    const double level = log / (kAllOverPlaces * error);
+    const double usual = (paint.mean - log) / kRoomsDiffer;
+    double nats = 0.5 * (level * level + usual * usual);
     for (size_t b = 0; b < kBins; ++b) {
-        const double off = std::max((static_cast<double>(b) + 0.5) * kBin - log, 0.0);
-        nats += kSurfaces * found[b] * std::log1p(off * off / (kUnsurePlace * kUnsurePlace));
+        const double white = kLowest + (static_cast<double>(b) + 0.5) * kBin;
+        const double off = std::max(white - log, 0.0) / error;
+        nats += kSurfaces * paint.white[b] * std::log1p(off * off);
     }
     return nats;
 }
@@ -64,7 +80,7 @@ glm::vec3 scaleToWhite(const FoundRoom& room, std::span<const glm::vec3> light)
 {
     glm::vec3 log(0.0f);
     for (const uint32_t s : room.found.white) {
-        const glm::vec3 paper = kPi * room.radiance.plain[s] / kWhitestPaper;
+        const glm::vec3 paper = kPi * room.radiance.plain[s] / kWhitePaint;
         log += glm::log(glm::max(paper, glm::vec3(kFaintest))) -
                glm::log(glm::max(light[s], glm::vec3(kFaintest)));
     }
@@ -72,8 +88,9 @@ glm::vec3 scaleToWhite(const FoundRoom& room, std::span<const glm::vec3> light)
                     glm::vec3(kFaintest));
 }
 
-/// As paint is no whiter than paper.
-LackingLight lackOf(const FoundRoom& room, std::span<const glm::vec3> light)
+/// As rooms are painted.
+LackingLight lackOf(const FoundRoom& room, std::span<const glm::vec3> light,
+                    const CrossValidation& proof)
 {
     std::vector<float> albedo(light.size());
     std::vector<float> received(light.size(), 0.0f);
@@ -83,7 +100,8 @@ LackingLight lackOf(const FoundRoom& room, std::span<const glm::vec3> light)
         if (isHardlyBurntOut(room.radiance, s))
             received[s] = room.radiance.plainArea[s] * luminance(light[s]);
     }
-    return lackingLight(albedo, received);
+    const double differ = proof.pairs == 0 ? kNothingTells : std::numbers::ln2 * proof.albedo;
+    return lackingLight(albedo, received, static_cast<float>(differ));
 }
 
 /// All lamps are off by what the scale is off by.
@@ -96,25 +114,32 @@ void addError(float log, FoundLamps& found)
 
 } // namespace
 
-LackingLight lackingLight(std::span<const float> albedo, std::span<const float> light)
+LackingLight lackingLight(std::span<const float> albedo, std::span<const float> light,
+                          float placesDiffer)
 {
-    const TooWhite found = tooWhite(albedo, light);
+    if (std::ranges::none_of(light, [](float l) { return l > 0.0f; })) return {};
+    const Paint paint = paintOf(albedo, light);
+    const double error = std::max(static_cast<double>(placesDiffer), kLeastProven);
     std::vector<double> nats;
-    for (double log = 0.0; log <= kHighest; log += kStep) nats.push_back(natsOf(found, log));
+    for (double log = kLowest; log <= kHighest; log += kStep)
+        nats.push_back(natsOf(paint, log, error));
     const auto best = std::min_element(nats.begin(), nats.end());
-    const double lack = kStep * static_cast<double>(best - nats.begin());
+    const auto at = static_cast<double>(best - nats.begin());
     double sum = 0.0;
     double squares = 0.0;
     for (size_t k = 0; k < nats.size(); ++k) {
         const double likely = std::exp(*best - nats[k]);
-        const double off = kStep * static_cast<double>(k) - lack;
+        const double off = kStep * (static_cast<double>(k) - at);
         sum += likely;
         squares += likely * off * off;
     }
-    return {static_cast<float>(lack), static_cast<float>(std::min(std::sqrt(squares / sum), lack))};
+    const double lack = kLowest + kStep * at;
+    return {static_cast<float>(lack),
+            static_cast<float>(std::min(std::sqrt(squares / sum), std::abs(lack)))};
 }
 
-void scaleAlbedo(std::span<const glm::vec3> irradiance, FoundRoom& room)
+void scaleAlbedo(std::span<const glm::vec3> irradiance, const CrossValidation& proof,
+                 FoundRoom& room)
 {
     const bool isTold = !room.found.white.empty();
     if (room.isGiven || (isOfScan(room.tempering) && !isTold)) return;
@@ -123,7 +148,7 @@ void scaleAlbedo(std::span<const glm::vec3> irradiance, FoundRoom& room)
     if (isTold) {
         room.tempering.scale = scaleToWhite(room, light);
     } else {
-        const LackingLight lack = lackOf(room, light);
+        const LackingLight lack = lackOf(room, light, proof);
         room.tempering.scale = glm::vec3(std::exp(lack.log));
         addError(lack.error, room.found);
     }
@@ -132,8 +157,8 @@ void scaleAlbedo(std::span<const glm::vec3> irradiance, FoundRoom& room)
         room.warnings.push_back(fmt::format(
             "albedo where something was called white came to {:.2g}, and all of the room was made "
             "{:.2g} times as bright: is it white?",
-            kWhitestPaper * times, 1.0f / times));
-    if (!isTold && std::log(static_cast<double>(times)) > kUnsureLevel)
+            kWhitePaint * times, 1.0f / times));
+    if (!isTold && std::log(static_cast<double>(times)) > kClearlyLacks)
         room.warnings.push_back(fmt::format(
             "much of the room came out whiter than paper, so its light was taken for {:.2g} times "
             "what was found: a window or a lamp is missing that is not burnt out. Point at "

@@ -149,7 +149,8 @@ Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
     solution.closure = settled.closure;
     const Witnesses witnesses = witnessesOf(texels, scene, found);
     temper(texels, witnesses, settled.irradiance, found);
-    scaleAlbedo(settled.irradiance, found);
+    scaleAlbedo(settled.irradiance, crossValidate(witnesses, settled.irradiance, found.tempering),
+                found);
     solution.warnings = found.warnings;
     const std::vector<LightVariance> variance = varianceOf(found.hits, {settled.irradiance, {}});
     const std::vector<float> doubt = varianceLeft(variance, {});

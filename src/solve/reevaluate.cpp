@@ -90,7 +90,9 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
         [&] { lit = correctionOf(texels.surfels, room.found.radiance, room.found.hits, light); },
         [&] { meanwhile(room); });
     room.lit = std::move(lit);
-    scaleAlbedo(irradianceOf(room), room.found);
+    scaleAlbedo(irradianceOf(room),
+                crossValidate(room.witnesses, room.lighting.irradiance, room.found.tempering),
+                room.found);
     return room;
 }
 

@@ -11,7 +11,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kBrightestAlbedo = 0.9f;
 constexpr float kBrightestShare = 0.98f;
 constexpr int kAmbientSteps = 33; // from 1 % to 10 times the mean shading of the lights
 constexpr int kHalvings = 40;
@@ -63,7 +62,7 @@ float spreadOf(std::span<const ParameterSample> samples, const FittedParameters&
 float brightestAlbedo(std::span<const ParameterSample> samples, const FittedParameters& parameters)
 {
     const std::vector<Weighted> values = logAlbedo(samples, parameters);
-    return values.empty() ? kBrightestAlbedo : std::exp(quantile(values, kBrightestShare));
+    return values.empty() ? kWhitePaint : std::exp(quantile(values, kBrightestShare));
 }
 
 float meanShading(std::span<const ParameterSample> samples)
@@ -104,8 +103,7 @@ float anchoredPower(std::span<const ParameterSample> samples, float ambient)
     float high = std::log(kPowers[1]);
     for (int i = 0; i < kHalvings; ++i) {
         const float middle = 0.5f * (low + high);
-        const bool tooBright =
-            brightestAlbedo(samples, {std::exp(middle), ambient}) > kBrightestAlbedo;
+        const bool tooBright = brightestAlbedo(samples, {std::exp(middle), ambient}) > kWhitePaint;
         (tooBright ? low : high) = middle;
     }
     return std::exp(0.5f * (low + high));
@@ -120,7 +118,7 @@ FittedParameters fitParameters(std::span<const ParameterSample> samples, std::op
     if (power) return {*power, ambient ? *ambient : evenestAmbient(samples, *power)};
     if (ambient) return {anchoredPower(samples, *ambient), *ambient};
     const FittedParameters shape{1.0f, evenestAmbient(samples, 1.0f)};
-    const float size = brightestAlbedo(samples, shape) / kBrightestAlbedo;
+    const float size = brightestAlbedo(samples, shape) / kWhitePaint;
     return {size, size * shape.ambient};
 }
 

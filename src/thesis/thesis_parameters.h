@@ -28,8 +28,8 @@ struct FittedParameters
 /// Their ratio is the one that makes the albedo most uniform: least spread (interquartile range) of
 /// log radiance / shading over the room, weighted by area and radiance, for what hides in the dark
 /// says little of lamps that cast no shadow. Their size makes the brightest of the room's albedo
-/// 0.9, its 98th percentile: the anchor is a white thing somewhere in the room. A parameter that is
-/// given is kept, and the other follows: ambient by the spread, power by the anchor. Without
+/// 0.87, its 98th percentile: the anchor is a white thing somewhere in the room. A parameter that
+/// is given is kept, and the other follows: ambient by the spread, power by the anchor. Without
 /// samples, power is 1.
 FittedParameters fitParameters(std::span<const ParameterSample> samples, std::optional<float> power,
                                std::optional<float> ambient);

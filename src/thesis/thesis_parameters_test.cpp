@@ -1,5 +1,7 @@
 #include "thesis/thesis_parameters.h"
 
+#include "base/radiometry.shared.h"
+
 #include <cmath>
 #include <vector>
 
@@ -16,7 +18,7 @@ std::vector<ParameterSample> room(float power, float ambient)
     std::vector<ParameterSample> samples;
     for (int i = 0; i < 400; ++i) {
         const float lit = 0.1f + 1.9f * std::abs(std::sin(static_cast<float>(i)));
-        const float albedo = i % 10 == 0 ? 0.9f : 0.5f;
+        const float albedo = i % 10 == 0 ? kWhitePaint : 0.5f;
         samples.push_back({glm::vec3(albedo * (power * lit + ambient)), glm::vec3(lit), 0.01f});
     }
     return samples;
