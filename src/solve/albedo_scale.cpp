@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ constexpr double kRoomsDiffer = 0.3;   // log: in that; 0.2 in eleven rooms with
 constexpr double kAllOverPlaces = 3.5; // times: all light is off by, beside places of one paint
 constexpr double kNothingTells = 0.1;  // log: what these differ by where nothing tells
 constexpr double kSurfaces = 5.0;      // that err by themselves, in a room
-constexpr double kClearlyLacks = 0.3;  // log: worth a warning
+constexpr double kClearlyOff = 0.3;    // log: worth a warning
 
 // Numerics.
 constexpr double kBin = 0.02;         // log
@@ -104,6 +105,29 @@ LackingLight lackOf(const FoundRoom& room, std::span<const glm::vec3> light,
     return lackingLight(albedo, received, static_cast<float>(differ));
 }
 
+/// Of light that was taken for `times` what was found.
+void warnOf(float times, bool isTold, std::vector<std::string>& warnings)
+{
+    const double log = std::log(static_cast<double>(times));
+    if (isTold && (times > kMuch || times < 1.0f / kMuch))
+        warnings.push_back(fmt::format(
+            "albedo where something was called white came to {:.2g}, and all of the room was made "
+            "{:.2g} times as bright: is it white?",
+            kWhitePaint * times, 1.0f / times));
+    if (!isTold && log > kClearlyOff)
+        warnings.push_back(fmt::format(
+            "the room came out brighter than rooms are painted, so its light was taken for {:.2g} "
+            "times what was found: a window or a lamp may be missing that is not burnt out. Point "
+            "at something white with --white",
+            times));
+    if (!isTold && log < -kClearlyOff)
+        warnings.push_back(fmt::format(
+            "the room came out darker than rooms are painted, so its light was taken for {:.2g} "
+            "times what was found: something in lights.json may be no lamp, or too strong. Point "
+            "at something white with --white",
+            times));
+}
+
 /// All lamps are off by what the scale is off by.
 void addError(float log, FoundLamps& found)
 {
@@ -152,18 +176,7 @@ void scaleAlbedo(std::span<const glm::vec3> irradiance, const CrossValidation& p
         room.tempering.scale = glm::vec3(std::exp(lack.log));
         addError(lack.error, room.found);
     }
-    const float times = luminance(room.tempering.scale);
-    if (isTold && (times > kMuch || times < 1.0f / kMuch))
-        room.warnings.push_back(fmt::format(
-            "albedo where something was called white came to {:.2g}, and all of the room was made "
-            "{:.2g} times as bright: is it white?",
-            kWhitePaint * times, 1.0f / times));
-    if (!isTold && std::log(static_cast<double>(times)) > kClearlyLacks)
-        room.warnings.push_back(fmt::format(
-            "much of the room came out whiter than paper, so its light was taken for {:.2g} times "
-            "what was found: a window or a lamp is missing that is not burnt out. Point at "
-            "something white with --white",
-            times));
+    warnOf(luminance(room.tempering.scale), isTold, room.warnings);
 }
 
 } // namespace relamp

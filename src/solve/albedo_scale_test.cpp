@@ -210,6 +210,24 @@ TEST(AlbedoScale, ItsErrorIsInThatOfTheLampsAndTheSun)
     EXPECT_TRUE(room.found.lamps[0].isDetermined);
 }
 
+// A person is told where all of a room's light was taken for much more or less than was found.
+TEST(AlbedoScale, WhatIsFarFromHowRoomsArePaintedIsSaid)
+{
+    const auto saidOf = [](float paint) {
+        FoundRoom room;
+        room.radiance.plain = {glm::vec3(paint), glm::vec3(0.5f * paint)};
+        room.radiance.plainArea = {1.0f, 1.0f};
+        room.radiance.clippedArea = {0.0f, 0.0f};
+        scaleAlbedo(std::vector<glm::vec3>(2, glm::vec3(kPi)), {}, room);
+        return room.warnings;
+    };
+    EXPECT_TRUE(saidOf(0.7f).empty());
+    ASSERT_EQ(saidOf(2.0f).size(), 1u);
+    EXPECT_NE(saidOf(2.0f)[0].find("may be missing"), std::string::npos);
+    ASSERT_EQ(saidOf(0.2f).size(), 1u);
+    EXPECT_NE(saidOf(0.2f)[0].find("may be no lamp"), std::string::npos);
+}
+
 // A gap that hardly any light was found in, and a window that is brighter than any paper, are no
 // reason to darken a room.
 TEST(AlbedoScale, FewPlacesTellLittle)
