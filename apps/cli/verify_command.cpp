@@ -55,10 +55,9 @@ void print(const VerifyArguments& arguments, const relamp::Verification& found)
              arguments.options.samples);
     printOut("  error     {:.4f} +- {:.4f} rms, {:.1f} dB; the scan's own rms is {:.3f}\n",
              found.rmsError, found.standardError, found.psnr, found.rmsOfScan);
-    printOut(
-        "  too white {:.1f} % of the area is as white as paint can be (0.87): of the light found, "
-        "too little comes there; elsewhere the error is {:.4f} rms\n",
-        100.0f * found.asWhiteAsPaper, found.rmsErrorElsewhere);
+    printOut("  too white {:.1f} % of the area is as white as paint can be (0.87 or more): of the "
+             "light found, too little comes there; elsewhere the error is {:.4f} rms\n",
+             100.0f * found.asWhiteAsPaper, found.rmsErrorElsewhere);
     printOut("  ratio     {:.3f} {:.3f} {:.3f} of what the scan shows (r g b)\n", found.ratio.r,
              found.ratio.g, found.ratio.b);
     printOut(

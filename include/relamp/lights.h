@@ -74,7 +74,7 @@ struct Tempering
     glm::vec3 kept{1.0f}; // shading that stays as it is, > 0
     float power = 1.0f; // 0..1; 1: all of it is believed; 0: nothing is, and where `kept` is 1 the
                         // texture is the albedo
-    glm::vec3 scale{1.0f}; // of all shading, > 0, so that paint is no whiter than paper, or as a
+    glm::vec3 scale{1.0f}; // of all shading, > 0, so that it is as bright as rooms are, or as a
                            // person said; the lights have it
 
     bool operator==(const Tempering&) const = default;

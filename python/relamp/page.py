@@ -64,7 +64,7 @@ class Page:
 
     @property
     def albedo(self) -> Array:
-        """(H, W, 3) float32, linear, 0..0.9: the colour of the surfaces without any light."""
+        """(H, W, 3) float32, linear, 0..0.87: the colour of the surfaces without any light."""
         return self._layer("albedo")
 
     @property

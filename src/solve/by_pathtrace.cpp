@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "solve/albedo_scale.h"
+#include "solve/cross_validation.h"
 #include "solve/proof.h"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "fit/lamp_groups.h"
 #include "fit/light_correction.h"
 #include "solve/albedo_scale.h"
+#include "solve/cross_validation.h"
 #include "solve/proof.h"
 
 #include <algorithm>
