@@ -42,7 +42,7 @@ constexpr float kDarkestPaint = 0.01f;
 /// Shares of all light.
 struct Paint
 {
-    std::array<double, kBins> white{}; // by log(albedo / paper's), kBin a bin from kLowest on
+    std::array<double, kBins> white{}; // by log(albedo / kWhitePaint), kBin a bin from kLowest on
     double mean = 0.0;                 // log(albedo / kUsual)
 };
 
@@ -51,13 +51,13 @@ Paint paintOf(std::span<const float> albedo, std::span<const float> light)
     Paint paint;
     const double all = std::accumulate(light.begin(), light.end(), 0.0);
     for (size_t s = 0; s < albedo.size(); ++s) {
-        if (!(light[s] > 0.0f)) continue;
+        if (light[s] <= 0.0f) continue;
         const double share = static_cast<double>(light[s]) / all;
-        const double log = std::log(static_cast<double>(std::max(albedo[s], kDarkestPaint)));
+        const double log = std::log(static_cast<double>(std::max(kDarkestPaint, albedo[s])));
         const double white = log - std::log(static_cast<double>(kWhitePaint));
         paint.mean += share * (log - std::max(white, 0.0) - std::log(kUsual)); // or it shines
-        const double bin = (white - kLowest) / kBin;
-        if (bin >= 0.0) paint.white[std::min(static_cast<size_t>(bin), kBins - 1)] += share;
+        const double bin = std::min((white - kLowest) / kBin, static_cast<double>(kBins - 1));
+        if (bin >= 0.0) paint.white[static_cast<size_t>(bin)] += share;
     }
     return paint;
 }
@@ -143,6 +143,7 @@ LackingLight lackingLight(std::span<const float> albedo, std::span<const float> 
 {
     if (std::ranges::none_of(light, [](float l) { return l > 0.0f; })) return {};
     const Paint paint = paintOf(albedo, light);
+    if (!std::isfinite(paint.mean)) return {}; // a surfel's light is no number, so this is none
     const double error = std::max(kLeastProven, static_cast<double>(placesDiffer));
     std::vector<double> nats;
     for (double log = kLowest; log <= kHighest; log += kStep)

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -155,6 +156,12 @@ TEST(AlbedoScale, ARoomOfUsualPaintLacksNone)
     EXPECT_NEAR(lackingLight(std::vector{0.75f, 0.333f}, std::vector{1.0f, 1.0f}, kDiffer).log,
                 0.0f, 0.006f);
     EXPECT_EQ(lackingLight({}, {}, kDiffer).log, 0.0f);
+    const float no = std::numeric_limits<float>::quiet_NaN();
+    const float endless = std::numeric_limits<float>::infinity();
+    const std::vector<float> paint{0.1f, 0.1f};
+    EXPECT_EQ(lackingLight(paint, std::vector{1.0f, no}, kDiffer).log, 0.0f);
+    EXPECT_EQ(lackingLight(paint, std::vector{1.0f, endless}, kDiffer).log, 0.0f);
+    EXPECT_EQ(lackingLight(std::vector{0.1f, endless}, std::vector{1.0f, 1.0f}, kDiffer).log, 0.0f);
 }
 
 // Walls of 0.3 and a floor of 0.1: it may be, but light that is too strong is likelier.
