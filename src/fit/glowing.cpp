@@ -2,7 +2,6 @@
 
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
-#include "fit/light_fit_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +11,6 @@ namespace relamp
 {
 namespace
 {
-
-// The light on a place may be off by this factor; what is more than its square off is not by error.
-const float kUnsureLight = std::exp(static_cast<float>(kBoundNoise));
 
 float medianOf(std::vector<float> values)
 {

@@ -1,16 +1,21 @@
 #pragma once
 
 #include "fit/lamps.h"
+#include "fit/light_fit.h"
 #include "lights/candidates.h"
 #include "scan/texels.h"
 #include "shading/lit_sides.h"
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace relamp
 {
+
+// The light on a place may be off by this factor; what is more than its square off is not by error.
+inline const float kUnsureLight = std::exp(static_cast<float>(kBoundNoise));
 
 /// A piece of surface that glows, and is not burnt out.
 struct Glowing

@@ -270,6 +270,7 @@ void LampEvidence::addLightOnPieces(std::span<const Piece> pieces, const PieceSi
 {
     model.area.assign(pieces.size(), 0.0f);
     model.coloured.assign(pieces.size(), 0.0f);
+    for (const Piece& piece : pieces) model.fades.push_back(piece.isFading ? 1 : 0);
     if (sights.lists.empty()) return;
     const Gathered gathered = gather(hits_, field_, sights.lists);
     for (size_t f = 0; f < pieces.size(); ++f) {

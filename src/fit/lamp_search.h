@@ -34,7 +34,7 @@ public:
 private:
     void takeResponse(const Response& known);
     void takeCandidates(const GatherOptions& options, const SurfelRadiance& radiance);
-    void addPieces(LampGroup group);
+    void addPieces(LampGroup group, const SurfelRadiance& radiance);
     void relatePieces();
     void observe();
     [[nodiscard]] std::vector<Choosable> choosable(std::span<const uint32_t> ofRoom) const;

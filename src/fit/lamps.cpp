@@ -110,7 +110,7 @@ void LampSearch::takeCandidates(const GatherOptions& options, const SurfelRadian
                                         "the {} largest and were taken for no lights; point at "
                                         "those that are with --light",
                                         lamps.leftOut, lamps.areaLeftOut, most));
-    for (LampGroup& group : lamps.groups) addPieces(std::move(group));
+    for (LampGroup& group : lamps.groups) addPieces(std::move(group), radiance);
     for (const Candidate& square : hits_.squares) {
         const size_t body = pieces_.size();
         pieces_.push_back({.candidate = square, .body = body, .isOpening = true});
@@ -122,13 +122,15 @@ void LampSearch::takeCandidates(const GatherOptions& options, const SurfelRadian
 }
 
 /// A group is flat and so has no far side.
-void LampSearch::addPieces(LampGroup group)
+void LampSearch::addPieces(LampGroup group, const SurfelRadiance& radiance)
 {
     const size_t body = pieces_.size();
+    const bool isFading = fades(texels_, radiance, group.whole);
     Piece piece{.candidate = std::move(group.whole),
                 .ends = std::move(group.ends),
                 .isGiven = group.isGiven,
-                .body = body};
+                .body = body,
+                .isFading = isFading};
     Candidate unseen;
     if (piece.ends.empty()) unseen = unseenSideOf(piece.candidate, texels_, scene_);
     pieces_.push_back(std::move(piece));

@@ -5,6 +5,7 @@
 #include "fit/camera_columns.h"
 #include "fit/light_fit_search.h"
 #include "fit/reliability.h"
+#include "lights/candidates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,11 +80,20 @@ double LightFit::lack(size_t piece, double logIrradiance) const
     return std::max(least - logIrradiance, 0.0);
 }
 
+/// The chance that a piece which only reflects is burnt out without the light for it.
+double LightFit::flaw(size_t piece) const
+{
+    if (!model_.fades.empty() && model_.fades[piece] != 0) return kFlawOfSpeck;
+    const float size = std::max(model_.area[piece], kSpeck);
+    return kFlawOfSpeck * static_cast<double>(kSpeck / size);
+}
+
 double LightFit::boundCost(size_t piece, double logIrradiance) const
 {
     const double off = lack(piece, logIrradiance) / kBoundNoise;
     if (off <= 0.0) return 0.0;
-    return -std::log((1.0 - kFlaw) * std::exp(-0.5 * off * off) + kFlaw);
+    const double flaw = this->flaw(piece);
+    return -std::log((1.0 - flaw) * std::exp(-0.5 * off * off) + flaw);
 }
 
 double LightFit::expectLeaks(std::span<const double> log)

@@ -11,6 +11,13 @@
 namespace relamp
 {
 
+// Of walls that are burnt out and do not emit.
+inline constexpr double kBoundNoise = 0.6; // log: of the light on a wall that is burnt out
+// Chance that such a wall has not the light for it, polished or mixed with a lamp by the texture,
+// where it is a speck, or not exposed as the rest where it fades; of a larger one that ends sharply
+// less, as its area.
+inline constexpr double kFlawOfSpeck = 0.3;
+
 // Numerics.
 inline constexpr double kLeastMatters = 0.001; // of the light at places: what sends less changes
                                                // nothing
@@ -111,6 +118,7 @@ private:
     /// Of places [first, end) by these radiances, > 0.
     [[nodiscard]] std::vector<double> irradiance(std::span<const double> radiance, size_t first,
                                                  size_t end) const;
+    [[nodiscard]] double flaw(size_t piece) const;
     [[nodiscard]] double boundCost(size_t piece, double logIrradiance) const;
     [[nodiscard]] double lack(size_t piece, double logIrradiance) const;
     [[nodiscard]] double noiseOf(size_t pair, double residual) const

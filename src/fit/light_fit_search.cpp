@@ -312,8 +312,9 @@ LightFitSearch::Normal LightFitSearch::normalOfData(const Point& at, bool isBent
         const double lack = fit_.lack(f, at.logIrradiance[place]);
         if (lack <= 0.0) continue;
         const double off = lack / kBoundNoise;
-        const double wall = (1.0 - kFlaw) * std::exp(-0.5 * off * off);
-        const double slope = std::sqrt(wall / (wall + kFlaw)) / kBoundNoise;
+        const double flaw = fit_.flaw(f);
+        const double wall = (1.0 - flaw) * std::exp(-0.5 * off * off);
+        const double slope = std::sqrt(wall / (wall + flaw)) / kBoundNoise;
         weighed.push_back({{static_cast<uint32_t>(place), static_cast<uint32_t>(rows)},
                            static_cast<float>(slope),
                            static_cast<float>(slope * lack)});

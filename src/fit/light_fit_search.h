@@ -16,11 +16,6 @@
 namespace relamp
 {
 
-// Of walls that are burnt out and do not emit.
-inline constexpr double kBoundNoise = 0.6; // log: of the light on a wall that is burnt out
-inline constexpr double kFlaw = 0.3; // chance that such a wall has not the light for it: it is
-                                     // polished, or the texture mixes it with a lamp
-
 /// One search for the unknowns of a LightFit, with the light that the last of them give.
 class LightFitSearch
 {

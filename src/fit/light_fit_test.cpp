@@ -1,6 +1,7 @@
 #include "fit/light_fit_test.h"
 #include "base/radiometry.shared.h"
 #include "fit/light_fit.h"
+#include "lights/candidates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -269,12 +270,30 @@ TEST(LightFit, HighlightsDoNotMakeLampsBrighter)
     for (const float direct : {0.01f, 0.1f, 0.2f}) { // all too little
         Floor floor({{40, 30, 20}, {10, 12, 15}, kWall, kWall, kWall, kWall}, 0.02f, 0.0f);
         const LightEstimate without = floor.solve();
-        for (const size_t wall : {2u, 3u, 4u, 5u}) floor.burnOut(wall, 1, direct);
+        for (const size_t wall : {2u, 3u, 4u, 5u}) floor.burnOut(wall, 1, direct, kSpeck);
         const LightEstimate with = floor.solve();
         EXPECT_LT(with.nats - without.nats, 5.0); // four times the odds of a flaw
         for (size_t f = 0; f < 2; ++f)
             EXPECT_NEAR(with.log[f], without.log[f], 0.5 * without.error[f]);
     }
+}
+
+// A pane that gets an eighth of the light which white paper would need shines; so small a highlight
+// need not, nor a wall that fades as overexposed ones do.
+TEST(LightFit, ALargePieceThatEndsSharplyIsNoHighlight)
+{
+    const auto lackOf = [](float area, bool isFading) {
+        Floor floor({{40, 30, 20}, {10, 12, 15}, kWall}, 0.02f, 0.0f);
+        const double without = floor.solve().nats;
+        floor.burnOut(2, 1, 0.02f, area);
+        floor.model.fades = {0, 0, static_cast<uint8_t>(isFading ? 1 : 0)};
+        return floor.solve().nats - without;
+    };
+    const double ofSpeck = lackOf(kSpeck, false);
+    EXPECT_LT(ofSpeck, 1.3);
+    EXPECT_GT(lackOf(1.0f, false), 2.0 * ofSpeck);
+    EXPECT_NEAR(lackOf(0.5f * kSpeck, false), ofSpeck, 1e-6);
+    EXPECT_NEAR(lackOf(1.0f, true), ofSpeck, 1e-6);
 }
 
 // A wall of warm light burns out in red first, and would make lamps redder than they are.

@@ -99,7 +99,7 @@ struct Floor
     /// Takes a lamp out of the room.
     void darken(size_t lamp);
     /// A burnt-out piece of wall that gets this irradiance of a lamp at radiance 1.
-    void burnOut(size_t wall, size_t lamp, float direct);
+    void burnOut(size_t wall, size_t lamp, float direct, float area = 0.1f);
 };
 
 inline Floor::Floor(std::vector<glm::vec3> lamps, float noise, float outliers)
@@ -147,10 +147,10 @@ inline void Floor::darken(size_t lamp)
     }
 }
 
-inline void Floor::burnOut(size_t wall, size_t lamp, float direct)
+inline void Floor::burnOut(size_t wall, size_t lamp, float direct, float area)
 {
     const size_t place = model.placeOf(wall);
-    model.area[wall] = 0.1f;
+    model.area[wall] = area;
     model.gathered[place] = glm::vec3(0.2f);
     model.direct[place] = {{static_cast<uint32_t>(lamp), direct}};
 }

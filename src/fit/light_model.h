@@ -40,6 +40,7 @@ struct LightModel
     std::vector<float> area;                      // of pieces, m^2; 0: nothing of it was seen
     std::vector<float> coloured;     // of pieces, share that some channel is not burnt out in: its
                                      // radiance is seen there; empty: none is
+    std::vector<uint8_t> fades;      // of pieces, 1: as an overexposed wall does; empty: none does
     double rooms = 1.0;              // that its places are as much as, >= 1
     std::vector<uint8_t> isBurntOut; // of places that sent more than they show; empty: none did
 

@@ -43,6 +43,7 @@ bool areOneLamp(const Piece& a, const Piece& b)
 void add(const Piece& piece, Piece& whole)
 {
     whole.isGiven |= piece.isGiven;
+    whole.isFading &= piece.isFading;
     std::vector<ClippedPatch> patches = std::move(whole.candidate.patches);
     patches.insert(patches.end(), piece.candidate.patches.begin(), piece.candidate.patches.end());
     whole.candidate = candidateOf(std::move(patches));

@@ -24,6 +24,7 @@ struct Piece
     size_t body = 0;              // of the same number: two sides of one lamp
     bool isUnseen = false;        // its far side, not scanned
     bool isOpening = false;       // nothing that was scanned: see HitLists::squares
+    bool isFading = false;        // as overexposed walls are: fades()
     LampSight direct{};           // what places see of it
     LampSight onSides{};          // likewise hit lists
     glm::vec3 radiance{1.0f};

@@ -168,6 +168,7 @@ LightModel modelOf(const FittedLight& house, const RoomParts& room, const OwnNum
                      .roomsOfHoles = 1 + static_cast<size_t>(ofOtherRooms),
                      .area = picked(whole.area, room.pieces),
                      .coloured = picked(whole.coloured, room.pieces),
+                     .fades = picked(whole.fades, room.pieces),
                      .rooms = std::max(1.0, share * whole.rooms),
                      .isBurntOut = picked(whole.isBurntOut, room.places)};
     std::vector<double> sent;

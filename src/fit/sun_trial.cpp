@@ -92,6 +92,8 @@ void SunTrial::addRows(const SurfelRadiance& radiance, const Surfels& surfels,
     without.area.push_back(0.0f);
     without.coloured = before.coloured;
     without.coloured.push_back(0.0f);
+    without.fades = before.fades;
+    without.fades.push_back(0);
     for (size_t i = 0; i < before.places(); ++i)
         copyRow(before, i, onSides[light.places[i]].visible);
     addRim(radiance, surfels, light);
