@@ -146,7 +146,7 @@ void addGatherParameters(CLI::App& command, DelightArguments& arguments)
         addPlaces(command, name, places, what).group(kGatherGroup);
     };
     addToGroup("--light", gather.lights,
-               "What is burnt out at this place, in metres, is a lamp (repeatable)");
+               "What is burnt out or bright at this place, in metres, is a lamp (repeatable)");
     addToGroup("--not-a-light", gather.notLights,
                "What is burnt out or glows at this place is no lamp (repeatable)");
     addToGroup("--same", gather.same,

@@ -9,6 +9,7 @@
 #include "fit/outside.h"
 #include "fit/pairs.h"
 #include "fit/reliability.h"
+#include "fit/told_lamp.h"
 #include "lights/candidates.h"
 #include "lights/fixture_map.h"
 #include "lights/point_light.h"
@@ -22,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -177,13 +179,15 @@ void searchOnce(const Texels& texels, const RayScene& scene, std::span<const Glo
     light(texels, scene, room);
 }
 
-/// What glows counts as burnt out from now on.
+/// What glows counts as burnt out from now on, with what does already.
 void mark(std::span<const Glowing> glowing, const Texels& texels, FoundRoom& room)
 {
+    if (glowing.empty()) return;
     std::vector<float> from(texels.surfels.count(), std::numeric_limits<float>::infinity());
     for (const Glowing& piece : glowing)
         for (const uint32_t s : piece.surfels) from[s] = piece.from;
-    room.glowing = glowingFrom(texels, from, &room.linearization);
+    GlowMarks marks = glowingFrom(texels, from, &room.linearization);
+    room.glowing.isGlowing = withGlowing(std::move(marks.isGlowing), room.glowing);
 }
 
 /// What is marked and not burnt out is, in the texture's radiance.
@@ -219,12 +223,13 @@ std::string otherOpenings(size_t given, size_t seen)
                        given, seen);
 }
 
-/// Finds lamps and sun; once more where something turns out to glow, for then the light of the room
-/// comes from there and is better looked for than met by chance.
+/// Finds lamps, with those that a person `told` of, and sun; once more where something turns out to
+/// glow, for then the light of the room comes from there and is better looked for than met by
+/// chance.
 void search(const Texels& texels, const RayScene& scene, const CoarsePieces& coarse,
-            Progress& progress, FoundRoom& room)
+            std::vector<Glowing> told, Progress& progress, FoundRoom& room)
 {
-    searchOnce(texels, scene, {}, progress, room);
+    searchOnce(texels, scene, told, progress, room);
     std::vector<Glowing> glowing =
         findGlowing(texels.surfels, room.radiance, room.sides, shinesOf(room, room.found.powers));
     std::vector<glm::vec3> refused;
@@ -237,7 +242,8 @@ void search(const Texels& texels, const RayScene& scene, const CoarsePieces& coa
         room.radiance = collectRadiance(texels, unwatched());
         takeForBurntOut(room.glowing, texels, room.radiance);
         room.hits = cast(texels, scene, room, progress);
-        searchOnce(texels, scene, glowing, progress, room);
+        std::ranges::move(glowing, std::back_inserter(told));
+        searchOnce(texels, scene, told, progress, room);
     }
     for (const glm::vec3 place : room.found.nothingNear)
         if (std::find(refused.begin(), refused.end(), place) == refused.end())
@@ -313,10 +319,14 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
                         ? before->radiance
                         : collectRadiance(texels, progress);
     room.radiance.limit.clear(); // under the light of before
+    std::vector<Glowing> told;
     if (options.lights) {
         room.glowing = glowingBy(options.fixtures, room.radiance.isClipped);
-        takeForBurntOut(room.glowing, texels, room.radiance);
+    } else {
+        told = toldLamps(options.gather.lights, texels.surfels, room.radiance);
+        mark(told, texels, room);
     }
+    takeForBurntOut(room.glowing, texels, room.radiance);
     const CoarsePieces coarse = options.lights ? CoarsePieces{} : coarsePiecesOf(texels, progress);
     const bool isCast = isBefore && room.glowing.areNone();
     room.hits = isCast && before->options.rays == room.options.rays
@@ -326,7 +336,7 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
     if (options.lights)
         take(beforeScale(*options.lights), options, texels, scene, progress, room);
     else
-        search(texels, scene, coarse, progress, room);
+        search(texels, scene, coarse, std::move(told), progress, room);
     if (room.found.lamps.empty() && !room.found.sun)
         room.warnings.emplace_back("no lamp was found; the room is taken to be lit from "
                                    "outside alone. Point at one with --light or --lights");
