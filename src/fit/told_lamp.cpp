@@ -119,7 +119,8 @@ float BrightPiece::sharpestEnd(std::span<const Reached> reached) const
         fall[k] = fallAround(reached, level, end[k]);
     }
     const float most = *std::ranges::max_element(fall);
-    const auto first = std::ranges::find_if(fall, [&](float f) { return f >= kAlike * most; });
+    const float alike = std::min(most, kAlike * most); // below 0 where what is left out is brighter
+    const auto first = std::ranges::find_if(fall, [&](float f) { return f >= alike; });
     return end[static_cast<size_t>(first - fall.begin())];
 }
 
