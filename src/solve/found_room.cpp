@@ -324,6 +324,7 @@ FoundRoom findRoom(const Texels& texels, const RayScene& scene, const DelightOpt
         room.glowing = glowingBy(options.fixtures, room.radiance.isClipped);
     } else {
         told = toldLamps(options.gather.lights, texels.surfels, room.radiance);
+        for (const glm::vec3 place : options.gather.notLights) refuse(place, texels.surfels, told);
         mark(told, texels, room);
     }
     takeForBurntOut(room.glowing, texels, room.radiance);

@@ -134,6 +134,16 @@ TEST(Glowing, DimScreenIsALampWhereAPersonSaysSo)
     EXPECT_NEAR(screenOf(again.lights())->area, found->area, 1e-4f);
 }
 
+TEST(Glowing, PlaceThatAPersonCallsNoLightIsNoneThoughItWasCalledOneAsWell)
+{
+    Progress progress;
+    DelightOptions options;
+    options.gather.quality = Quality::draft;
+    options.gather.lights = {kScreenCentre};
+    options.gather.notLights = {kScreenCentre};
+    EXPECT_EQ(screenOf(delight(roomWithScreen(0.55f), options, progress).lights()), nullptr);
+}
+
 TEST(Glowing, GivenBackItIsTheSameLamp)
 {
     const Scan scan = roomWithScreen();
