@@ -36,7 +36,7 @@ struct GatherOptions
                   // of surfels
     int shadowRays = 0;            // of a place in a penumbra, to each lamp, 1..1024; 0: by quality
     std::vector<glm::vec3> lights; // places, m, that shine: what is burnt out there, or bright
-    std::vector<glm::vec3> notLights; // places, m, whose burnt-out surface does not
+    std::vector<glm::vec3> notLights; // places, m, that do not, though burnt out or bright
     std::vector<SamePaint> same;      // the surfaces nearest to these have one albedo
     std::vector<glm::vec3> white;     // places, m, whose albedo is about 0.87: the scale of all
     bool sun = true;                  // false: no sun is looked for

@@ -14,7 +14,8 @@
 namespace relamp
 {
 
-// The light on a place may be off by this factor; what is more than its square off is not by error.
+/// The light on a place may be off by this factor; what is more than its square off is not by
+/// error.
 inline const float kUnsureLight = std::exp(static_cast<float>(kBoundNoise));
 
 /// A piece of surface that glows, and is not burnt out.

@@ -91,9 +91,9 @@ void SunTrial::addRows(const SurfelRadiance& radiance, const Surfels& surfels,
     without.area = before.area;
     without.area.push_back(0.0f);
     without.coloured = before.coloured;
-    without.coloured.push_back(0.0f);
+    without.coloured.resize(without.pieces, 0.0f); // it may be empty
     without.fades = before.fades;
-    without.fades.push_back(0);
+    without.fades.resize(without.pieces, 0); // likewise
     for (size_t i = 0; i < before.places(); ++i)
         copyRow(before, i, onSides[light.places[i]].visible);
     addRim(radiance, surfels, light);

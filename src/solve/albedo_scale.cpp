@@ -118,8 +118,7 @@ void warnOf(float times, bool isTold, std::vector<std::string>& warnings)
         warnings.push_back(fmt::format(
             "the room came out brighter than rooms are painted, so its light was taken for {:.2g} "
             "times what was found: a window or a lamp may be missing that is not burnt out. Point "
-            "at "
-            "it with --light, or at something white with --white",
+            "at it with --light, or at something white with --white",
             times));
     if (!isTold && log < -kClearlyOff)
         warnings.push_back(fmt::format(
