@@ -17,14 +17,15 @@ namespace relamp
 namespace
 {
 
-constexpr float kRimReach = 2.0f;    // of an enclosed surfel to open ones, in surfel sizes
-constexpr float kRimStep = 0.3f;     // off its surface, in these
-constexpr float kRimFacing = 0.8f;   // cosine
-constexpr float kDark = 1e-4f;       // shading
-constexpr size_t kRaysOfSurfel = 12; // that say whether its texels need to be looked at
-constexpr size_t kRaysOfTexel = 4;
+constexpr float kRimReach = 2.0f;        // of an enclosed surfel to open ones, in surfel sizes
+constexpr float kRimStep = 0.3f;         // off its surface, in these
+constexpr float kRimFacing = 0.8f;       // cosine
+constexpr float kDark = 1e-4f;           // shading
+constexpr size_t kRaysOfSurfel = 12;     // that say whether its texels need to be looked at
+constexpr size_t kRaysOfTexel = 16;      // the first that says it is open is the last
 constexpr uint32_t kTexelsOfSurfel = 16; // that are looked at, or up to twice as many
 constexpr size_t kPlacesOfTexel = 16;    // that say how much of it is open
+constexpr size_t kPlacesFirst = 4;       // of these: most that are not open in them are not at all
 constexpr double kInsideOut = 0.5;       // share of enclosed texels from which a scan is inside out
 
 bool meetsBack(const RayScene& scene, const Ray& ray)
@@ -76,7 +77,7 @@ uint8_t openShare(const RayScene& scene, const Footprints& prints, uint32_t texe
     const glm::vec2 within(seededShift(seed, texel, 10), seededShift(seed, texel, 11));
     size_t open = 0;
     for (size_t i = 0; i < kPlacesOfTexel; ++i) {
-        if (i == kRaysOfTexel && open == 0) return 0;
+        if (i == kPlacesFirst && open == 0) return 0;
         open +=
             isCovered(scene, prints, texel, evenPoint(static_cast<float>(i), within), i) ? 0u : 1u;
     }
