@@ -17,16 +17,17 @@ namespace relamp
 namespace
 {
 
-constexpr float kRimReach = 2.0f;        // of an enclosed surfel to open ones, in surfel sizes
-constexpr float kRimStep = 0.3f;         // off its surface, in these
-constexpr float kRimFacing = 0.8f;       // cosine
-constexpr float kDark = 1e-4f;           // shading
-constexpr size_t kRaysOfSurfel = 12;     // that say whether its texels need to be looked at
-constexpr size_t kRaysOfTexel = 16;      // the first that says it is open is the last
-constexpr uint32_t kTexelsOfSurfel = 16; // that are looked at, or up to twice as many
-constexpr size_t kPlacesOfTexel = 16;    // that say how much of it is open
-constexpr size_t kPlacesFirst = 4;       // of these: most that are not open in them are not at all
-constexpr double kInsideOut = 0.5;       // share of enclosed texels from which a scan is inside out
+constexpr float kRimReach = 2.0f;    // of an enclosed surfel to open ones, in surfel sizes
+constexpr float kRimStep = 0.3f;     // off its surface, in these
+constexpr float kRimFacing = 0.8f;   // cosine
+constexpr float kDark = 1e-4f;       // shading
+constexpr size_t kRaysOfSurfel = 12; // that say whether its texels need to be looked at
+constexpr size_t kRaysOfTexel = 32;
+constexpr size_t kMostOpen = kRaysOfTexel / 4; // rays of an enclosed one: it has light of its own
+constexpr uint32_t kTexelsOfSurfel = 16;       // that are looked at, or up to twice as many
+constexpr size_t kPlacesOfTexel = 16;          // that say how much of it is open
+constexpr size_t kPlacesFirst = 4; // of these: most that are not open in them are not at all
+constexpr double kInsideOut = 0.5; // share of enclosed texels from which a scan is inside out
 
 bool meetsBack(const RayScene& scene, const Ray& ray)
 {
@@ -65,9 +66,10 @@ bool isCovered(const RayScene& scene, const Footprints& prints, uint32_t texel, 
 
 bool isEnclosed(const RayScene& scene, const Footprints& prints, uint32_t texel)
 {
-    for (size_t i = 0; i < kRaysOfTexel; ++i)
-        if (!isCovered(scene, prints, texel, glm::vec2(0.5f), i)) return false;
-    return true;
+    size_t open = 0;
+    for (size_t i = 0; open <= kMostOpen && i - open < kRaysOfTexel - kMostOpen; ++i)
+        open += isCovered(scene, prints, texel, glm::vec2(0.5f), i) ? 0u : 1u;
+    return open <= kMostOpen;
 }
 
 /// Of a texel whose middle is covered; most of them are all over, which the first few places tell.

@@ -19,6 +19,7 @@ constexpr size_t kOriginsOfBack = 2; // of which only the mean of many counts
 
 // Numerics.
 constexpr size_t kSidesOfScout = 8; // of all, which follow each other through space
+constexpr size_t kTurnOfScout = 5;  // odd, so that scouts take all turns
 
 std::vector<glm::vec3> meanOfNeighbors(const Surfels& surfels, std::span<const glm::vec3> values)
 {
@@ -196,10 +197,14 @@ std::vector<LampSight> directOfLists(const Texels& texels, const RayScene& scene
     std::vector<LampPatches> patches;
     for (const SoughtLamp& lamp : lamps) patches.emplace_back(lamp.light);
     std::vector<LampSight> direct(lamps.size(), LampSight(count));
+    // One of every `step`, each time another of these: sides follow each other in a pattern, as the
+    // front and the back of a door in turns.
     const auto lookoutsOf = [&](size_t begin, size_t end, size_t step) {
         Lookouts lookouts(sites);
-        for (size_t i = begin; i < end; i += step)
-            lookouts.add(hits.sideOfList[lists.empty() ? i : lists[i]]);
+        for (size_t i = begin, turn = 0; i < end; i += step, turn = (turn + kTurnOfScout) % step) {
+            const size_t one = std::min(i + turn, end - 1);
+            lookouts.add(hits.sideOfList[lists.empty() ? one : lists[one]]);
+        }
         return lookouts;
     };
     std::vector<RoomSet> rooms;

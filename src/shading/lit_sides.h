@@ -31,9 +31,9 @@ struct SoughtLamp
 };
 
 /// Irradiance from each lamp at radiance 1 on the sides that `lists` name; all where empty. Where a
-/// lamp is seen from none of 64 sides, each the first of `perScout` that follow each other, it is
-/// from none of these, nor from any room that sees nothing of its own: light that does not reach a
-/// room costs little there.
+/// lamp is seen from none of 64 sides, each one of `perScout` that follow each other (a power of
+/// two), it is from none of these, nor from any room that sees nothing of its own: light that does
+/// not reach a room costs little there.
 std::vector<LampSight> directOfLists(const Texels& texels, const RayScene& scene,
                                      const HitLists& hits, std::span<const SoughtLamp> lamps,
                                      std::span<const uint32_t> lists = {}, size_t perScout = 1);

@@ -141,6 +141,27 @@ TEST(LitSides, ScoutsFindALampWhereverItIsSeen)
     EXPECT_LT(lit, names.size() / 2);
 }
 
+// Of a door's two faces, which take turns among all sides, a lamp on either side lights one.
+TEST(LitSides, ScoutsLookFromBothFacesOfADoor)
+{
+    const glm::vec3 wide(2, 0, 0);
+    const glm::vec3 high(0, 2, 0);
+    const scenes::Surfaces door(scenes::panels(
+        std::vector<scenes::Panel>{{{0, 0, 0}, wide, high}, {{0, 0, -0.004f}, high, wide}}, 64,
+        scenes::plain(glm::vec3(0.4f))));
+    const HitLists hits = scenes::hitListsOf(door, 8);
+    const glm::vec3 aside(0.2f, 0, 0);
+    const glm::vec3 up(0, 0.2f, 0);
+    for (const auto& panel : {scenes::Panel{{1, 1, 1}, up, aside}, {{1, 1, -1}, aside, up}}) {
+        const LampSight seen =
+            directOfLists(door.texels, door.rays, hits, {scenes::lightOf(panel, 4)});
+        size_t lit = 0;
+        for (uint32_t s = 0; s < door.texels.surfels.count(); ++s)
+            lit += seen[s].visible > 0.0f ? size_t{1} : size_t{0};
+        EXPECT_EQ(lit, door.texels.surfels.count() / 2);
+    }
+}
+
 // A lamp's light on lists is that of its panel: Lambert's formula, with the shadows of a few rays.
 TEST(LitSides, DirectOfListsIsThePanelsFormFactor)
 {
