@@ -88,10 +88,7 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
                                             shadingOf(texels, room.light), room.lighting.spread);
     std::vector<float> lit; // mostly on one core
     callAll(
-        [&] {
-            lit = correctionOf(texels.surfels, room.found.radiance, room.found.hits, light,
-                               room.found.found.gaps);
-        },
+        [&] { lit = correctionOf(texels.surfels, room.found.radiance, room.found.hits, light); },
         [&] { meanwhile(room); });
     room.lit = std::move(lit);
     scaleAlbedo(irradianceOf(room),
