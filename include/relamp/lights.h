@@ -98,6 +98,7 @@ struct Lights
     CameraModel camera;     // what it made of this light in the texture; the thesis solver knows
                             // none
     Tempering tempering;    // of its shading; the thesis solver knows none
+    float gaps = 0.0f;      // how likely the mesh has gaps that let light in, 0..1; likewise
 
     /// The number of a fixture by its place in the list; those without one are counted behind all
     /// others.

@@ -68,6 +68,7 @@ private:
     void findGain();
     void findWhiteBalance(double drifted);
     [[nodiscard]] std::vector<float> changeUnseen() const;
+    [[nodiscard]] float gaps() const;
     [[nodiscard]] std::vector<glm::vec3> albedo() const;
     void seeByCamera(std::vector<double> log);
     [[nodiscard]] double noiseOfAll() const;

@@ -368,10 +368,23 @@ std::vector<float> LampSearch::changeUnseen() const
     return change;
 }
 
+/// How likely the mesh lets light in, by what places of one paint differ by in the dark.
+float LampSearch::gaps() const
+{
+    const HouseLight house = houseLight(LampEvidence::kPairsFirst);
+    std::vector<double> ofRooms(house.rooms().size());
+    house.forEachRoom(
+        [&](size_t r, const RoomLight& room) { ofRooms[r] = room.fit().gaps(room.log); });
+    double gaps = 0.0;
+    for (size_t r = 0; r < ofRooms.size(); ++r) gaps += shareOf(house.rooms()[r]) * ofRooms[r];
+    return static_cast<float>(std::min(gaps, 1.0));
+}
+
 FoundLamps LampSearch::result()
 {
     FoundLamps found{.powers = {.lamps = {}, .outside = outside_},
                      .residual = static_cast<float>(estimate_.residual),
+                     .gaps = gaps(),
                      .changeUnseen = changeUnseen(),
                      .white = std::move(told_.white),
                      .nothingNear = std::move(nothingNear_),

@@ -52,6 +52,7 @@ struct FoundLamps
     float residual = 0.0f;        // of the fit, in log radiance
     std::optional<FoundSun> sun{};
     CameraModel camera{};              // what it made of the light
+    float gaps = 0.0f;                 // as Lights
     SlopeCovariance doubtOfResponse{}; // 0: it is known
     // By how much the log albedo of each of placesToLookAt(), and then of those that a person spoke
     // of, is another where no fit looks at it: fit/unseen.h. Empty: nothing was fitted.

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "base/sampling.shared.h"
+#include "fit/light_fit_search.h"
 #include "fit/reliability.h"
 #include "lights/candidates.h"
 #include "shading/gathered_light.h"
@@ -50,10 +51,11 @@ struct Paint
     float red;    // over green
     float blue;   // over green
     float belief; // in the light; < 0: nothing is known here
+    float lit;    // log share of the light that is expected to be there
 };
 
 std::vector<Paint> paintOf(const SurfelRadiance& radiance, const SurfelLighting& light,
-                           std::span<const LightVariance> variance)
+                           std::span<const LightVariance> variance, float gaps)
 {
     std::vector<Paint> paint(light.irradiance.size());
     forEach(paint.size(), [&](size_t s) {
@@ -63,8 +65,12 @@ std::vector<Paint> paintOf(const SurfelRadiance& radiance, const SurfelLighting&
         const bool isKnown = radiance.plainArea[s] > 0.0f && isHardlyBurntOut(radiance, s);
         const float belief = kBelief / variance[s].ofMesh();
         const float brightness = logOfLight(luminance(seen)) - logOfLight(luminance(found));
-        paint[s] = {brightness, brightness, logOfLight(seen.r) - logOfLight(found.r) - green,
-                    logOfLight(seen.b) - logOfLight(found.b) - green, isKnown ? belief : -1.0f};
+        paint[s] = {brightness,
+                    brightness,
+                    logOfLight(seen.r) - logOfLight(found.r) - green,
+                    logOfLight(seen.b) - logOfLight(found.b) - green,
+                    isKnown ? belief : -1.0f,
+                    std::log(shareExpected(variance[s], gaps))};
     });
     return paint;
 }
@@ -286,7 +292,7 @@ void Settling::weigh(size_t s)
     const size_t beside = sheet_.end(s) - sheet_.begin(s) - 1;
     const float lit = lit_[static_cast<Eigen::Index>(s)];
     float sum = std::max(own.belief, 0.0f) * static_cast<float>(std::max<size_t>(beside, 1));
-    float pull = 0.0f;
+    float pull = sum * own.lit;
     for (size_t i = begin + 1; i < end; ++i) {
         const bool isNear = i - begin <= beside;
         const Paint& other = paint_[static_cast<size_t>(column_[i])];
@@ -313,6 +319,15 @@ Eigen::VectorXf Settling::run()
         lit_ = solver.compute(weights).solveWithGuess(pull_, lit_);
     }
     return std::move(lit_);
+}
+
+/// Log share of the middle of all places: what they lose alike is no leak but the room's level.
+float levelOf(std::span<const Paint> paint, std::span<const float> lit)
+{
+    std::vector<double> known;
+    for (size_t s = 0; s < lit.size(); ++s)
+        if (paint[s].belief >= 0.0f) known.push_back(static_cast<double>(lit[s]));
+    return static_cast<float>(medianOfAll(std::move(known)));
 }
 
 struct TexelRange // of a page
@@ -384,16 +399,18 @@ SurfelLighting foundLight(const Texels& texels, const SurfelRadiance& radiance,
 }
 
 std::vector<float> correctionOf(const Surfels& surfels, const SurfelRadiance& radiance,
-                                const HitLists& hits, const SurfelLighting& light)
+                                const HitLists& hits, const SurfelLighting& light, float gaps)
 {
     if (light.irradiance.empty()) return {};
-    std::vector<Paint> paint = paintOf(radiance, light, varianceOf(hits, light));
+    std::vector<Paint> paint = paintOf(radiance, light, varianceOf(hits, light), gaps);
     const Sheet sheet = sheetOf(surfels, paint);
     clearOfPatterns(surfels, hits, sheet, paint);
     const Eigen::VectorXf lit = Settling(sheet, partnersOf(paint, surfels.seed), paint).run();
     std::vector<float> shares(surfels.count());
     for (size_t s = 0; s < shares.size(); ++s)
-        shares[s] = std::exp(std::min(lit[static_cast<Eigen::Index>(s)], kAlwaysUnsure));
+        shares[s] = std::min(lit[static_cast<Eigen::Index>(s)], kAlwaysUnsure);
+    const float level = levelOf(paint, shares);
+    for (float& share : shares) share = std::exp(share - level);
     return shares;
 }
 

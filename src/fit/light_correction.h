@@ -27,9 +27,10 @@ SurfelLighting foundLight(const Texels& texels, const SurfelRadiance& radiance,
 /// one paint have one albedo, near and far. Light is believed by its variance: little where a
 /// shadow's edge is near, where backs are seen and in the dark. `hits`: of all fronts. A surfel
 /// that is burnt out keeps its light. A thin pattern is paint unless `hits` say that something is
-/// near.
+/// near. The middle of all places keeps its light. `gaps`: as Lights.
 std::vector<float> correctionOf(const Surfels& surfels, const SurfelRadiance& radiance,
-                                const HitLists& hits, const SurfelLighting& light);
+                                const HitLists& hits, const SurfelLighting& light,
+                                float gaps = 0.0f);
 
 /// The shading times that, interpolated between surfels; direct and indirect alike.
 TexelShading corrected(const Texels& texels, TexelShading shade, std::span<const float> lit);

@@ -107,16 +107,15 @@ double LightFit::expectLeaks(const LightEstimate& estimate, const CameraColumns&
     const std::vector<double> logAlbedo = this->logAlbedo(estimate, camera);
     const std::vector<double> light = irradiance(radiance, 0, model_.places());
     const double usual = medianOfAll(light);
-    // A reconstruction, whose contacts stand open, lets in twice what a whole mesh does.
-    const auto leakOfModel = static_cast<double>(kLostLight);
-    const double leakOfScan = 2.0 * leakOfModel;
+    const auto leakOfModel = static_cast<double>(lostLight(0.0f));
+    const auto leakOfScan = static_cast<double>(lostLight(1.0f));
     const double ofModel = costOfLeak(leakOfModel * usual, light, logAlbedo);
     for (size_t k = 0; k < pairs_.size(); ++k)
         paintShare_[k] = 2.0 * noise_ * noise_ /
                          (noiseAbove_[k] * noiseAbove_[k] + noiseBelow_[k] * noiseBelow_[k]);
     const double ofScan = costOfLeak(leakOfScan * usual, light, logAlbedo);
     const double open = 1.0 / (1.0 + std::exp(perPair() * (ofScan - ofModel)));
-    double leak = leakOfModel + open * (leakOfScan - leakOfModel);
+    auto leak = static_cast<double>(lostLight(static_cast<float>(open)));
     // A contrast curve, too, makes the dark too dark: where leaks are expected that are not there,
     // it is hardly heard. (Lamps are told with leaks whatever the pairs say of none.)
     if (camera.count() > 0) {
@@ -125,6 +124,20 @@ double LightFit::expectLeaks(const LightEstimate& estimate, const CameraColumns&
     }
     costOfLeak(leak * usual, light, logAlbedo);
     return open;
+}
+
+double LightFit::gaps(std::span<const double> log)
+{
+    const LightEstimate estimate{.log = {log.begin(), log.end()}};
+    std::vector<double> logAlbedo = this->logAlbedo(estimate, {});
+    const std::vector<double> light = irradiance(exponentials(log), 0, model_.places());
+    const double lost = static_cast<double>(lostLight(0.0f)) * medianOfAll(light);
+    const double ofWhole = costOfLeak(lost, light, logAlbedo);
+    for (size_t i = 0; i < light.size(); ++i)
+        logAlbedo[i] -= std::log(shareBesideLeak(lost / light[i]));
+    const double ofOpen =
+        costOfLeak(static_cast<double>(lostLight(1.0f) / lostLight(0.0f)) * lost, light, logAlbedo);
+    return 1.0 / (1.0 + std::exp(perPair() * (ofOpen - ofWhole)));
 }
 
 /// Takes noise for what such a leak makes it, and returns what the pairs cost then.

@@ -80,6 +80,9 @@ public:
     /// The same of what is shown once these coefficients of the camera are undone; with a camera
     /// that has any, of nothing as well, where the pairs are for that beyond doubt.
     double expectLeaks(const LightEstimate& estimate, const CameraColumns& camera);
+    /// How likely the mesh has gaps, as Lights, in this light: by pairs that are too dark in the
+    /// dark, in the mean and not by their noise alone. What is expected from now on is undefined.
+    double gaps(std::span<const double> log);
     /// From now on these pairs count as well, which a person said to be of one paint.
     void believe(std::span<const MaterialPair> same) { told_ = same; }
     /// `emits`: one flag a piece. `start`: as LightEstimate::log. `widest`: how many times wider

@@ -391,6 +391,13 @@ struct DarkCorners
         }
         return light.log[0] - std::log(40.0);
     }
+
+    /// In the light that is there.
+    [[nodiscard]] double gaps() const
+    {
+        return LightFit(model, pairs, {}, kPairNoise)
+            .gaps(std::vector<double>{std::log(40.0), 0.0});
+    }
 };
 
 } // namespace
@@ -419,6 +426,19 @@ TEST(LightFit, DarkPlacesThatMakeLampsWeakerAreHeard)
 TEST(LightFit, ExpectingLeaksChangesNothingWhereAllIsRight)
 {
     EXPECT_NEAR(DarkCorners(0.0f).offWith(true), 0.0, 0.02);
+}
+
+// Not so where they are too bright, nor where they differ both ways.
+TEST(LightFit, DarkPlacesThatAreTooDarkInTheMeanTellOfGaps)
+{
+    EXPECT_GT(DarkCorners(0.05f).gaps(), 0.9);
+    EXPECT_LT(DarkCorners(0.0f).gaps(), 0.1);
+    EXPECT_LT(DarkCorners(-0.05f).gaps(), 0.1);
+    DarkCorners uneven(0.0f);
+    Numbers random;
+    for (size_t i = 0; i < DarkCorners::kPlaces; i += 3)
+        uneven.model.shown[i] *= std::exp(random.between(-0.2f, 0.2f));
+    EXPECT_LT(uneven.gaps(), 0.3);
 }
 
 } // namespace relamp

@@ -80,9 +80,24 @@ std::vector<LightVariance> varianceOf(const HitLists& hits, const SurfelLighting
         const ShareOfView view = viewOf(hits, s);
         variance[s] = {squareOf(kUnsureOfOutside * view.outside),
                        squareOf(kUnsureOfBacks * view.backs), squareOf(spread / found),
-                       squareOf(kAlwaysUnsure) + squareOf(kLostLight * usual / found)};
+                       squareOf(kLostLight * usual / found)};
     });
     return variance;
+}
+
+double shareBesideLeak(double leak)
+{
+    return leak > 0.0 ? 1.0 - leak + 1.0 / std::expm1(1.0 / leak) : 1.0;
+}
+
+/// With gaps, each cause lets in its deviation, which is wider by as much as lostLight() is.
+float shareExpected(const LightVariance& variance, float gaps)
+{
+    double unsure = 0.0;
+    for (const float cause : {variance.backs, variance.edges, variance.dark})
+        unsure += std::sqrt(static_cast<double>(std::min(cause, kMostVariance)));
+    const auto wider = static_cast<double>(lostLight(gaps) / kLostLight);
+    return static_cast<float>(shareBesideLeak(static_cast<double>(gaps) * wider * unsure));
 }
 
 std::vector<float> varianceOfResponse(std::span<const glm::vec3> texture,

@@ -14,6 +14,13 @@ namespace relamp
 /// mesh.
 inline constexpr float kLostLight = 0.025f;
 
+/// The same of a mesh that is `gaps` likely to have gaps, 0..1, as Lights: a reconstruction, whose
+/// contacts stand open, lets in twice as much.
+inline float lostLight(float gaps)
+{
+    return (1.0f + gaps) * kLostLight;
+}
+
 /// Of any light, where nothing else speaks against it, as a share: standard deviation.
 inline constexpr float kAlwaysUnsure = 0.05f;
 
@@ -23,11 +30,21 @@ struct LightVariance
     float outside = 0.0f; // it comes from what the scan does not show
     float backs = 0.0f;   // it comes from backs of surfaces, of which the texture says nothing
     float edges = 0.0f;   // a shadow's edge is near
-    float rest = 0.0f;    // of any light, and more of little light
+    float dark = 0.0f;    // there is so little that what was let in anywhere counts
 
-    [[nodiscard]] float ofMesh() const { return backs + edges + rest; }
+    [[nodiscard]] float ofMesh() const
+    {
+        return backs + edges + dark + kAlwaysUnsure * kAlwaysUnsure;
+    }
     [[nodiscard]] float total() const { return outside + ofMesh(); }
 };
+
+/// What of the light at a place was not let in, 0.5..1, where `leak` of it is in the mean: leaks
+/// are exponential, and no more than all there is.
+double shareBesideLeak(double leak);
+
+/// That of the light found on a surfel, as far as its variance tells. `gaps`: as lostLight().
+float shareExpected(const LightVariance& variance, float gaps);
 
 /// Before anything was corrected. `hits`: of all fronts, which come first in them. One entry a
 /// surfel; `light.spread` may be empty where a solver does not know it.

@@ -266,6 +266,7 @@ std::string lightsAsJson(const Lights& lights)
                                  {"kept", toJson(lights.tempering.kept)}};
     if (lights.tempering.scale != glm::vec3(1.0f))
         document["tempering"]["scale"] = toJson(lights.tempering.scale);
+    if (lights.gaps > 0.0f) document["gaps"] = shortest(lights.gaps);
     return textOf(document);
 }
 
@@ -278,7 +279,7 @@ Lights lightsFrom(const JsonDocument& document, std::vector<std::string>& warnin
 {
     const JsonItem top = document.top();
     top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient", "openings", "sun",
-                       "camera", "tempering"},
+                       "camera", "tempering", "gaps"},
                       warnings);
 
     Lights lights;
@@ -299,6 +300,7 @@ Lights lightsFrom(const JsonDocument& document, std::vector<std::string>& warnin
     lights.sun = sunOf(top, warnings);
     if (const auto camera = top.objectIn("camera")) lights.camera = cameraOf(*camera, warnings);
     lights.tempering = temperingOf(top, warnings);
+    if (top.has("gaps")) lights.gaps = static_cast<float>(top.numberAt("gaps", 0.0, 1.0));
     if (lights.points.empty() && lights.ambient == glm::vec3(0.0f) && !lights.sun)
         malformed(top.what, "holds no light: it needs \"lights\", \"fixtures\", \"ambient\" or "
                             "\"sun\" that shine");

@@ -160,6 +160,7 @@ TEST(LightsFile, WhatWasWrittenIsReadAgain)
     lights.camera.drifted = 0.25f;
     lights.camera.tone = {0.625f, {{0, 1, 0}, 0.5f, {1, 1, 2}, {glm::vec3(0.5f), glm::vec3(-1)}}};
     lights.tempering = {.kept = {0.5f, 0.4f, 0.3f}, .power = 0.8f, .scale = {0.75f, 0.8f, 0.9f}};
+    lights.gaps = 0.6f;
     const Lights again = read(lightsAsJson(lights));
     ASSERT_THAT(again.fixtures, SizeIs(1));
     EXPECT_EQ(again.fixtures[0].centre, lights.fixtures[0].centre);
@@ -188,6 +189,7 @@ TEST(LightsFile, WhatWasWrittenIsReadAgain)
     ASSERT_EQ(again.camera.tone.gain.log.size(), 2u);
     EXPECT_LT(glm::distance(again.camera.tone.gain.log[1], glm::vec3(-1.0f)), 1e-6f);
     EXPECT_EQ(again.tempering, lights.tempering);
+    EXPECT_EQ(again.gaps, lights.gaps);
     EXPECT_THAT(lastWarnings, IsEmpty());
 }
 

@@ -298,7 +298,7 @@ Relighting LightsReader::read(const JsonItem& top)
     // What delight says of the camera and of how far it believes its shading is not about new
     // light.
     top.warnOfUnknown({"format", "units", "fixtures", "lights", "ambient", "openings", "sun", "sky",
-                       "white", "camera", "tempering"},
+                       "white", "camera", "tempering", "gaps"},
                       warnings_);
     lighting_ = darkened(captured_);
     readWhite(top);

@@ -22,10 +22,12 @@ constexpr float kRimStep = 0.3f;     // off its surface, in these
 constexpr float kRimFacing = 0.8f;   // cosine
 constexpr float kDark = 1e-4f;       // shading
 constexpr size_t kRaysOfSurfel = 12; // that say whether its texels need to be looked at
-constexpr size_t kRaysOfTexel = 4;
-constexpr uint32_t kTexelsOfSurfel = 16; // that are looked at, or up to twice as many
-constexpr size_t kPlacesOfTexel = 16;    // that say how much of it is open
-constexpr double kInsideOut = 0.5;       // share of enclosed texels from which a scan is inside out
+constexpr size_t kRaysOfTexel = 24;
+constexpr size_t kMostOpen = kRaysOfTexel / 4; // rays of an enclosed one: it has light of its own
+constexpr uint32_t kTexelsOfSurfel = 16;       // that are looked at, or up to twice as many
+constexpr size_t kPlacesOfTexel = 16;          // that say how much of it is open
+constexpr size_t kPlacesFirst = 4; // of these: most that are not open in them are not at all
+constexpr double kInsideOut = 0.5; // share of enclosed texels from which a scan is inside out
 
 bool meetsBack(const RayScene& scene, const Ray& ray)
 {
@@ -64,9 +66,10 @@ bool isCovered(const RayScene& scene, const Footprints& prints, uint32_t texel, 
 
 bool isEnclosed(const RayScene& scene, const Footprints& prints, uint32_t texel)
 {
-    for (size_t i = 0; i < kRaysOfTexel; ++i)
-        if (!isCovered(scene, prints, texel, glm::vec2(0.5f), i)) return false;
-    return true;
+    size_t open = 0;
+    for (size_t i = 0; open <= kMostOpen && i - open < kRaysOfTexel - kMostOpen; ++i)
+        open += isCovered(scene, prints, texel, glm::vec2(0.5f), i) ? 0u : 1u;
+    return open <= kMostOpen;
 }
 
 /// Of a texel whose middle is covered; most of them are all over, which the first few places tell.
@@ -76,7 +79,7 @@ uint8_t openShare(const RayScene& scene, const Footprints& prints, uint32_t texe
     const glm::vec2 within(seededShift(seed, texel, 10), seededShift(seed, texel, 11));
     size_t open = 0;
     for (size_t i = 0; i < kPlacesOfTexel; ++i) {
-        if (i == kRaysOfTexel && open == 0) return 0;
+        if (i == kPlacesFirst && open == 0) return 0;
         open +=
             isCovered(scene, prints, texel, evenPoint(static_cast<float>(i), within), i) ? 0u : 1u;
     }

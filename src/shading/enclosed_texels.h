@@ -15,10 +15,11 @@
 namespace relamp
 {
 
-/// Makes texels that something stands on or lies on surfels of their own: every ray from them meets
-/// a surface from behind, as inside a solid. Where a rug lies on a floor, that floor would else
-/// send and get the mean of light and darkness. A modelled room has many, a scanned one hardly any.
-/// None where most are, for then the scan is inside out. Finds the neighbours of all surfels.
+/// Makes texels that something stands on or lies on surfels of their own: three of four rays from
+/// them, or more, meet a surface from behind, as inside a solid. Where a rug lies on a floor, that
+/// floor would else send and get the mean of light and darkness. A modelled room has many, a
+/// scanned one hardly any. None where most are, for then the scan is inside out. Finds the
+/// neighbours of all surfels.
 void separateEnclosed(Texels& texels, const RayScene& scene, Progress& progress);
 
 /// How much of each texel lies open, 0..255: of enclosed ones, of which the middle does not, by

@@ -13,20 +13,19 @@ namespace
 constexpr glm::vec3 kBoxLow(0.305f, 0.0f, 0.305f); // its edges cross texels
 constexpr glm::vec3 kBoxHigh(0.7f, 0.4f, 0.7f);
 
-/// A floor of one metre with a box on it, which has no bottom.
-Scan boxOnFloor(const scenes::Paint& paint)
+/// A floor of one metre with a box on it, which has no bottom, or no side towards high x either.
+Scan boxOnFloor(const scenes::Paint& paint, bool isOpenAtSide = false)
 {
     const glm::vec3 size = kBoxHigh - kBoxLow;
     const glm::vec3 x(size.x, 0.0f, 0.0f);
     const glm::vec3 y(0.0f, size.y, 0.0f);
     const glm::vec3 z(0.0f, 0.0f, size.z);
-    const std::vector<scenes::Panel> panels{
-        {glm::vec3(0.0f), {0.0f, 0.0f, 1.0f}, {1.0f, 0.0f, 0.0f}},
-        {kBoxLow + y, z, x},
-        {kBoxLow, z, y},
-        {kBoxLow + x, y, z},
-        {kBoxLow, y, x},
-        {kBoxLow + z, x, y}};
+    std::vector<scenes::Panel> panels{{glm::vec3(0.0f), {0.0f, 0.0f, 1.0f}, {1.0f, 0.0f, 0.0f}},
+                                      {kBoxLow + y, z, x},
+                                      {kBoxLow, z, y},
+                                      {kBoxLow, y, x},
+                                      {kBoxLow + z, x, y}};
+    if (!isOpenAtSide) panels.push_back({kBoxLow + x, y, z});
     return scenes::panels(panels, 96, paint);
 }
 
@@ -38,8 +37,8 @@ bool isUnderBox(glm::vec3 p, glm::vec3 n, float off)
 
 struct BoxRoom
 {
-    explicit BoxRoom(const scenes::Paint& paint)
-        : scan(boxOnFloor(paint)), scene(scan), texels(rasterizeAtlas(scan, progress))
+    explicit BoxRoom(const scenes::Paint& paint, bool isOpenAtSide = false)
+        : scan(boxOnFloor(paint, isOpenAtSide)), scene(scan), texels(rasterizeAtlas(scan, progress))
     {}
 
     Progress progress;
@@ -67,6 +66,29 @@ TEST(EnclosedTexels, AreTheFloorUnderABoxAndNothingElse)
         }
     }
     EXPECT_GT(under, 100u);
+}
+
+// Before the open side six rays in ten meet a back, deep inside nine.
+TEST(EnclosedTexels, UnderABoxThatIsOpenAtASideAreThoseDeepInside)
+{
+    BoxRoom room(scenes::plain(glm::vec3(0.5f)), true);
+    separateEnclosed(room.texels, room.scene, room.progress);
+    size_t deep = 0;
+    const PageTexels& page = room.texels.pages[0];
+    for (size_t i = 0; i < page.count(); ++i) {
+        const TexelSite site = room.texels.siteOf(0, i);
+        if (!isUnderBox(site.position, site.normal, 0.02f)) continue;
+        const bool isEnclosed = room.texels.surfels.isEnclosed(page.runs[page.runOf(i)].surfel);
+        const bool isInTheMiddle = std::abs(site.position.z - 0.5f) < 0.1f;
+        if (site.position.x > kBoxHigh.x - 0.05f && isInTheMiddle) {
+            EXPECT_FALSE(isEnclosed) << site.position.x << ' ' << site.position.z;
+        }
+        if (site.position.x < kBoxLow.x + 0.15f) {
+            EXPECT_TRUE(isEnclosed) << site.position.x << ' ' << site.position.z;
+            ++deep;
+        }
+    }
+    EXPECT_GT(deep, 100u);
 }
 
 // The floor is grey and the light on it one; under the box it is a tenth. A texel under it that

@@ -265,6 +265,7 @@ void take(const Lights& given, const DelightOptions& options, const Texels& texe
     room.isGiven = true;
     room.tempering = given.tempering;
     room.found.camera = given.camera;
+    room.found.gaps = given.gaps;
     linearize(texels, room);
     room.glowsFrom = leastOfGlowing(texels, room.glowing, &room.linearization);
     if (given.openings.size() == room.hits.shareOfPart.size())
@@ -363,6 +364,7 @@ Lights lightsOf(const FoundRoom& room)
     lights.ambient = scale * room.found.powers.outside.even();
     lights.openings = room.found.powers.outside.ratios();
     lights.camera = room.found.camera;
+    lights.gaps = room.found.gaps;
     lights.tempering = room.tempering;
     if (room.found.sun) {
         lights.sun = room.found.sun->sun;

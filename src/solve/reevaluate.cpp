@@ -88,7 +88,10 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
                                             shadingOf(texels, room.light), room.lighting.spread);
     std::vector<float> lit; // mostly on one core
     callAll(
-        [&] { lit = correctionOf(texels.surfels, room.found.radiance, room.found.hits, light); },
+        [&] {
+            lit = correctionOf(texels.surfels, room.found.radiance, room.found.hits, light,
+                               room.found.found.gaps);
+        },
         [&] { meanwhile(room); });
     room.lit = std::move(lit);
     scaleAlbedo(irradianceOf(room),
