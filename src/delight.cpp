@@ -2,6 +2,7 @@
 
 #include "albedo/page_layers.h"
 #include "decomposition_state.h"
+#include "fit/correction_map.h"
 #include "lights/fixture_map.h"
 #include "relamp/delighter.h"
 #include "scan/overlap.h"
@@ -126,6 +127,11 @@ FixtureMap Decomposition::fixtures(size_t page) const
     const GlowMarks& glowing = state_->solution.glowing;
     return fixtureMapOf(*state_->texels, page, state_->solution.fixtureOf,
                         glowing.areNone() ? std::vector<bool>() : glowing.isGlowing[page]);
+}
+
+CorrectionMap Decomposition::correction(size_t page) const
+{
+    return correctionMapOf(*state_->texels, page, state_->solution.lit);
 }
 
 PageLayers Decomposition::layers(size_t page, Progress& progress) const

@@ -1,6 +1,9 @@
 #include "relamp/verify.h"
 
 #include "albedo/closed_loop.h"
+#include "fit/correction_map.h"
+#include "fit/light_correction.h"
+#include "output/correction_file.h"
 #include "output/fixtures_file.h"
 #include "output/result_folder.h"
 #include "shading/enclosed_texels.h"
@@ -30,8 +33,10 @@ Verification verify(const std::filesystem::path& folder, const VerifyOptions& op
     separateEnclosed(texels, scene, progress);
     const FoundRoom found = findRoom(texels, scene, asThen, progress);
     result.warnings.insert(result.warnings.end(), found.warnings.begin(), found.warnings.end());
-    const TracedRoom room = tracedRoomOf(texels, found, meanAlbedo(texels, found.radiance, albedo));
-    const auto places = renderAgain(texels, PathTracer(texels, scene, room), albedo,
+    const std::vector<float> lit = correctionBy(readCorrection(folder, scan.pages.size()), texels);
+    const TracedRoom room =
+        tracedRoomOf(texels, found, corrected(meanAlbedo(texels, found.radiance, albedo), lit));
+    const auto places = renderAgain(texels, PathTracer(texels, scene, room), {albedo, lit},
                                     found.linearization, options, progress);
     compare(places, result);
     return result;

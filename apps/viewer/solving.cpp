@@ -50,6 +50,7 @@ Paint divide(const relamp::Decomposition& found, const PageShrinker& shrunk, siz
         paint.albedo.push_back(imageOf(layers, std::move(layers.albedo)));
         paint.confidence.push_back(greyOf(layers));
         paint.fixtures.push_back(found.fixtures(p));
+        paint.correction.push_back(found.correction(p));
         auto& textures = solved.textures;
         textures[PageTexture::direct].push_back(shrunk(direct, p, TexelFormat::rgb9e5));
         textures[PageTexture::indirect].push_back(shrunk(indirect, p, TexelFormat::rgb9e5));
@@ -145,6 +146,7 @@ Solved RoomSolver::solved(Side& side, const relamp::DelightOptions& options,
     room->albedo = std::move(paint.albedo);
     room->confidence = std::move(paint.confidence);
     room->fixtures = std::move(paint.fixtures);
+    room->correction = std::move(paint.correction);
     room->captured = solved.captured;
     room->gather = options.gather;
     solved.room = std::move(room);

@@ -22,6 +22,7 @@ struct Paint
     std::vector<relamp::Image> albedo;
     std::vector<relamp::Image> confidence;
     std::vector<relamp::FixtureMap> fixtures;
+    std::vector<relamp::CorrectionMap> correction;
 };
 
 /// How a room's light was on the day of the scan, as a person says.

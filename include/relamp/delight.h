@@ -37,6 +37,20 @@ enum class Solver {
     thesis     // Choi 2018
 };
 
+/// How much of the light that lamps and walls bring to the texels of one page is there, where the
+/// rest leaks in through what the mesh lacks: docs/method/light_correction.md.
+struct CorrectionMap
+{
+    static constexpr uint8_t kAll = 200; // all of it is there; 0: none
+
+    int width = 0;
+    int height = 0;
+    std::vector<uint8_t>
+        share; // width * height, 0 where no surface is; empty: nothing was corrected
+
+    [[nodiscard]] bool isEmpty() const { return share.empty(); }
+};
+
 struct DelightOptions
 {
     Solver solver = Solver::gather;
@@ -157,6 +171,8 @@ public:
 
     /// Whose the texels of one page are, lamps that are off included.
     [[nodiscard]] FixtureMap fixtures(size_t page) const;
+    /// How the light on the texels of one page was corrected; empty by solvers that don't.
+    [[nodiscard]] CorrectionMap correction(size_t page) const;
     /// Where the texels of one page lie.
     [[nodiscard]] PageGeometry geometry(size_t page) const;
 

@@ -149,10 +149,11 @@ struct DelitRoom
     std::vector<Image> albedo;        // a page each, of its size
     std::vector<Image> confidence;    // the same, 0: a guess; empty: all can be trusted
     std::vector<FixtureMap> fixtures; // the same; empty: they are what is burnt out at their places
-    Lights captured;                  // what the scan was lit by
-    GatherOptions gather;             // how its lamps were found
-    bool isLit = true;                // whether the scan's texture shows that light
-    std::filesystem::path transport;  // where RelightOptions::transport belongs; empty for a GLB
+    std::vector<CorrectionMap> correction; // the same; empty: no light is corrected
+    Lights captured;                       // what the scan was lit by
+    GatherOptions gather;                  // how its lamps were found
+    bool isLit = true;                     // whether the scan's texture shows that light
+    std::filesystem::path transport; // where RelightOptions::transport belongs; empty for a GLB
     std::vector<std::string> warnings;
 };
 

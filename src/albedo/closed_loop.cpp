@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
 #include "base/random.h"
+#include "fit/light_correction.h"
 #include "shading/lit_sides.h"
 
 #include <algorithm>
@@ -160,15 +161,16 @@ std::vector<glm::vec3> meanAlbedo(const Texels& texels, const SurfelRadiance& ra
 }
 
 std::vector<RenderedPlace> renderAgain(const Texels& texels, const PathTracer& tracer,
-                                       std::span<const Image> albedo,
+                                       const DelitSurface& surface,
                                        const Linearization& linearization,
                                        const VerifyOptions& options, Progress& progress)
 {
+    const TexelShading shareOfLight = corrected(texels, evenShading, surface.lit);
     std::deque<TexelLoader> loaders;
     std::vector<Radiance> albedoOf;
     for (size_t p = 0; p < texels.pages.size(); ++p) {
         loaders.emplace_back(texels, p, &linearization);
-        albedoOf.emplace_back(albedo[p]);
+        albedoOf.emplace_back(surface.albedo[p]);
     }
     const size_t all = texels.count();
     const size_t paths = std::max<size_t>(static_cast<size_t>(options.samples) / 2, 1);
@@ -176,16 +178,18 @@ std::vector<RenderedPlace> renderAgain(const Texels& texels, const PathTracer& t
     Progress::Stage stage(progress, "paths", places.size());
     forEachChunk(places.size(), 64, [&](size_t begin, size_t end) {
         TexelBlock block;
+        ShadingBlock share;
         for (size_t i = begin; i < end; ++i) {
             const auto [page, texel] = texelAt(texels, i * all / places.size());
             loaders[page].load(texel, 1, block);
             loaders[page].loadArea(texel, 1, block);
+            shareOfLight(page, texel, block, share);
             const uint32_t pixel = texels.pages[page].pixel[texel];
             if (tracer.room().isClipped[page][pixel]) continue;
             const TexelSite site = texels.siteOf(page, texel);
             const glm::vec3 rho = albedoOf[page][pixel];
             const auto render = [&](uint64_t sequence) {
-                return glm::min(rho, 1.0f) *
+                return share.indirect.r[0] * glm::min(rho, 1.0f) *
                        tracer.shade(site, paths, {options.seed, sequence, i}).total();
             };
             places[i] = {

@@ -38,10 +38,18 @@ struct RenderedPlace
 std::vector<glm::vec3> meanAlbedo(const Texels& texels, const SurfelRadiance& radiance,
                                   std::span<const Image> albedo);
 
-/// Renders texels that lie evenly over the scan, each by its own albedo (at most 1) under what
-/// paths bring it, to be compared with what the scan shows once its camera is undone.
+/// A scan's surface as a result has it.
+struct DelitSurface
+{
+    std::span<const Image> albedo; // one a page
+    std::span<const float> lit{};  // of surfels, as correctionOf(); empty: all light is there
+};
+
+/// Renders texels that lie evenly over the scan, each by its own albedo (at most 1) under what of
+/// the light that paths bring it is there, to be compared with what the scan shows once its camera
+/// is undone.
 std::vector<RenderedPlace> renderAgain(const Texels& texels, const PathTracer& tracer,
-                                       std::span<const Image> albedo,
+                                       const DelitSurface& surface,
                                        const Linearization& linearization,
                                        const VerifyOptions& options, Progress& progress);
 

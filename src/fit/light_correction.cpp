@@ -416,6 +416,7 @@ std::vector<float> correctionOf(const Surfels& surfels, const SurfelRadiance& ra
 
 TexelShading corrected(const Texels& texels, TexelShading shade, std::span<const float> lit)
 {
+    if (lit.empty()) return shade;
     std::vector<glm::vec3> shares;
     shares.reserve(lit.size());
     for (const float share : lit) shares.emplace_back(kPi * share);
@@ -429,6 +430,13 @@ TexelShading corrected(const Texels& texels, TexelShading shade, std::span<const
             for (float* channel : {part->r, part->g, part->b})
                 for (size_t i = 0; i < block.count; ++i) channel[i] *= share.r[i];
     };
+}
+
+std::vector<glm::vec3> corrected(std::span<const glm::vec3> ofSurfels, std::span<const float> lit)
+{
+    std::vector<glm::vec3> result(ofSurfels.begin(), ofSurfels.end());
+    for (size_t s = 0; s < lit.size(); ++s) result[s] *= lit[s];
+    return result;
 }
 
 } // namespace relamp

@@ -32,7 +32,11 @@ std::vector<float> correctionOf(const Surfels& surfels, const SurfelRadiance& ra
                                 const HitLists& hits, const SurfelLighting& light,
                                 float gaps = 0.0f);
 
-/// The shading times that, interpolated between surfels; direct and indirect alike.
+/// The shading times that, interpolated between surfels; direct and indirect alike. `lit` empty: as
+/// it is.
 TexelShading corrected(const Texels& texels, TexelShading shade, std::span<const float> lit);
+
+/// The same of light, or albedo, of surfels.
+std::vector<glm::vec3> corrected(std::span<const glm::vec3> ofSurfels, std::span<const float> lit);
 
 } // namespace relamp

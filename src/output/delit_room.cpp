@@ -2,6 +2,7 @@
 #include "base/half.h"
 #include "lights/json_item.h"
 #include "lights/lights_from.h"
+#include "output/correction_file.h"
 #include "output/fixtures_file.h"
 #include "output/folder_record.h"
 #include "output/result_folder.h"
@@ -66,6 +67,7 @@ DelitRoom roomOfFolder(const std::filesystem::path& folder, const DelitOptions& 
     room.gather = run.gather;
     room.captured = readLights(folder / "lights.json", room.warnings);
     room.fixtures = readFixtureMaps(folder, room.scan->pages.size());
+    room.correction = readCorrection(folder, room.scan->pages.size());
     room.transport = folder / "transport.bin";
     if (options.albedo.empty()) {
         room.albedo = readAlbedo(folder, *room.scan);
@@ -214,6 +216,7 @@ DelitRoom delitRoomOf(const Decomposition& decomposition, Progress& progress)
         room.confidence.push_back(greyImage(layers));
         room.albedo.push_back(linearImage(layers, std::move(layers.albedo)));
         room.fixtures.push_back(decomposition.fixtures(p));
+        room.correction.push_back(decomposition.correction(p));
     }
     room.captured = decomposition.lights();
     room.gather = decomposition.optionsInForce().gather;

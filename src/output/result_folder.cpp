@@ -59,14 +59,15 @@ FormerRun runFrom(const JsonItem& report, const std::filesystem::path& folder)
     return run;
 }
 
-constexpr std::array<std::pair<const char*, const char*>, 8> kLayers{{{"albedo", "png"},
+constexpr std::array<std::pair<const char*, const char*>, 9> kLayers{{{"albedo", "png"},
                                                                       {"albedo", "exr"},
                                                                       {"shading", "exr"},
                                                                       {"direct", "exr"},
                                                                       {"indirect", "exr"},
                                                                       {"confidence", "png"},
                                                                       {"reasons", "png"},
-                                                                      {"fixtures", "png"}}};
+                                                                      {"fixtures", "png"},
+                                                                      {"correction", "png"}}};
 
 /// Whether `name` is nameOfLayer(layer, page, pages, ending) for some page.
 bool isOfLayer(std::string_view name, std::string_view layer, std::string_view ending)

@@ -89,6 +89,7 @@ private:
     void writeAlbedo(size_t page, const PageLayers& layers);
     void writeDoubts(size_t page, const PageLayers& layers);
     void writeFixtures(size_t page, const PageLayers& layers);
+    void writeCorrection(size_t page);
     [[nodiscard]] PreviewPicture drawPreview() const;
     void writePreview(const PreviewPicture& picture);
     void writeUsdPage(size_t page, const PageLayers& layers, const FixtureMap& map);
@@ -141,9 +142,9 @@ void ResultWriter::writePage(size_t page, const PageLayers& layers, Progress::St
         stage.advance();
     };
     callAll([&] { writeAlbedo(page, layers); }, [&] { writeDoubts(page, layers); },
-            [&] { writeFixtures(page, layers); }, [&] { write("albedo", layers.albedo); },
-            [&] { write("shading", shading); }, [&] { write("direct", layers.direct); },
-            [&] { write("indirect", layers.indirect); });
+            [&] { writeFixtures(page, layers); }, [&] { writeCorrection(page); },
+            [&] { write("albedo", layers.albedo); }, [&] { write("shading", shading); },
+            [&] { write("direct", layers.direct); }, [&] { write("indirect", layers.indirect); });
     stage.advance();
 }
 
@@ -162,6 +163,14 @@ void ResultWriter::writeFixtures(size_t page, const PageLayers& layers)
     const auto png = encodePng(rgbOf(map), {map.width, map.height}, 3);
     writeFile(file("fixtures", page, "png"), std::as_bytes(std::span(png)));
     if (options_.usd) writeUsdPage(page, layers, map);
+}
+
+void ResultWriter::writeCorrection(size_t page)
+{
+    const CorrectionMap map = result_.correction(page);
+    if (map.isEmpty()) return;
+    const auto png = encodePng(map.share, {map.width, map.height}, 1);
+    writeFile(file("correction", page, "png"), std::as_bytes(std::span(png)));
 }
 
 void ResultWriter::writeUsdPage(size_t page, const PageLayers& layers, const FixtureMap& map)

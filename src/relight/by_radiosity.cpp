@@ -2,6 +2,8 @@
 
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
+#include "fit/light_correction.h"
+#include "lights/shining.h"
 #include "shading/direct_sum.h"
 #include "shading/gathered_light.h"
 #include "shading/lit_sides.h"
@@ -58,13 +60,44 @@ EngineOptions engineOf(const RelightOptions& options)
     return options.solver == Solver::gather ? options.engine : EngineOptions{.engine = Engine::cpu};
 }
 
+struct LightSet
+{
+    std::vector<std::shared_ptr<const ShadowedLight>> lights;
+    std::vector<glm::vec3> emissions;
+};
+
+/// Their light on texels, straight.
+TexelShading directOf(LightSet set)
+{
+    return
+        [set = std::move(set)](size_t p, size_t begin, const TexelBlock& block, ShadingBlock& out) {
+            darken(out.direct, block.count);
+            darken(out.indirect, block.count);
+            LampOnBlock on;
+            for (size_t l = 0; l < set.lights.size(); ++l) {
+                if (!set.lights[l]->shadows->at(p, begin, block.count, on.share)) continue;
+                set.lights[l]->light.source->open(block, on.open);
+                addDirect(on, set.emissions[l], block.count, out.direct);
+            }
+        };
+}
+
+void add(const RgbBlock& other, size_t texels, RgbBlock& sum)
+{
+    for (size_t i = 0; i < texels; ++i) {
+        sum.r[i] += other.r[i];
+        sum.g[i] += other.g[i];
+        sum.b[i] += other.b[i];
+    }
+}
+
 } // namespace
 
 RadiosityLight::RadiosityLight(const Texels& texels, const RayScene& scene,
                                const Transport& transport,
                                std::span<const std::vector<bool>> isClipped,
-                               const RelightOptions& options)
-    : texels_(texels), scene_(scene), transport_(transport), isClipped_(isClipped),
+                               std::span<const float> lit, const RelightOptions& options)
+    : texels_(texels), scene_(scene), transport_(transport), isClipped_(isClipped), lit_(lit),
       shadowRays_(static_cast<size_t>(options.shadowRays)), engine_(transport, engineOf(options))
 {}
 
@@ -108,25 +141,29 @@ void RadiosityLight::findShadows(const ActiveLights& active, ShadowDetail detail
     windowOpenings_ = active.windowOpenings;
 }
 
+/// Whether the light was there when it was found how much of it arrives.
+bool RadiosityLight::isCorrected(size_t light) const
+{
+    const ActiveLight& active = lights_[light]->light;
+    return !lit_.empty() && active.isFixture && active.fixture.id >= 0;
+}
+
 /// What each light makes glow; what rays found of that is kept as the light itself is.
-void RadiosityLight::findGlows(std::span<const glm::vec3> albedo, std::span<const glm::vec3> direct)
+void RadiosityLight::findGlows(std::span<const size_t> lights, std::span<const glm::vec3> albedo,
+                               std::span<const glm::vec3> direct)
 {
     const Surfels& surfels = texels_.surfels;
     const SentLight all = sentDirectly(transport_, surfels, albedo, direct);
     const Obstacles walls(texels_, scene_, {}, isClipped_);
-    const bool isSameAlbedo = std::ranges::equal(albedo, glowingAlbedo_);
-    std::vector<std::shared_ptr<const SeenGlow>> found;
-    for (size_t l = 0; l < lights_.size(); ++l) {
-        found.emplace_back();
+    for (const size_t l : lights) {
         std::optional<Glow> glow =
             findGlow(transport_, texels_, albedo, lights_[l]->onSides, emissions_[l], all);
         if (!glow) continue;
-        const auto known = std::find_if(glows_.begin(), glows_.end(), [&](const auto& other) {
-            return other && isSameAlbedo && other->light == lights_[l] &&
-                   other->glow.sides == glow->sides;
+        const auto known = std::find_if(known_.begin(), known_.end(), [&](const auto& other) {
+            return other && other->light == lights_[l] && other->glow.sides == glow->sides;
         });
-        if (known != glows_.end()) {
-            found.back() = *known;
+        if (known != known_.end()) {
+            glows_[l] = *known;
             continue;
         }
         const LightSource source{AreaLight(glow->patches)};
@@ -134,28 +171,22 @@ void RadiosityLight::findGlows(std::span<const glm::vec3> albedo, std::span<cons
             smoothShares(surfels, directOfSides(texels_, walls, source,
                                                 std::span(transport_.sides).first(surfels.count()),
                                                 kRaysToGlow));
-        found.back() = std::make_shared<const SeenGlow>(
+        glows_[l] = std::make_shared<const SeenGlow>(
             SeenGlow{lights_[l], *glow, irradianceFrom(*glow, transport_, surfels, shares)});
     }
-    glows_ = std::move(found);
-    glowingAlbedo_.assign(albedo.begin(), albedo.end());
 }
 
-void RadiosityLight::set(const ActiveLights& active, std::span<const glm::vec3> albedo,
-                         ShadowDetail detail, Progress& progress)
+/// What some of the lights, and the sky, bring to fronts by way of other surfaces.
+std::vector<glm::vec3> RadiosityLight::bounced(std::span<const size_t> lights,
+                                               std::span<const glm::vec3> albedo,
+                                               std::span<const glm::vec3> sky)
 {
-    findShadows(active, detail, progress);
-    const Progress::Stage stage(progress, "bounces");
     std::vector<glm::vec3> direct(transport_.sides.size(), glm::vec3(0.0f));
-    emissions_.clear();
-    for (size_t l = 0; l < lights_.size(); ++l) {
-        emissions_.push_back(active.lights[l].emission);
-        addDirect(lights_[l]->onSides, emissions_[l], direct);
-    }
-    findGlows(albedo, direct);
+    for (const size_t l : lights) addDirect(lights_[l]->onSides, emissions_[l], direct);
+    findGlows(lights, albedo, direct);
     std::vector<glm::vec3> glowing; // direct light of sides that glow
     std::vector<glm::vec3> byGlow(texels_.surfels.count(), glm::vec3(0.0f));
-    for (size_t l = 0; l < lights_.size(); ++l) {
+    for (const size_t l : lights) {
         if (!glows_[l]) continue;
         glowing.resize(direct.size(), glm::vec3(0.0f));
         for (const uint32_t side : glows_[l]->glow.sides)
@@ -163,26 +194,65 @@ void RadiosityLight::set(const ActiveLights& active, std::span<const glm::vec3> 
         for (size_t s = 0; s < byGlow.size(); ++s)
             byGlow[s] += glows_[l]->onFronts[s] * emissions_[l];
     }
-    const Bounced bounced = engine_.bounce(albedo, direct, active.sky, {glowing, byGlow});
-    onFronts_ = withoutNoise(texels_.surfels, bounced.irradiance, bounced.noise);
-    for (size_t s = 0; s < byGlow.size(); ++s) onFronts_[s] += byGlow[s];
-    indirect_ = std::make_shared<const std::vector<glm::vec3>>(onFronts_);
-    for (size_t l = 0; l < lights_.size(); ++l)
-        addDirect(lights_[l]->onFronts, emissions_[l], onFronts_);
+    const Bounced bounced = engine_.bounce(albedo, direct, sky, {glowing, byGlow});
+    std::vector<glm::vec3> onFronts =
+        withoutNoise(texels_.surfels, bounced.irradiance, bounced.noise);
+    for (size_t s = 0; s < byGlow.size(); ++s) onFronts[s] += byGlow[s];
+    return onFronts;
+}
+
+/// A surfel that receives a share of light reflects that share of it.
+void RadiosityLight::set(const ActiveLights& active, std::span<const glm::vec3> albedo,
+                         ShadowDetail detail, Progress& progress)
+{
+    findShadows(active, detail, progress);
+    const Progress::Stage stage(progress, "bounces");
+    emissions_.clear();
+    for (const ActiveLight& light : active.lights) emissions_.push_back(light.emission);
+    known_ = std::exchange(glows_, std::vector<std::shared_ptr<const SeenGlow>>(lights_.size()));
+    if (!std::ranges::equal(albedo, glowingAlbedo_)) known_.clear();
+    glowingAlbedo_.assign(albedo.begin(), albedo.end());
+
+    std::vector<size_t> own;
+    std::vector<size_t> others;
+    for (size_t l = 0; l < lights_.size(); ++l) (isCorrected(l) ? own : others).push_back(l);
+    onFronts_.assign(texels_.surfels.count(), glm::vec3(0.0f));
+    std::vector<glm::vec3> indirect = onFronts_;
+    if (!own.empty()) {
+        const std::vector<glm::vec3> dark(active.sky.size(), glm::vec3(0.0f));
+        indirect = corrected(bounced(own, corrected(albedo, lit_), dark), lit_);
+        for (const size_t l : own) addDirect(lights_[l]->onFronts, emissions_[l], onFronts_);
+        onFronts_ = corrected(onFronts_, lit_);
+    }
+    if (!others.empty() || !std::ranges::all_of(active.sky, isDark)) {
+        const std::vector<glm::vec3> byOthers = bounced(others, albedo, active.sky);
+        for (size_t s = 0; s < indirect.size(); ++s) indirect[s] += byOthers[s];
+        for (const size_t l : others) addDirect(lights_[l]->onFronts, emissions_[l], onFronts_);
+    }
+    for (size_t s = 0; s < indirect.size(); ++s) onFronts_[s] += indirect[s];
+    indirect_ = std::make_shared<const std::vector<glm::vec3>>(std::move(indirect));
 }
 
 TexelShading RadiosityLight::shading() const
 {
-    return [&texels = texels_, lights = lights_, emissions = emissions_, indirect = indirect_](
-               size_t p, size_t begin, const TexelBlock& block, ShadingBlock& out) {
+    LightSet own;
+    LightSet others;
+    for (size_t l = 0; l < lights_.size(); ++l) {
+        LightSet& set = isCorrected(l) ? own : others;
+        set.lights.push_back(lights_[l]);
+        set.emissions.push_back(emissions_[l]);
+    }
+    const bool isAnyOwn = !own.lights.empty();
+    return [&texels = texels_, isAnyOwn, indirect = indirect_,
+            byOwn = corrected(texels_, directOf(std::move(own)), lit_),
+            byOthers = directOf(std::move(others))](size_t p, size_t begin, const TexelBlock& block,
+                                                    ShadingBlock& out) {
+        byOthers(p, begin, block, out);
         interpolate(texels, *indirect, p, begin, block, out.indirect);
-        darken(out.direct, block.count);
-        LampOnBlock on;
-        for (size_t l = 0; l < lights.size(); ++l) {
-            if (!lights[l]->shadows->at(p, begin, block.count, on.share)) continue;
-            lights[l]->light.source->open(block, on.open);
-            addDirect(on, emissions[l], block.count, out.direct);
-        }
+        if (!isAnyOwn) return;
+        ShadingBlock part;
+        byOwn(p, begin, block, part);
+        add(part.direct, block.count, out.direct);
     };
 }
 

@@ -48,12 +48,14 @@ enum class ShadowDetail { sides, texels };
 class RadiosityLight
 {
 public:
-    /// The arguments, but for the options, must outlive this. Throws Error(device) as
-    /// RadiosityEngine.
+    /// `lit`: of surfels, as correctionOf() gives it; empty: nothing is known of that. The
+    /// arguments, but for the options, must outlive this. Throws Error(device) as RadiosityEngine.
     RadiosityLight(const Texels& texels, const RayScene& scene, const Transport& transport,
-                   std::span<const std::vector<bool>> isClipped, const RelightOptions& options);
+                   std::span<const std::vector<bool>> isClipped, std::span<const float> lit,
+                   const RelightOptions& options);
 
-    /// Takes over the light; `albedo` is that of surfels.
+    /// Takes over the light; `albedo` is that of surfels. What comes from the room's own lamps, and
+    /// bounces, is as little as it was found to be; the light of others is as the mesh has it.
     void set(const ActiveLights& active, std::span<const glm::vec3> albedo, ShadowDetail detail,
              Progress& progress);
 
@@ -73,12 +75,18 @@ private:
     shadowed(const ActiveLight& light, std::shared_ptr<const ShadowedLight> known,
              ShadowDetail detail, const Obstacles& obstacles) const;
 
-    void findGlows(std::span<const glm::vec3> albedo, std::span<const glm::vec3> direct);
+    [[nodiscard]] bool isCorrected(size_t light) const;
+    std::vector<glm::vec3> bounced(std::span<const size_t> lights,
+                                   std::span<const glm::vec3> albedo,
+                                   std::span<const glm::vec3> sky);
+    void findGlows(std::span<const size_t> lights, std::span<const glm::vec3> albedo,
+                   std::span<const glm::vec3> direct);
 
     const Texels& texels_;
     const RayScene& scene_;
     const Transport& transport_;
     std::span<const std::vector<bool>> isClipped_;
+    std::span<const float> lit_;
     size_t shadowRays_;
     RadiosityEngine engine_;
 
@@ -86,7 +94,8 @@ private:
     std::vector<std::shared_ptr<const ShadowedLight>> lights_;
     std::vector<glm::vec3> emissions_;
     std::vector<std::shared_ptr<const SeenGlow>> glows_;     // of lights; null: it has none
-    std::vector<glm::vec3> glowingAlbedo_;                   // that these have
+    std::vector<std::shared_ptr<const SeenGlow>> known_;     // of those before, same albedo
+    std::vector<glm::vec3> glowingAlbedo_;                   // that glows_ have
     std::shared_ptr<const std::vector<glm::vec3>> indirect_; // irradiance on fronts
     std::vector<glm::vec3> onFronts_;                        // and direct light with it
 };

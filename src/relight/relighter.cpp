@@ -1,4 +1,5 @@
 #include "base/fail.h"
+#include "fit/correction_map.h"
 #include "lights/fixture_map.h"
 #include "relight/by_lpv.h"
 #include "relight/by_paths.h"
@@ -50,15 +51,26 @@ void checkSizes(const Scan& scan, std::span<const Image> albedo, std::span<const
 
 void checkMaps(const DelitRoom& room)
 {
-    const auto fits = [](const FixtureMap& map, const Page& page) {
-        return map.width == page.image.width && map.height == page.image.height &&
-               map.id.size() == page.image.pixels();
-    };
-    if (!room.fixtures.empty() && !std::ranges::equal(room.fixtures, room.scan->pages, fits))
+    const auto check = [&](const auto& maps, const char* what, const char* files,
+                           const auto& isOf) {
+        if (maps.empty() || std::ranges::equal(maps, room.scan->pages, isOf)) return;
         fail(ErrorCode::sizeMismatch,
-             room.folder.empty() ? "the room" : (room.folder / "fixtures*.png").string(),
-             "the map of fixtures has another size than the room's texture, so it belongs to "
-             "another scan; let relamp delight write the folder anew, with --force");
+             room.folder.empty() ? "the room" : (room.folder / files).string(),
+             fmt::format("the map of {} has another size than the room's texture, so it belongs to "
+                         "another scan; let relamp delight write the folder anew, with --force",
+                         what));
+    };
+    const auto hasSize = [](const auto& map, const Page& page) {
+        return map.width == page.image.width && map.height == page.image.height;
+    };
+    check(room.fixtures, "fixtures", "fixtures*.png", [&](const FixtureMap& map, const Page& page) {
+        return hasSize(map, page) && map.id.size() == page.image.pixels();
+    });
+    check(room.correction, "corrections", "correction*.png",
+          [&](const CorrectionMap& map, const Page& page) {
+              return map.isEmpty() ||
+                     (hasSize(map, page) && map.share.size() == page.image.pixels());
+          });
 }
 
 Texels checkedTexels(const DelitRoom& room, const RayScene& scene, Progress& progress)
@@ -81,12 +93,13 @@ void addNoteOfEngine(const RadiosityLight& radiosity, std::vector<std::string>& 
 Relighter::State::State(const DelitRoom& of, const RelightOptions& with, Progress& progress)
     : room(of), options(checked(with)), scene(*of.scan), texels(checkedTexels(of, scene, progress)),
       radiance(collectRadiance(texels, progress, burntOutBy(of.fixtures))),
+      lit(correctionBy(of.correction, texels)),
       surfaces(surfacesOfRoom(of, {texels, scene, radiance}, warningsOfRoom)),
       transport(transportOfRoom({texels, scene, radiance}, with, warningsOfRoom, progress)),
       open(std::make_shared<const TexelMarks>(openShares(texels, scene))), painted(of.albedo),
       albedo(texels, of.albedo, of.confidence, radiance.isClipped),
       isOpening(likelyWindowOpenings(scene, surfaces)),
-      radiosity(texels, scene, transport, radiance.isClipped, with)
+      radiosity(texels, scene, transport, radiance.isClipped, lit, with)
 {}
 
 ActiveLights Relighter::State::activeUnder(const Relighting& lighting) const

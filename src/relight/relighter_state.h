@@ -32,6 +32,7 @@ struct Relighter::State
     RayScene scene;
     Texels texels;
     SurfelRadiance radiance;
+    std::vector<float> lit;                          // of surfels: correctionBy
     std::vector<std::vector<ClippedPatch>> surfaces; // of captured fixtures
     Transport transport;
     std::shared_ptr<const TexelMarks> open; // openShares

@@ -102,9 +102,7 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
 
 std::vector<glm::vec3> irradianceOf(const SolvedRoom& room)
 {
-    std::vector<glm::vec3> irradiance = room.lighting.irradiance;
-    for (size_t s = 0; s < irradiance.size(); ++s) irradiance[s] *= room.lit[s];
-    return irradiance;
+    return corrected(room.lighting.irradiance, room.lit);
 }
 
 void reevaluate(const Texels& texels, SolvedRoom& room, const LampPowers& powers)

@@ -40,6 +40,7 @@ Solution solutionOf(const Texels& texels, const SolvedRoom& room, const DelightO
     solution.lights = lightsOf(found);
     solution.openings = openingsOf(found);
     prove(room.witnesses, room.lighting.irradiance, solution);
+    solution.lit = room.lit;
     solution.fixtureOf = fixturesOfSurfels(found);
     solution.glowing = found.glowing;
     solution.merged = solution.lights.points;

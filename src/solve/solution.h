@@ -19,6 +19,7 @@ struct Solution
     std::vector<Opening> openings;
     std::vector<PointLight> merged; // the same light, for formats that know points alone
     SolvedTexels texels;
+    std::vector<float> lit;               // of surfels, correctionOf() them; empty: none was made
     std::vector<int32_t> fixtureOf;       // of surfels, as fixtureMapOf() takes it
     GlowMarks glowing;                    // what counts as burnt out besides
     DeviceLayers onDevice;                // makes the layers of `texels`; null: the CPU does
