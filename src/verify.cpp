@@ -33,7 +33,8 @@ Verification verify(const std::filesystem::path& folder, const VerifyOptions& op
     separateEnclosed(texels, scene, progress);
     const FoundRoom found = findRoom(texels, scene, asThen, progress);
     result.warnings.insert(result.warnings.end(), found.warnings.begin(), found.warnings.end());
-    const std::vector<float> lit = correctionBy(readCorrection(folder, scan.pages.size()), texels);
+    const std::vector<float> lit =
+        correctionBy(readCorrection(folder, scan.pages.size()), texels, folder);
     const TracedRoom room =
         tracedRoomOf(texels, found, corrected(meanAlbedo(texels, found.radiance, albedo), lit));
     const auto places = renderAgain(texels, PathTracer(texels, scene, room), {albedo, lit},

@@ -53,8 +53,9 @@ struct Verification
 /// every bounce simulated, and compares it with the scan.
 ///
 /// Nothing is searched, and nothing of the scan's light is used for that but which texels are burnt
-/// out; where the lamps' surface is, the folder's fixtures.png says. All figures are weighted by
-/// area. The same seed gives the same figures on any number of threads.
+/// out; where the lamps' surface is, the folder's fixtures.png says, and correction.png how much of
+/// the light is there. All figures are weighted by area. The same seed gives the same figures on
+/// any number of threads.
 ///
 /// Throws Error with a sentence where the folder or the scan is missing, or the scan is another
 /// file than it was.

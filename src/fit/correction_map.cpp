@@ -1,20 +1,25 @@
 #include "fit/correction_map.h"
 
+#include "base/fail.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace relamp
 {
 namespace
 {
 
-constexpr float kMostByte = std::numeric_limits<uint8_t>::max();
-
 uint8_t byteOf(float share)
 {
     const float byte = std::round(share * float{CorrectionMap::kAll});
-    return static_cast<uint8_t>(std::clamp(byte, 0.0f, kMostByte));
+    return static_cast<uint8_t>(std::clamp(byte, 0.0f, 255.0f));
+}
+
+bool isOfSize(const CorrectionMap& map, const Page& page)
+{
+    return map.width == page.image.width && map.height == page.image.height &&
+           map.share.size() == page.image.pixels();
 }
 
 template<class Visit>
@@ -38,9 +43,15 @@ CorrectionMap correctionMapOf(const Texels& texels, size_t page, std::span<const
     return map;
 }
 
-std::vector<float> correctionBy(std::span<const CorrectionMap> maps, const Texels& texels)
+std::vector<float> correctionBy(std::span<const CorrectionMap> maps, const Texels& texels,
+                                const std::filesystem::path& folder)
 {
     if (maps.empty() || std::ranges::any_of(maps, &CorrectionMap::isEmpty)) return {};
+    if (!std::ranges::equal(maps, texels.scan->pages, isOfSize))
+        fail(ErrorCode::sizeMismatch,
+             folder.empty() ? "the room" : (folder / "correction*.png").string(),
+             "the map of corrections has another size than the room's texture, so it belongs to "
+             "another scan; let relamp delight write the folder anew, with --force");
     std::vector<float> sum(texels.surfels.count());
     std::vector<float> count(texels.surfels.count());
     for (size_t p = 0; p < maps.size(); ++p) {

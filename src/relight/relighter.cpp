@@ -51,26 +51,15 @@ void checkSizes(const Scan& scan, std::span<const Image> albedo, std::span<const
 
 void checkMaps(const DelitRoom& room)
 {
-    const auto check = [&](const auto& maps, const char* what, const char* files,
-                           const auto& isOf) {
-        if (maps.empty() || std::ranges::equal(maps, room.scan->pages, isOf)) return;
+    const auto fits = [](const FixtureMap& map, const Page& page) {
+        return map.width == page.image.width && map.height == page.image.height &&
+               map.id.size() == page.image.pixels();
+    };
+    if (!room.fixtures.empty() && !std::ranges::equal(room.fixtures, room.scan->pages, fits))
         fail(ErrorCode::sizeMismatch,
-             room.folder.empty() ? "the room" : (room.folder / files).string(),
-             fmt::format("the map of {} has another size than the room's texture, so it belongs to "
-                         "another scan; let relamp delight write the folder anew, with --force",
-                         what));
-    };
-    const auto hasSize = [](const auto& map, const Page& page) {
-        return map.width == page.image.width && map.height == page.image.height;
-    };
-    check(room.fixtures, "fixtures", "fixtures*.png", [&](const FixtureMap& map, const Page& page) {
-        return hasSize(map, page) && map.id.size() == page.image.pixels();
-    });
-    check(room.correction, "corrections", "correction*.png",
-          [&](const CorrectionMap& map, const Page& page) {
-              return map.isEmpty() ||
-                     (hasSize(map, page) && map.share.size() == page.image.pixels());
-          });
+             room.folder.empty() ? "the room" : (room.folder / "fixtures*.png").string(),
+             "the map of fixtures has another size than the room's texture, so it belongs to "
+             "another scan; let relamp delight write the folder anew, with --force");
 }
 
 Texels checkedTexels(const DelitRoom& room, const RayScene& scene, Progress& progress)
@@ -93,7 +82,7 @@ void addNoteOfEngine(const RadiosityLight& radiosity, std::vector<std::string>& 
 Relighter::State::State(const DelitRoom& of, const RelightOptions& with, Progress& progress)
     : room(of), options(checked(with)), scene(*of.scan), texels(checkedTexels(of, scene, progress)),
       radiance(collectRadiance(texels, progress, burntOutBy(of.fixtures))),
-      lit(correctionBy(of.correction, texels)),
+      lit(correctionBy(of.correction, texels, of.folder)),
       surfaces(surfacesOfRoom(of, {texels, scene, radiance}, warningsOfRoom)),
       transport(transportOfRoom({texels, scene, radiance}, with, warningsOfRoom, progress)),
       open(std::make_shared<const TexelMarks>(openShares(texels, scene))), painted(of.albedo),

@@ -101,6 +101,48 @@ TEST(Relighter, MapOfFixturesOfAnotherSizeIsRefusedByTheNameOfItsFile)
                 testing::HasSubstr("kitchen/fixtures*.png: the map of fixtures has another size"));
 }
 
+TEST(Relighter, MapOfCorrectionsOfAnotherSizeIsRefusedByTheNameOfItsFile)
+{
+    DelitRoom room = litRoom();
+    room.folder = "kitchen";
+    room.correction.assign(room.scan->pages.size(), CorrectionMap{1, 1, {CorrectionMap::kAll}});
+    EXPECT_THAT(
+        scenes::refusalOf([&] { const Relighter relighter(room); }),
+        testing::HasSubstr("kitchen/correction*.png: the map of corrections has another size"));
+}
+
+// Half of a lamp's light was found to be there. What another sends nobody has seen. Hardly
+// anything bounces.
+TEST(Relighter, CorrectionIsOfTheRoomsOwnLampsAlone)
+{
+    DelitRoom whole = litRoom();
+    whole.albedo[0] = scenes::room(scenes::LitRoom::kSize, 96,
+                                   [](glm::vec3, glm::vec3) { return glm::vec3(0.01f); })
+                          .pages[0]
+                          .image;
+    whole.captured.fixtures[0].id = 3;
+    DelitRoom half = whole;
+    const Image& page = half.scan->pages[0].image;
+    half.correction.push_back(
+        {page.width, page.height,
+         std::vector<uint8_t>(page.pixels(), uint8_t{CorrectionMap::kAll / 2})});
+    const Relighting other = bulb({1.0f, 1.0f, 1.0f}, glm::vec3(10.0f));
+    Relighting own = darkened(whole.captured);
+    setFixture(own, whole.captured, "3=on");
+    Relighting both = own;
+    both.lights = other.lights;
+    const Image byOwn = lit(whole, own);
+    const Image byOther = lit(whole, other);
+    const Image corrected = lit(half, both);
+    glm::dvec3 sum(0.0);
+    for (size_t pixel = 0; pixel < page.pixels(); ++pixel) {
+        if (at(byOwn, pixel).r > 0.5f) continue; // the lamp
+        sum += glm::dvec3(at(byOwn, pixel).r, at(byOther, pixel).r, at(corrected, pixel).r);
+    }
+    EXPECT_GT(sum.x, 0.3 * sum.y);
+    EXPECT_NEAR(sum.z / (0.5 * sum.x + sum.y), 1.0, 0.01);
+}
+
 // Every bounce, against radiosity of the box by Lambert's formula.
 TEST(Relighter, CapturedLightPutBackShowsTheRoomAsItWas)
 {

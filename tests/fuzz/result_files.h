@@ -14,9 +14,10 @@ namespace relamp::fuzz
 
 /// What stands in a room's folder and is read again, the scan included. The first ones are what a
 /// person edits or a copy cuts off, and the fuzzer's first choice.
-constexpr std::array<const char*, 8> kFilesOfResult{
-    "out/report.json",    "out/lights.json",  "out/transport.bin", "out/albedo.exr",
-    "out/confidence.png", "out/fixtures.png", "out/fuzz.glb",      "fuzz.glb"};
+constexpr std::array<const char*, 9> kFilesOfResult{
+    "out/report.json",    "out/lights.json",    "out/transport.bin",
+    "out/albedo.exr",     "out/confidence.png", "out/fixtures.png",
+    "out/correction.png", "out/fuzz.glb",       "fuzz.glb"};
 
 /// Some of kFilesOfResult, by index.
 using ResultFiles = std::map<uint8_t, std::string>;

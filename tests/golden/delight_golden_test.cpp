@@ -71,9 +71,10 @@ TEST_F(DelightProgram, MakesTheSameOfALargeScan)
 TEST_F(DelightProgram, WritesAllThatTheGuidePromises)
 {
     EXPECT_THAT(namesIn(out()),
-                UnorderedElementsAre("albedo.exr", "albedo.png", "confidence.png", "direct.exr",
-                                     "fixtures.png", "indirect.exr", "lights.json", "preview.png",
-                                     "reasons.png", "report.json", "scan.glb", "shading.exr"));
+                UnorderedElementsAre("albedo.exr", "albedo.png", "confidence.png", "correction.png",
+                                     "direct.exr", "fixtures.png", "indirect.exr", "lights.json",
+                                     "preview.png", "reasons.png", "report.json", "scan.glb",
+                                     "shading.exr"));
     EXPECT_THAT(namesIn(shared->path()),
                 testing::ElementsAre("out")); // and nothing half-written beside it
 

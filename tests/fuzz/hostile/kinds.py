@@ -138,30 +138,37 @@ def results_damaged(seeds, random):
 
     def bytes_of_result():
         for number in range(400):
-            part = random.choice(["out/transport.bin", "out/transport.bin", "out/albedo.exr", "out/confidence.png", "out/fixtures.png",
+            part = random.choice(["out/transport.bin", "out/transport.bin", "out/albedo.exr", "out/confidence.png", "out/fixtures.png", "out/correction.png",
                                   "out/report.json", "out/lights.json"])
             yield uses(number, {**files, part: damage.bytes_of(files[part], random)}, f"result {part} bytes {number}")
 
-    def maps_of_fixtures():
-        """fixtures.png as no relamp wrote it. Whatever reads the folder's lamps must say so by its name; of another size only
-        relight does, for pages are looked up in a map by their shares of the sides."""
-        part = "out/fixtures.png"
+    def spoilt_maps(part):
+        """A map of texels as no relamp wrote it."""
         good = files[part]
-        others = {name: content for name, content in files.items() if name != part}
+        name = part.removeprefix("out/")
         maps = {"empty": {part: b""}, "gone": {}, "of words": {part: b"hello\n"}, "of an EXR": {part: files["out/albedo.exr"]},
-                "of another size": {part: seeds.pictures["png"]}, "that is a folder": {part: None}, "that loops": {part: "-> fixtures.png"},
+                "of another size": {part: seeds.pictures["png"]}, "that is a folder": {part: None}, "that loops": {part: f"-> {name}"},
                 "that dangles": {part: "-> ../nowhere"}, "that is a device": {part: "-> /dev/zero"},
                 "elsewhere, of another size": {part: "-> ../a.png", "a.png": seeds.pictures["png"]},
                 "elsewhere, no picture": {part: "-> ../b.txt", "b.txt": b"root:x:0:0\n"}}
-        maps |= {f"cut at {length}": {part: good[:length]} for length in (1, 8, 30, len(good) // 2, len(good) - 12, len(good) - 1)}
-        for what, spoilt in maps.items():
-            isOfAnotherSize = "another size" in what
-            yield Case(f"result fixtures.png {what} relight", {**others, **spoilt}, relight + ["--fixture", "all=on"], "a.exr",
-                       refused="fixtures*.png" if isOfAnotherSize else part)
-            yield Case(f"result fixtures.png {what} verify", {**others, **spoilt}, verify,
-                       refused="" if isOfAnotherSize else part)
-        yield Case("result fixtures.png elsewhere, as it was", {**others, part: "-> ../c.png", "c.png": good},
-                   relight + ["--fixture", "all=on"], "a.exr")
+        return maps | {f"cut at {length}": {part: good[:length]} for length in (1, 8, 30, len(good) // 2, len(good) - 12, len(good) - 1)}
+
+    def maps():
+        """Whatever reads them must say so by their name. fixtures.png of another size only relight refuses, for pages are looked
+        up in it by their shares of the sides. Without correction.png no light is corrected."""
+        for name in ("fixtures", "correction"):
+            part = f"out/{name}.png"
+            others = {other: content for other, content in files.items() if other != part}
+            for what, spoilt in spoilt_maps(part).items():
+                isOfAnotherSize = "another size" in what
+                isLeftOut = name == "correction" and what in ("gone", "that loops", "that dangles")
+                refused = "" if isLeftOut else f"{name}*.png" if isOfAnotherSize else part
+                yield Case(f"result {name}.png {what} relight", {**others, **spoilt}, relight + ["--fixture", "all=on"], "a.exr",
+                           refused=refused)
+                yield Case(f"result {name}.png {what} verify", {**others, **spoilt}, verify,
+                           refused="" if isOfAnotherSize and name == "fixtures" else refused)
+            yield Case(f"result {name}.png elsewhere, as it was", {**others, part: "-> ../c.png", "c.png": files[part]},
+                       relight + ["--fixture", "all=on"], "a.exr")
 
     def beside(name, text, option, spoil):
         more = {"a.ies": seeds.ies} if option != "--camera" else {}
@@ -180,7 +187,7 @@ def results_damaged(seeds, random):
               b' "dim": 0.5}], "lights": [{"name": "a", "type": "sphere", "position": [1, 1, 1], "radius": 0.1,'
               b' "lumens": 800, "kelvin": 2900}], "sky": {"radiance": [1, 1, 1]}}')
     timeline = seeds.timeline
-    yield from mixed(random, documents(), bytes_of_result(), ies(), maps_of_fixtures(),
+    yield from mixed(random, documents(), bytes_of_result(), ies(), maps(),
                      beside("camera.json", camera, "--camera", damage.values_of),
                      beside("lights.json", lights, "--lights", damage.values_of),
                      (case
