@@ -117,10 +117,11 @@ struct LitFloor
         addPieces(model);
     }
 
+    static constexpr double dark = -9.0;
+
     /// `ofMiddle`: radiance that the fit has there.
     [[nodiscard]] std::vector<double> gains(double ofMiddle, double& log) const
     {
-        const double dark = -9.0;
         const LightEstimate estimate{.log = {std::log(5.0), std::log(ofMiddle), dark, dark, dark}};
         const LightFit fit(model, pairs, {}, kPairNoise);
         std::vector<double> gains;
@@ -179,6 +180,24 @@ TEST(LightFit, BurntOutPieceInTheDarkGainsByEmitting)
     };
     const double lit = gain(1.0f);
     EXPECT_GT(gain(0.01f), lit + 0.5);
+}
+
+// Its light makes the pairs worse as long as all others stay as they are, so only a fit can tell.
+TEST(LightFit, BurntOutPieceThatLacksLightIsTriedThoughItsLightAloneIsNoGain)
+{
+    LitFloor floor;
+    floor.model.area[LitFloor::right] = 1.0f;
+    const LightFit fit(floor.model, floor.pairs, {}, kPairNoise);
+    const double white = 0.0;
+    const LightEstimate estimate{
+        .log = {std::log(5.0), std::log(kMissing), white, LitFloor::dark, LitFloor::dark}};
+    double log = 0.0;
+    EXPECT_GT(LightGain(fit, estimate).of(LitFloor::right, log), 1.0);
+    EXPECT_GT(log, white);
+    floor.model.area[LitFloor::right] = 0.0f; // what is not burnt out needs no light
+    log = 0.0;
+    EXPECT_EQ(LightGain(fit, estimate).of(LitFloor::right, log), 0.0);
+    EXPECT_EQ(log, 0.0);
 }
 
 } // namespace relamp

@@ -56,9 +56,11 @@ double LightGain::of(size_t piece, double& best) const
     };
     const double without = nats(was);
     double most = 0.0;
+    double least = 0.0; // log of the first that is more than what it sends
     double r = 0.01 * static_cast<double>(light_.size()) / share; // 1 % of the light at places
     for (int tried = 0; tried < kTried; ++tried, r *= 3.0) {
         if (r < was) continue;
+        if (least == 0.0) least = std::log(r);
         const double gained = without - nats(r);
         if (gained > most) {
             most = gained;
@@ -66,7 +68,10 @@ double LightGain::of(size_t piece, double& best) const
         }
     }
     const size_t own = fit_.model_.placeOf(piece);
-    return most + fit_.boundCost(piece, std::log(fit_.irradiance(radiance_, own, own + 1).front()));
+    const double lack =
+        fit_.boundCost(piece, std::log(fit_.irradiance(radiance_, own, own + 1).front()));
+    if (most == 0.0 && lack > 0.0) best = least; // it is for its own light alone that it emits
+    return most + lack;
 }
 
 } // namespace relamp
