@@ -66,6 +66,7 @@ private:
     void prune();
     [[nodiscard]] std::vector<size_t> apart(std::span<const std::vector<uint32_t>> sets) const;
     void drop();
+    [[nodiscard]] bool isPartOfLamp(uint32_t piece) const;
     [[nodiscard]] std::vector<Addition> bestAdditions() const;
     bool grow();
     void takeTurns();
@@ -206,6 +207,12 @@ void LampChoice::drop()
     }
 }
 
+bool LampChoice::isPartOfLamp(uint32_t piece) const
+{
+    return std::ranges::any_of(pieces_[piece].leansOn,
+                               [&](uint32_t other) { return emits_[other] != 0; });
+}
+
 /// The pieces whose emission gains most, apart from each other; none where nothing gains.
 std::vector<LampChoice::Addition> LampChoice::bestAdditions() const
 {
@@ -218,6 +225,9 @@ std::vector<LampChoice::Addition> LampChoice::bestAdditions() const
     forEach(additions.size(), [&](size_t k) {
         Addition& a = additions[k];
         a.gain = gain.of(a.piece, a.log) - natsToEmit(pieces_[a.piece], emits_);
+        // A window whose light others have taken over gains by its bound alone, and a fit tells the
+        // rest.
+        if (a.log == 0.0 && a.gain > 0.0 && !isPartOfLamp(a.piece)) a.log = gain.leastOf(a.piece);
     });
     const auto sort = [&] {
         std::stable_sort(additions.begin(), additions.end(),

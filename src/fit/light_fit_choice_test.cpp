@@ -183,7 +183,7 @@ TEST(LightFit, BurntOutPieceInTheDarkGainsByEmitting)
 }
 
 // Its light makes the pairs worse as long as all others stay as they are, so only a fit can tell.
-TEST(LightFit, BurntOutPieceThatLacksLightIsTriedThoughItsLightAloneIsNoGain)
+TEST(LightFit, BurntOutPieceThatLacksLightGainsThoughItsLightAloneDoesNot)
 {
     LitFloor floor;
     floor.model.area[LitFloor::right] = 1.0f;
@@ -191,13 +191,12 @@ TEST(LightFit, BurntOutPieceThatLacksLightIsTriedThoughItsLightAloneIsNoGain)
     const double white = 0.0;
     const LightEstimate estimate{
         .log = {std::log(5.0), std::log(kMissing), white, LitFloor::dark, LitFloor::dark}};
+    const LightGain gain(fit, estimate);
     double log = 0.0;
-    EXPECT_GT(LightGain(fit, estimate).of(LitFloor::right, log), 1.0);
-    EXPECT_GT(log, white);
-    floor.model.area[LitFloor::right] = 0.0f; // what is not burnt out needs no light
-    log = 0.0;
-    EXPECT_EQ(LightGain(fit, estimate).of(LitFloor::right, log), 0.0);
+    EXPECT_GT(gain.of(LitFloor::right, log), 1.0);
     EXPECT_EQ(log, 0.0);
+    EXPECT_GT(gain.leastOf(LitFloor::right), white);
+    EXPECT_LT(gain.leastOf(LitFloor::right), white + std::log(3.0) + 1e-6);
 }
 
 } // namespace relamp

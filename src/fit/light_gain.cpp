@@ -6,6 +6,14 @@
 
 namespace relamp
 {
+namespace
+{
+
+// Numerics.
+constexpr int kTried = 6;     // radiances,
+constexpr double kStep = 3.0; // each so many times the last
+
+} // namespace
 
 LightGain::LightGain(const LightFit& fit, const LightEstimate& estimate)
     : fit_(fit), radiance_(exponentials(estimate.log)),
@@ -19,22 +27,30 @@ LightGain::LightGain(const LightFit& fit, const LightEstimate& estimate)
             if (direct > 0.0f) lit_[f].push_back({i, direct});
 }
 
+/// Brings 1 % of the light at places.
+double LightGain::firstTried(size_t piece) const
+{
+    double share = 0.0;
+    for (const auto [i, direct] : lit_[piece])
+        share += static_cast<double>(direct) /
+                 (light_[i] - radiance_[piece] * static_cast<double>(direct));
+    return 0.01 * static_cast<double>(light_.size()) / share;
+}
+
+double LightGain::leastOf(size_t piece) const
+{
+    double r = firstTried(piece);
+    while (r <= radiance_[piece]) r *= kStep;
+    return std::log(r);
+}
+
 /// Only the places that it lights change, and the pairs that they are in.
 double LightGain::of(size_t piece, double& best) const
 {
-    // Numerics.
-    constexpr int kTried = 6; // radiances, each thrice the last
-
+    if (lit_[piece].empty()) return 0.0;
     const double was = radiance_[piece];
     std::vector<uint8_t> isLit(light_.size(), 0);
-    double share = 0.0;
-    for (const LitPlace place : lit_[piece]) {
-        const auto direct = static_cast<double>(place.direct);
-        const uint32_t i = place.place;
-        isLit[i] = 1;
-        share += direct / (light_[i] - was * direct);
-    }
-    if (share <= 0.0) return 0.0;
+    for (const LitPlace place : lit_[piece]) isLit[place.place] = 1;
     std::vector<size_t> changed;
     for (size_t k = 0; k < fit_.pairs_.size(); ++k)
         if ((isLit[fit_.pairs_[k].p] | isLit[fit_.pairs_[k].q]) != 0) changed.push_back(k);
@@ -56,11 +72,9 @@ double LightGain::of(size_t piece, double& best) const
     };
     const double without = nats(was);
     double most = 0.0;
-    double least = 0.0; // log of the first that is more than what it sends
-    double r = 0.01 * static_cast<double>(light_.size()) / share; // 1 % of the light at places
-    for (int tried = 0; tried < kTried; ++tried, r *= 3.0) {
+    double r = firstTried(piece);
+    for (int tried = 0; tried < kTried; ++tried, r *= kStep) {
         if (r < was) continue;
-        if (least == 0.0) least = std::log(r);
         const double gained = without - nats(r);
         if (gained > most) {
             most = gained;
@@ -68,10 +82,7 @@ double LightGain::of(size_t piece, double& best) const
         }
     }
     const size_t own = fit_.model_.placeOf(piece);
-    const double lack =
-        fit_.boundCost(piece, std::log(fit_.irradiance(radiance_, own, own + 1).front()));
-    if (most == 0.0 && lack > 0.0) best = least; // it is for its own light alone that it emits
-    return most + lack;
+    return most + fit_.boundCost(piece, std::log(fit_.irradiance(radiance_, own, own + 1).front()));
 }
 
 } // namespace relamp

@@ -16,8 +16,10 @@ public:
     LightGain(const LightFit& fit, const LightEstimate& estimate);
 
     /// In nats, of a piece that did not emit and now does: by the best of a few radiances, which
-    /// `log` receives.
+    /// `log` receives; it stays as it is where the gain is not by its light.
     [[nodiscard]] double of(size_t piece, double& log) const;
+    /// Log of the least of these radiances that is more than what the piece sends.
+    [[nodiscard]] double leastOf(size_t piece) const;
 
 private:
     struct LitPlace
@@ -25,6 +27,8 @@ private:
         uint32_t place;
         float direct; // > 0
     };
+
+    [[nodiscard]] double firstTried(size_t piece) const;
 
     const LightFit& fit_;
     std::vector<double> radiance_;           // of pieces, then of parts outside
