@@ -224,10 +224,12 @@ std::vector<LampChoice::Addition> LampChoice::bestAdditions() const
     const LightGain gain(fit_, estimate_);
     forEach(additions.size(), [&](size_t k) {
         Addition& a = additions[k];
-        a.gain = gain.of(a.piece, a.log) - natsToEmit(pieces_[a.piece], emits_);
-        // A window whose light others have taken over gains by its bound alone, and a fit tells the
-        // rest.
-        if (a.log == 0.0 && a.gain > 0.0 && !isPartOfLamp(a.piece)) a.log = gain.leastOf(a.piece);
+        const double saved = gain.of(a.piece, a.log);
+        a.gain = saved - natsToEmit(pieces_[a.piece], emits_);
+        // Where others have taken a window's light over, its bound alone speaks for it, and a fit
+        // tells the rest.
+        if (a.log == 0.0 && saved > kLampNats && !isPartOfLamp(a.piece))
+            a.log = gain.leastOf(a.piece);
     });
     const auto sort = [&] {
         std::stable_sort(additions.begin(), additions.end(),
