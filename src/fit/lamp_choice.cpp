@@ -25,7 +25,7 @@ constexpr double kLampNats = 1.85;
 constexpr double kModelNats = -4.0;
 
 // Numerics.
-constexpr double kLeanNats = 0.03; // a part of a lamp that no light asks for does not shine
+constexpr double kLeanNats = 0.03; // what no light asks for does not shine
 constexpr double kTries = 4.0;     // of the most promising pieces of a room, each time one is added
 constexpr float kHardlyCommon = 0.01f; // of two lamps' light at places, that comes to the same ones
 constexpr int kChoices = 4;            // rounds of taking away and adding, at most
@@ -55,8 +55,9 @@ private:
     struct Addition
     {
         uint32_t piece = 0;
-        double gain = 0.0; // nats
-        double log = 0.0;  // radiance to start from
+        double gain = 0.0;    // nats
+        double log = 0.0;     // radiance to start from
+        double byBound = 0.0; // nats, where no light asks for it, as far as is known without a fit
         LightEstimate estimate{};
     };
 
@@ -226,10 +227,11 @@ std::vector<LampChoice::Addition> LampChoice::bestAdditions() const
         Addition& a = additions[k];
         const double saved = gain.of(a.piece, a.log);
         a.gain = saved - natsToEmit(pieces_[a.piece], emits_);
-        // Where others have taken a window's light over, its bound alone speaks for it, and a fit
-        // tells the rest.
-        if (a.log == 0.0 && saved > kLampNats && !isPartOfLamp(a.piece))
+        // Others may have taken a window's light over: then its bound alone speaks for it.
+        if (a.log == 0.0 && saved > kLampNats && !isPartOfLamp(a.piece)) {
             a.log = gain.leastOf(a.piece);
+            a.byBound = saved;
+        }
     });
     const auto sort = [&] {
         std::stable_sort(additions.begin(), additions.end(),
@@ -247,6 +249,9 @@ std::vector<LampChoice::Addition> LampChoice::bestAdditions() const
         const double most = estimate_.nats - natsToEmit(pieces_[a.piece], emits_);
         a.estimate = fit_.trial(with, std::move(start), most);
         a.gain = most - a.estimate.nats;
+        // That its light is asked for, a fit must tell.
+        if (a.byBound > 0.0 && estimate_.nats - a.estimate.nats < a.byBound + kLeanNats)
+            a.gain = 0.0;
     });
     std::erase_if(additions, [](const Addition& a) { return a.gain <= 0.0; });
     sort();
