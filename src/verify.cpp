@@ -31,12 +31,12 @@ Verification verify(const std::filesystem::path& folder, const VerifyOptions& op
     const RayScene scene(scan);
     Texels texels = rasterizeAtlas(scan, progress, surfelsOf(run.gather));
     separateEnclosed(texels, scene, progress);
-    const FoundRoom found = findRoom(texels, scene, asThen, progress);
-    result.warnings.insert(result.warnings.end(), found.warnings.begin(), found.warnings.end());
     const std::vector<float> lit =
         correctionBy(readCorrection(folder, scan.pages.size()), texels, folder);
+    const FoundRoom found = findRoom(texels, scene, asThen, progress);
+    result.warnings.insert(result.warnings.end(), found.warnings.begin(), found.warnings.end());
     const TracedRoom room =
-        tracedRoomOf(texels, found, corrected(meanAlbedo(texels, found.radiance, albedo), lit));
+        tracedRoomOf(texels, found, reflectanceBy(meanAlbedo(texels, found.radiance, albedo), lit));
     const auto places = renderAgain(texels, PathTracer(texels, scene, room), {albedo, lit},
                                     found.linearization, options, progress);
     compare(places, result);

@@ -45,8 +45,7 @@ struct CorrectionMap
 
     int width = 0;
     int height = 0;
-    std::vector<uint8_t>
-        share; // width * height, 0 where no surface is; empty: nothing was corrected
+    std::vector<uint8_t> share; // width * height, 0 off the surface; empty: none was corrected
 
     [[nodiscard]] bool isEmpty() const { return share.empty(); }
 };

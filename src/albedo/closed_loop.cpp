@@ -140,6 +140,15 @@ std::vector<VerifiedBin> binsOf(std::span<const RenderedPlace> sorted, double ar
     return bins;
 }
 
+/// A TexelShading: 1 everywhere, all of it indirect.
+void evenShading(size_t /*page*/, size_t /*begin*/, const TexelBlock& block, ShadingBlock& out)
+{
+    for (float* channel : {out.direct.r, out.direct.g, out.direct.b})
+        std::fill_n(channel, block.count, 0.0f);
+    for (float* channel : {out.indirect.r, out.indirect.g, out.indirect.b})
+        std::fill_n(channel, block.count, 1.0f);
+}
+
 } // namespace
 
 std::vector<glm::vec3> meanAlbedo(const Texels& texels, const SurfelRadiance& radiance,
@@ -183,9 +192,9 @@ std::vector<RenderedPlace> renderAgain(const Texels& texels, const PathTracer& t
             const auto [page, texel] = texelAt(texels, i * all / places.size());
             loaders[page].load(texel, 1, block);
             loaders[page].loadArea(texel, 1, block);
-            shareOfLight(page, texel, block, share);
             const uint32_t pixel = texels.pages[page].pixel[texel];
             if (tracer.room().isClipped[page][pixel]) continue;
+            shareOfLight(page, texel, block, share);
             const TexelSite site = texels.siteOf(page, texel);
             const glm::vec3 rho = albedoOf[page][pixel];
             const auto render = [&](uint64_t sequence) {

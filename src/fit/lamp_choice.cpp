@@ -30,6 +30,11 @@ constexpr double kTries = 4.0;     // of the most promising pieces of a room, ea
 constexpr float kHardlyCommon = 0.01f; // of two lamps' light at places, that comes to the same ones
 constexpr int kChoices = 4;            // rounds of taking away and adding, at most
 
+bool emitsAny(std::span<const uint32_t> pieces, std::span<const uint8_t> emits)
+{
+    return std::ranges::any_of(pieces, [&](uint32_t piece) { return emits[piece] != 0; });
+}
+
 /// One choice: chooseLamps().
 class LampChoice
 {
@@ -67,7 +72,6 @@ private:
     void prune();
     [[nodiscard]] std::vector<size_t> apart(std::span<const std::vector<uint32_t>> sets) const;
     void drop();
-    [[nodiscard]] bool isPartOfLamp(uint32_t piece) const;
     [[nodiscard]] std::vector<Addition> bestAdditions() const;
     bool grow();
     void takeTurns();
@@ -208,12 +212,6 @@ void LampChoice::drop()
     }
 }
 
-bool LampChoice::isPartOfLamp(uint32_t piece) const
-{
-    return std::ranges::any_of(pieces_[piece].leansOn,
-                               [&](uint32_t other) { return emits_[other] != 0; });
-}
-
 /// The pieces whose emission gains most, apart from each other; none where nothing gains.
 std::vector<LampChoice::Addition> LampChoice::bestAdditions() const
 {
@@ -228,7 +226,7 @@ std::vector<LampChoice::Addition> LampChoice::bestAdditions() const
         const double saved = gain.of(a.piece, a.log);
         a.gain = saved - natsToEmit(pieces_[a.piece], emits_);
         // Others may have taken a window's light over: then its bound alone speaks for it.
-        if (a.log == 0.0 && saved > kLampNats && !isPartOfLamp(a.piece)) {
+        if (a.log == 0.0 && saved > kLampNats && !emitsAny(pieces_[a.piece].leansOn, emits_)) {
             a.log = gain.leastOf(a.piece);
             a.byBound = saved;
         }
@@ -314,12 +312,8 @@ double natsOfSize(float area)
 
 double natsToEmit(const Choosable& piece, std::span<const uint8_t> emits)
 {
-    const auto anyOf = [&](const std::vector<uint32_t>& others) {
-        return std::any_of(others.begin(), others.end(),
-                           [&](uint32_t other) { return emits[other] != 0; });
-    };
-    if (anyOf(piece.leansOn)) return kLeanNats;
-    return piece.natsOfSize + (anyOf(piece.model) ? kModelNats : kLampNats);
+    if (emitsAny(piece.leansOn, emits)) return kLeanNats;
+    return piece.natsOfSize + (emitsAny(piece.model, emits) ? kModelNats : kLampNats);
 }
 
 ChosenLight chooseLamps(const FittedLight& light, std::span<const Choosable> pieces)

@@ -439,4 +439,12 @@ std::vector<glm::vec3> corrected(std::span<const glm::vec3> ofSurfels, std::span
     return result;
 }
 
+/// More than 1 would let every bounce add light.
+std::vector<glm::vec3> reflectanceBy(std::span<const glm::vec3> albedo, std::span<const float> lit)
+{
+    std::vector<glm::vec3> reflectance = corrected(albedo, lit);
+    for (glm::vec3& share : reflectance) share = glm::min(share, 1.0f);
+    return reflectance;
+}
+
 } // namespace relamp

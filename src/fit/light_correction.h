@@ -36,7 +36,10 @@ std::vector<float> correctionOf(const Surfels& surfels, const SurfelRadiance& ra
 /// it is.
 TexelShading corrected(const Texels& texels, TexelShading shade, std::span<const float> lit);
 
-/// The same of light, or albedo, of surfels.
+/// The same of light on surfels.
 std::vector<glm::vec3> corrected(std::span<const glm::vec3> ofSurfels, std::span<const float> lit);
+
+/// What surfels of this albedo, 0..1, reflect of light as the mesh has it, 0..1.
+std::vector<glm::vec3> reflectanceBy(std::span<const glm::vec3> albedo, std::span<const float> lit);
 
 } // namespace relamp

@@ -210,4 +210,15 @@ TEST(LightCorrection, DarkensDirectAndIndirectAlike)
     EXPECT_NEAR(out.indirect.b[50], 0.25f, 1e-4f);
 }
 
+// A file says at most 1.28, and white walls that reflect that would glow ever more.
+TEST(LightCorrection, NothingReflectsMoreThanItGets)
+{
+    const std::vector<glm::vec3> albedo{glm::vec3(1.0f), {0.2f, 0.5f, 0.9f}};
+    const std::vector<glm::vec3> reflected =
+        reflectanceBy(albedo, std::vector<float>{1.28f, 1.28f});
+    EXPECT_EQ(reflected[0], glm::vec3(1.0f));
+    EXPECT_EQ(reflected[1], glm::vec3(0.2f * 1.28f, 0.5f * 1.28f, 1.0f));
+    EXPECT_EQ(reflectanceBy(albedo, {}), albedo);
+}
+
 } // namespace relamp

@@ -2,6 +2,7 @@
 
 #include "fit/light_fit_search.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace relamp
@@ -27,27 +28,26 @@ LightGain::LightGain(const LightFit& fit, const LightEstimate& estimate)
             if (direct > 0.0f) lit_[f].push_back({i, direct});
 }
 
-/// Brings 1 % of the light at places.
+/// Brings 1 % of the light at places; 0 where it brings none that others don't.
 double LightGain::firstTried(size_t piece) const
 {
     double share = 0.0;
     for (const auto [i, direct] : lit_[piece])
         share += static_cast<double>(direct) /
                  (light_[i] - radiance_[piece] * static_cast<double>(direct));
-    return 0.01 * static_cast<double>(light_.size()) / share;
+    return share > 0.0 ? 0.01 * static_cast<double>(light_.size()) / share : 0.0;
 }
 
 double LightGain::leastOf(size_t piece) const
 {
-    double r = firstTried(piece);
-    while (r <= radiance_[piece]) r *= kStep;
-    return std::log(r);
+    return std::log(std::max(firstTried(piece), kStep * radiance_[piece]));
 }
 
 /// Only the places that it lights change, and the pairs that they are in.
 double LightGain::of(size_t piece, double& best) const
 {
-    if (lit_[piece].empty()) return 0.0;
+    double r = firstTried(piece);
+    if (r <= 0.0) return 0.0;
     const double was = radiance_[piece];
     std::vector<uint8_t> isLit(light_.size(), 0);
     for (const LitPlace place : lit_[piece]) isLit[place.place] = 1;
@@ -56,10 +56,10 @@ double LightGain::of(size_t piece, double& best) const
         if ((isLit[fit_.pairs_[k].p] | isLit[fit_.pairs_[k].q]) != 0) changed.push_back(k);
     std::vector<double> logAlbedo = logAlbedo_;
     const auto residual = [&](MaterialPair pair) { return logAlbedo[pair.p] - logAlbedo[pair.q]; };
-    const auto nats = [&](double r) {
+    const auto nats = [&](double radiance) {
         for (const auto [i, direct] : lit_[piece])
-            logAlbedo[i] =
-                fit_.logShown_[i] - std::log(light_[i] + (r - was) * static_cast<double>(direct));
+            logAlbedo[i] = fit_.logShown_[i] -
+                           std::log(light_[i] + (radiance - was) * static_cast<double>(direct));
         SumOfLogs sum;
         for (const size_t k : changed) {
             const double off = residual(fit_.pairs_[k]);
@@ -72,7 +72,6 @@ double LightGain::of(size_t piece, double& best) const
     };
     const double without = nats(was);
     double most = 0.0;
-    double r = firstTried(piece);
     for (int tried = 0; tried < kTried; ++tried, r *= kStep) {
         if (r < was) continue;
         const double gained = without - nats(r);

@@ -18,7 +18,8 @@ public:
     /// In nats, of a piece that did not emit and now does: by the best of a few radiances, which
     /// `log` receives; it stays as it is where the gain is not by its light.
     [[nodiscard]] double of(size_t piece, double& log) const;
-    /// Log of the least of these radiances that is more than what the piece sends.
+    /// Log of a radiance to begin a fit from where only a fit can tell: the first of these, or as
+    /// many times what the piece sends as the next is the last.
     [[nodiscard]] double leastOf(size_t piece) const;
 
 private:

@@ -150,7 +150,7 @@ bool RadiosityLight::isCorrected(size_t light) const
 
 /// What each light makes glow; what rays found of that is kept as the light itself is.
 void RadiosityLight::findGlows(std::span<const size_t> lights, std::span<const glm::vec3> albedo,
-                               std::span<const glm::vec3> direct)
+                               std::span<const glm::vec3> direct, const SeenGlows& known)
 {
     const Surfels& surfels = texels_.surfels;
     const SentLight all = sentDirectly(transport_, surfels, albedo, direct);
@@ -159,11 +159,11 @@ void RadiosityLight::findGlows(std::span<const size_t> lights, std::span<const g
         std::optional<Glow> glow =
             findGlow(transport_, texels_, albedo, lights_[l]->onSides, emissions_[l], all);
         if (!glow) continue;
-        const auto known = std::find_if(known_.begin(), known_.end(), [&](const auto& other) {
+        const auto same = std::find_if(known.begin(), known.end(), [&](const auto& other) {
             return other && other->light == lights_[l] && other->glow.sides == glow->sides;
         });
-        if (known != known_.end()) {
-            glows_[l] = *known;
+        if (same != known.end()) {
+            glows_[l] = *same;
             continue;
         }
         const LightSource source{AreaLight(glow->patches)};
@@ -179,11 +179,12 @@ void RadiosityLight::findGlows(std::span<const size_t> lights, std::span<const g
 /// What some of the lights, and the sky, bring to fronts by way of other surfaces.
 std::vector<glm::vec3> RadiosityLight::bounced(std::span<const size_t> lights,
                                                std::span<const glm::vec3> albedo,
-                                               std::span<const glm::vec3> sky)
+                                               std::span<const glm::vec3> sky,
+                                               const SeenGlows& known)
 {
     std::vector<glm::vec3> direct(transport_.sides.size(), glm::vec3(0.0f));
     for (const size_t l : lights) addDirect(lights_[l]->onSides, emissions_[l], direct);
-    findGlows(lights, albedo, direct);
+    findGlows(lights, albedo, direct, known);
     std::vector<glm::vec3> glowing; // direct light of sides that glow
     std::vector<glm::vec3> byGlow(texels_.surfels.count(), glm::vec3(0.0f));
     for (const size_t l : lights) {
@@ -209,8 +210,8 @@ void RadiosityLight::set(const ActiveLights& active, std::span<const glm::vec3> 
     const Progress::Stage stage(progress, "bounces");
     emissions_.clear();
     for (const ActiveLight& light : active.lights) emissions_.push_back(light.emission);
-    known_ = std::exchange(glows_, std::vector<std::shared_ptr<const SeenGlow>>(lights_.size()));
-    if (!std::ranges::equal(albedo, glowingAlbedo_)) known_.clear();
+    SeenGlows known = std::exchange(glows_, SeenGlows(lights_.size()));
+    if (!std::ranges::equal(albedo, glowingAlbedo_)) known.clear();
     glowingAlbedo_.assign(albedo.begin(), albedo.end());
 
     std::vector<size_t> own;
@@ -220,12 +221,12 @@ void RadiosityLight::set(const ActiveLights& active, std::span<const glm::vec3> 
     std::vector<glm::vec3> indirect = onFronts_;
     if (!own.empty()) {
         const std::vector<glm::vec3> dark(active.sky.size(), glm::vec3(0.0f));
-        indirect = corrected(bounced(own, corrected(albedo, lit_), dark), lit_);
+        indirect = corrected(bounced(own, reflectanceBy(albedo, lit_), dark, known), lit_);
         for (const size_t l : own) addDirect(lights_[l]->onFronts, emissions_[l], onFronts_);
         onFronts_ = corrected(onFronts_, lit_);
     }
     if (!others.empty() || !std::ranges::all_of(active.sky, isDark)) {
-        const std::vector<glm::vec3> byOthers = bounced(others, albedo, active.sky);
+        const std::vector<glm::vec3> byOthers = bounced(others, albedo, active.sky, known);
         for (size_t s = 0; s < indirect.size(); ++s) indirect[s] += byOthers[s];
         for (const size_t l : others) addDirect(lights_[l]->onFronts, emissions_[l], onFronts_);
     }

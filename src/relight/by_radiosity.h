@@ -75,12 +75,14 @@ private:
     shadowed(const ActiveLight& light, std::shared_ptr<const ShadowedLight> known,
              ShadowDetail detail, const Obstacles& obstacles) const;
 
+    using SeenGlows = std::vector<std::shared_ptr<const SeenGlow>>;
+
     [[nodiscard]] bool isCorrected(size_t light) const;
     std::vector<glm::vec3> bounced(std::span<const size_t> lights,
                                    std::span<const glm::vec3> albedo,
-                                   std::span<const glm::vec3> sky);
+                                   std::span<const glm::vec3> sky, const SeenGlows& known);
     void findGlows(std::span<const size_t> lights, std::span<const glm::vec3> albedo,
-                   std::span<const glm::vec3> direct);
+                   std::span<const glm::vec3> direct, const SeenGlows& known);
 
     const Texels& texels_;
     const RayScene& scene_;
@@ -93,9 +95,8 @@ private:
     std::vector<uint8_t> windowOpenings_;
     std::vector<std::shared_ptr<const ShadowedLight>> lights_;
     std::vector<glm::vec3> emissions_;
-    std::vector<std::shared_ptr<const SeenGlow>> glows_;     // of lights; null: it has none
-    std::vector<std::shared_ptr<const SeenGlow>> known_;     // of those before, same albedo
-    std::vector<glm::vec3> glowingAlbedo_;                   // that glows_ have
+    SeenGlows glows_;                                        // of lights; null: it has none
+    std::vector<glm::vec3> glowingAlbedo_;                   // that these have
     std::shared_ptr<const std::vector<glm::vec3>> indirect_; // irradiance on fronts
     std::vector<glm::vec3> onFronts_;                        // and direct light with it
 };

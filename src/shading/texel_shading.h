@@ -2,7 +2,6 @@
 
 #include "scan/texels.h"
 
-#include <algorithm>
 #include <functional>
 
 namespace relamp
@@ -19,15 +18,5 @@ struct ShadingBlock
 /// with geometry and surfels loaded. Thread safe.
 using TexelShading =
     std::function<void(size_t page, size_t begin, const TexelBlock& block, ShadingBlock& out)>;
-
-/// A TexelShading: 1 everywhere, all of it indirect.
-inline void evenShading(size_t /*page*/, size_t /*begin*/, const TexelBlock& block,
-                        ShadingBlock& out)
-{
-    for (float* channel : {out.direct.r, out.direct.g, out.direct.b})
-        std::fill_n(channel, block.count, 0.0f);
-    for (float* channel : {out.indirect.r, out.indirect.g, out.indirect.b})
-        std::fill_n(channel, block.count, 1.0f);
-}
 
 } // namespace relamp

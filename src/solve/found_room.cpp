@@ -172,8 +172,6 @@ void searchOnce(const Texels& texels, const RayScene& scene, std::span<const Glo
 {
     room.found =
         findLamps(texels, scene, room.hits, room.radiance, room.options, room.rooms, progress);
-    // By a draft's few rays the noise of its light would be taken for leaks.
-    if (room.options.quality == Quality::draft) room.found.gaps = 0.0f;
     room.warnings = room.found.warnings;
     linearize(texels, room);
     addGlowing(glowing, room.radiance, room.found);

@@ -86,11 +86,13 @@ SolvedRoom solvedRoom(const Texels& texels, const RayScene& scene, FoundRoom fou
     temper(texels, room.witnesses, room.lighting.irradiance, room.found);
     const SurfelLighting light = foundLight(texels, room.found.radiance,
                                             shadingOf(texels, room.light), room.lighting.spread);
+    // By a draft's few rays the noise of its light would be taken for leaks.
+    const bool isDraft = room.found.options.quality == Quality::draft;
+    const float gaps = isDraft ? 0.0f : room.found.found.gaps;
     std::vector<float> lit; // mostly on one core
     callAll(
         [&] {
-            lit = correctionOf(texels.surfels, room.found.radiance, room.found.hits, light,
-                               room.found.found.gaps);
+            lit = correctionOf(texels.surfels, room.found.radiance, room.found.hits, light, gaps);
         },
         [&] { meanwhile(room); });
     room.lit = std::move(lit);
