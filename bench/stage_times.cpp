@@ -8,6 +8,7 @@
 #include "scan/rays.h"
 #include "shading/enclosed_texels.h"
 #include "shading/gathered_light.shared.h"
+#include "solve/find_room.h"
 #include "solve/reevaluate_gpu.h"
 #include "solve/room_solution.h"
 #include "thesis/emitters.h"

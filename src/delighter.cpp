@@ -7,7 +7,7 @@
 #include "shading/enclosed_texels.h"
 #include "solve/by_gather.h"
 #include "solve/by_pathtrace.h"
-#include "solve/found_room.h"
+#include "solve/find_room.h"
 #include "thesis/by_thesis.h"
 
 #include <cassert>

@@ -8,7 +8,7 @@
 #include "output/result_folder.h"
 #include "shading/enclosed_texels.h"
 #include "solve/by_pathtrace.h"
-#include "solve/found_room.h"
+#include "solve/find_room.h"
 
 namespace relamp
 {

@@ -1,7 +1,11 @@
 #include "albedo/paint_prior.h"
 
+#include "albedo/divide.shared.h"
+#include "albedo/fill.h"
 #include "albedo/paint_prior.shared.h"
 #include "base/parallel.h"
+#include "base/radiometry.shared.h"
+#include "shading/lit_sides.shared.h"
 
 #include <cstdint>
 #include <utility>
@@ -11,7 +15,8 @@ namespace relamp
 namespace
 {
 
-constexpr float kSharpest = 0.05f; // of log albedo: a surfel tells no more of those around
+constexpr float kSharpest = 0.05f;    // of log albedo: a surfel tells no more of those around
+constexpr float kTooMuchLack = 1.25f; // times the light found: a scale that is off lacks less
 
 // Numerics.
 constexpr float kNothing = -1.0f;
@@ -92,6 +97,28 @@ std::vector<glm::vec3> paintAround(const Surfels& surfels, std::span<const glm::
     std::vector<glm::vec3> paint(albedo.begin(), albedo.end());
     for (const uint32_t s : unsure.surfel) paint[s] = glm::exp(beliefs[s].log);
     return paint;
+}
+
+std::vector<glm::vec3> paintUnder(const LitSurfels& lit, std::span<const float> variance,
+                                  float darkest)
+{
+    const SurfelRadiance& radiance = lit.radiance;
+    std::vector<glm::vec3> paint(lit.surfels.count());
+    std::vector<uint8_t> isKnown(lit.surfels.count());
+    std::vector<uint8_t> isLit(lit.surfels.count()); // so that its light tells its paint
+    for (size_t s = 0; s < isKnown.size(); ++s) {
+        const glm::vec3 shading = lit.irradiance[s] / kPi;
+        const glm::vec3 divided = dividedByShading(radiance.plain[s], shading, darkest);
+        const float lack = lightThatLacks(divided);
+        paint[s] = divided / lack;
+        const bool isPlain = radiance.plainArea[s] > radiance.clippedArea[s];
+        isKnown[s] = isPlain && lack < kTooMuchLack ? 1 : 0;
+        const bool isOpen = lit.rims.empty() || lit.rims[s].albedo == 0.0f;
+        isLit[s] = isKnown[s] != 0 && isOpen && brightestChannel(shading) >= darkest ? 1 : 0;
+    }
+    return paintAround(lit.surfels,
+                       fillFromAround(lit.surfels, paint, isKnown, kAlbedoOfTheUnknown), isLit,
+                       variance);
 }
 
 } // namespace relamp

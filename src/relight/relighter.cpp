@@ -9,7 +9,7 @@
 #include "relight/window_openings.h"
 #include "scan/overlap.h"
 #include "shading/enclosed_texels.h"
-#include "solve/found_room.h"
+#include "solve/find_room.h"
 
 #include "relamp/error.h"
 

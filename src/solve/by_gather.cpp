@@ -2,7 +2,8 @@
 
 #include "base/call_all.h"
 #include "relamp/error.h"
-#include "solve/found_room.h"
+#include "solve/find_room.h"
+#include "solve/found_lights.h"
 #include "solve/room_solution.h"
 
 #include <algorithm>

@@ -5,7 +5,9 @@
 #include "base/radiometry.shared.h"
 #include "solve/albedo_scale.h"
 #include "solve/cross_validation.h"
+#include "solve/find_room.h"
 #include "solve/proof.h"
+#include "solve/room_solution.h"
 
 #include <algorithm>
 #include <memory>
@@ -141,36 +143,21 @@ TracedRoom tracedRoomOf(const Texels& texels, const FoundRoom& room, std::vector
 Solution solveByPathtrace(const Texels& texels, const RayScene& scene,
                           const DelightOptions& options, Progress& progress)
 {
-    Solution solution{.options = options};
     FoundRoom found = findRoom(texels, scene, options, progress);
-    solution.options.gather = found.options;
     const auto room = std::make_shared<TracedRoom>(
         tracedRoomOf(texels, found, found.sides.albedo)); // a good start
     Settled settled = settle(texels, scene, found.radiance, options.pathtrace, *room, progress);
-    solution.closure = settled.closure;
+    const SurfelLighting lighting{std::move(settled.irradiance), {}};
     const Witnesses witnesses = witnessesOf(texels, scene, found);
-    temper(texels, witnesses, settled.irradiance, found);
-    scaleAlbedo(settled.irradiance, crossValidate(witnesses, settled.irradiance, found.tempering),
+    temper(texels, witnesses, lighting.irradiance, found);
+    scaleAlbedo(lighting.irradiance, crossValidate(witnesses, lighting.irradiance, found.tempering),
                 found);
-    solution.warnings = found.warnings;
-    const std::vector<LightVariance> variance = varianceOf(found.hits, {settled.irradiance, {}});
-    const std::vector<float> doubt = varianceLeft(variance, {});
-    solution.texels = {.shade = shadingOf(texels, scene, room, options.pathtrace),
-                       .tempering = found.tempering,
-                       .shining = shiningOf(found),
-                       .trust = reliabilityOf(variance, {}, varianceOfCamera(found)),
-                       .fill = fillOf(texels.surfels, found.radiance,
-                                      tempered(found.tempering, settled.irradiance), doubt, {},
-                                      options.albedo.darkest),
-                       .doubt = doubt,
-                       .linearization = found.linearization};
-    solution.lights = lightsOf(found);
-    solution.openings = openingsOf(found);
-    prove(witnesses, settled.irradiance, solution);
-    solution.fixtureOf = fixturesOfSurfels(found);
-    solution.glowing = found.glowing;
-    solution.merged = solution.lights.points;
-    return solution;
+    return solutionOf(texels,
+                      {.found = found,
+                       .witnesses = witnesses,
+                       .lighting = lighting,
+                       .shade = shadingOf(texels, scene, room, options.pathtrace)},
+                      options, settled.closure);
 }
 
 } // namespace relamp

@@ -5,6 +5,7 @@
 #include "relamp/threads.h"
 #include "scenes/scenes.h"
 #include "shading/enclosed_texels.h"
+#include "solve/find_room.h"
 
 #include <cmath>
 

@@ -1,6 +1,7 @@
 #include "scenes/solved.h"
 
 #include "shading/enclosed_texels.h"
+#include "solve/find_room.h"
 
 #include <utility>
 
