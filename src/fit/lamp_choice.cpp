@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -28,11 +29,29 @@ constexpr double kModelNats = -4.0;
 constexpr double kLeanNats = 0.03; // what no light asks for does not shine
 constexpr double kTries = 4.0;     // of the most promising pieces of a room, each time one is added
 constexpr float kHardlyCommon = 0.01f; // of two lamps' light at places, that comes to the same ones
+constexpr float kMuchCommon = 0.5f;    // likewise: one may have been taken for the other
+constexpr double kExchanges = 16.0;    // that are tried in a room, at most
 constexpr int kChoices = 4;            // rounds of taking away and adding, at most
 
 bool emitsAny(std::span<const uint32_t> pieces, std::span<const uint8_t> emits)
 {
     return std::ranges::any_of(pieces, [&](uint32_t piece) { return emits[piece] != 0; });
+}
+
+float sumOf(std::span<const float> light)
+{
+    return std::max(std::accumulate(light.begin(), light.end(), 0.0f), kFaintest);
+}
+
+/// Of two lamps' light at places, the share that comes to the same ones.
+float commonOf(std::span<const float> light, std::span<const float> other)
+{
+    const float all = sumOf(light);
+    const float allOfOther = sumOf(other);
+    float common = 0.0f;
+    for (size_t i = 0; i < light.size(); ++i)
+        common += std::min(light[i] / all, other[i] / allOfOther);
+    return common;
 }
 
 /// One choice: chooseLamps().
@@ -41,8 +60,11 @@ class LampChoice
 public:
     LampChoice(const FittedLight& light, std::span<const Choosable> pieces)
         : light_(light), pieces_(pieces), fit_(light.model, light.pairs, light.alike, light.noise),
+          lights_(light.model.pieces, std::vector<float>(light.model.places(), 0.0f)),
           emits_(light.emits.begin(), light.emits.end())
     {
+        for (size_t i = 0; i < light.model.places(); ++i)
+            for (const auto [piece, direct] : light.model.direct[i]) lights_[piece][i] = direct;
         fit_.believe(light.told);
         fit_.expectLeaks(light.log);
     }
@@ -52,6 +74,8 @@ public:
         estimate_ = fit_.solve(emits_, {light_.log.begin(), light_.log.end()}, 1.0);
         prune();
         takeTurns();
+        for (int round = 0; round < kChoices && improve(); ++round) {
+        }
         if (estimate_.error.empty()) estimate_ = fit_.solve(emits_, estimate_.log, 1.0);
         return {std::move(emits_), std::move(estimate_)};
     }
@@ -66,22 +90,48 @@ private:
         LightEstimate estimate{};
     };
 
+    struct Trial
+    {
+        std::vector<uint8_t> emits;
+        LightEstimate estimate{};
+        double lost = 0.0; // nats
+    };
+    struct Exchange
+    {
+        uint32_t from = 0;   // emits,
+        uint32_t to = 0;     // and would in its place
+        float common = 0.0f; // of what they light
+    };
+
+    [[nodiscard]] bool mayCome(uint32_t piece) const;
     [[nodiscard]] double natsOf(std::span<const uint8_t> emits) const;
     [[nodiscard]] Removal removalOf(std::vector<uint32_t> pieces, double cost) const;
     [[nodiscard]] std::vector<Removal> removals() const;
     void prune();
+    [[nodiscard]] std::vector<float> lightOf(std::span<const uint32_t> pieces) const;
     [[nodiscard]] std::vector<size_t> apart(std::span<const std::vector<uint32_t>> sets) const;
     void drop();
     [[nodiscard]] std::vector<Addition> bestAdditions() const;
     bool grow();
     void takeTurns();
+    [[nodiscard]] std::vector<Exchange> exchanges() const;
+    bool exchange();
+    bool improve();
 
     const FittedLight& light_;
     std::span<const Choosable> pieces_;
     LightFit fit_;
+    std::vector<std::vector<float>> lights_; // of pieces: at places, at radiance 1
     std::vector<uint8_t> emits_;
     LightEstimate estimate_;
 };
+
+/// It does not emit, and might.
+bool LampChoice::mayCome(uint32_t piece) const
+{
+    return emits_[piece] == 0 && !pieces_[piece].isUnseen &&
+           (pieces_[piece].isOpening || light_.model.area[piece] > 0.0f);
+}
 
 /// Against these emitting: those of one model, and what leans on them, are believed together.
 double LampChoice::natsOf(std::span<const uint8_t> emits) const
@@ -149,6 +199,15 @@ void LampChoice::prune()
     }
 }
 
+/// At places, of all of them at radiance 1.
+std::vector<float> LampChoice::lightOf(std::span<const uint32_t> pieces) const
+{
+    std::vector<float> light(light_.model.places(), 0.0f);
+    for (const uint32_t piece : pieces)
+        for (size_t i = 0; i < light.size(); ++i) light[i] += lights_[piece][i];
+    return light;
+}
+
 /// Which sets of pieces can be decided on at once, from the first on: each lights hardly a place
 /// that one before it lights, as lamps of two rooms do.
 std::vector<size_t> LampChoice::apart(std::span<const std::vector<uint32_t>> sets) const
@@ -156,20 +215,11 @@ std::vector<size_t> LampChoice::apart(std::span<const std::vector<uint32_t>> set
     std::vector<size_t> apart;
     std::vector<std::vector<float>> lights;
     for (size_t k = 0; k < sets.size(); ++k) {
-        std::vector<float> light(light_.model.places(), 0.0f);
-        std::vector<uint8_t> isOfSet(light_.model.pieces, 0);
-        for (const uint32_t piece : sets[k]) isOfSet[piece] = 1;
-        for (size_t i = 0; i < light.size(); ++i)
-            for (const auto [piece, direct] : light_.model.direct[i])
-                if (isOfSet[piece] != 0) light[i] += direct;
-        const float all = std::accumulate(light.begin(), light.end(), 0.0f);
-        for (float& l : light) l /= std::max(all, kFaintest);
-        const auto isApart = [&](const std::vector<float>& other) {
-            float common = 0.0f;
-            for (size_t i = 0; i < light.size(); ++i) common += std::min(light[i], other[i]);
-            return common < kHardlyCommon;
-        };
-        if (!std::all_of(lights.begin(), lights.end(), isApart)) continue;
+        std::vector<float> light = lightOf(sets[k]);
+        if (!std::ranges::all_of(lights, [&](const std::vector<float>& other) {
+                return commonOf(light, other) < kHardlyCommon;
+            }))
+            continue;
         apart.push_back(k);
         lights.push_back(std::move(light));
     }
@@ -180,12 +230,6 @@ std::vector<size_t> LampChoice::apart(std::span<const std::vector<uint32_t>> set
 /// from it.
 void LampChoice::drop()
 {
-    struct Trial
-    {
-        std::vector<uint8_t> emits;
-        LightEstimate estimate{};
-        double lost = 0.0; // nats
-    };
     for (;;) {
         std::vector<Removal> removals = this->removals();
         std::vector<Trial> trials(removals.size());
@@ -217,9 +261,7 @@ std::vector<LampChoice::Addition> LampChoice::bestAdditions() const
 {
     std::vector<Addition> additions;
     for (uint32_t f = 0; f < pieces_.size(); ++f)
-        if (emits_[f] == 0 && !pieces_[f].isUnseen &&
-            (pieces_[f].isOpening || light_.model.area[f] > 0.0f))
-            additions.push_back({f});
+        if (mayCome(f)) additions.push_back({f});
     const LightGain gain(fit_, estimate_);
     forEach(additions.size(), [&](size_t k) {
         Addition& a = additions[k];
@@ -277,6 +319,52 @@ bool LampChoice::grow()
     }
 }
 
+/// Those that light the most in common come first.
+std::vector<LampChoice::Exchange> LampChoice::exchanges() const
+{
+    std::vector<Exchange> exchanges;
+    for (uint32_t from = 0; from < pieces_.size(); ++from) {
+        if (emits_[from] == 0 || pieces_[from].isGiven) continue;
+        for (uint32_t to = 0; to < pieces_.size(); ++to) {
+            if (!mayCome(to)) continue;
+            const float common = commonOf(lights_[from], lights_[to]);
+            if (common >= kMuchCommon) exchanges.push_back({from, to, common});
+        }
+    }
+    std::ranges::stable_sort(exchanges, std::greater(), &Exchange::common);
+    exchanges.resize(
+        std::min(exchanges.size(), static_cast<size_t>(kExchanges * light_.model.rooms)));
+    return exchanges;
+}
+
+/// Lets a piece emit in place of one that lights the same places, where that is likeliest: neither
+/// taking the one away nor adding the other gains anything where the inside of a shade was taken
+/// for the bulb in it. False where all is as likely as it can be.
+bool LampChoice::exchange()
+{
+    const std::vector<Exchange> exchanges = this->exchanges();
+    const double before = estimate_.nats + natsOf(emits_);
+    std::vector<Trial> trials(exchanges.size());
+    forEach(trials.size(), [&](size_t k) {
+        const auto [from, to, common] = exchanges[k];
+        Trial& trial = trials[k];
+        trial.emits = emits_;
+        for (const uint32_t piece : removalOf({from}, 0.0).pieces) trial.emits[piece] = 0;
+        trial.emits[to] = 1;
+        const double asMuch = static_cast<double>(sumOf(lights_[from]) / sumOf(lights_[to]));
+        std::vector<double> start = estimate_.log;
+        start[to] = start[from] + std::log(asMuch);
+        const double most = before - natsOf(trial.emits);
+        trial.estimate = fit_.trial(trial.emits, std::move(start), most);
+        trial.lost = trial.estimate.nats - most;
+    });
+    const auto best = std::ranges::min_element(trials, {}, &Trial::lost);
+    if (best == trials.end() || best->lost >= 0.0) return false;
+    emits_ = std::move(best->emits);
+    estimate_ = std::move(best->estimate);
+    return true;
+}
+
 /// Where one takes away what the other adds, the likelier of the two stays.
 void LampChoice::takeTurns()
 {
@@ -295,6 +383,18 @@ void LampChoice::takeTurns()
         if (!grow()) return;
         grown = {emits_, estimate_};
     }
+}
+
+/// An exchange, and what is needed then; false where that is no likelier.
+bool LampChoice::improve()
+{
+    ChosenLight before{emits_, estimate_};
+    if (!exchange()) return false;
+    takeTurns();
+    if (estimate_.nats + natsOf(emits_) < before.estimate.nats + natsOf(before.emits)) return true;
+    emits_ = std::move(before.emits);
+    estimate_ = std::move(before.estimate);
+    return false;
 }
 
 } // namespace
