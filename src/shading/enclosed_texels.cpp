@@ -8,6 +8,7 @@
 #include "shading/hit_lists.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -21,7 +22,7 @@ constexpr float kRimReach = 2.0f;    // of an enclosed surfel to open ones, in s
 constexpr float kRimStep = 0.3f;     // off its surface, in these
 constexpr float kRimFacing = 0.8f;   // cosine
 constexpr float kDark = 1e-4f;       // shading
-constexpr size_t kRaysOfSurfel = 12; // that say whether its texels need to be looked at
+constexpr size_t kRaysOfSurfel = 16; // that say whether its texels need to be looked at
 constexpr size_t kRaysOfTexel = 24;
 constexpr size_t kMostOpen = kRaysOfTexel / 4; // rays of an enclosed one: it has light of its own
 constexpr uint32_t kTexelsOfSurfel = 16;       // that are looked at, or up to twice as many
@@ -29,46 +30,61 @@ constexpr size_t kPlacesOfTexel = 16;          // that say how much of it is ope
 constexpr size_t kPlacesFirst = 4; // of these: most that are not open in them are not at all
 constexpr double kInsideOut = 0.5; // share of enclosed texels from which a scan is inside out
 
-bool meetsBack(const RayScene& scene, const Ray& ray)
+bool isBack(const Hit& hit)
 {
-    const Hit hit = scene.intersect(ray);
     return !hit.missed() && !hit.front;
 }
 
-/// Surfels of which some ray met a surface from behind. Those of few texels are all looked at,
-/// which takes no more rays.
+/// Surfels of which some ray met a surface from behind. Those of so few texels that to look at each
+/// takes no more rays are all looked at.
 std::vector<uint8_t> suspects(const Texels& texels, const RayScene& scene)
 {
     const SurfelSites sites(texels);
     std::vector<uint8_t> isSuspect(texels.surfels.count(), 0);
     forEachChunk(isSuspect.size(), 256, [&](size_t begin, size_t end) {
+        std::array<Ray, kRaysOfSurfel> rays;
+        std::array<Hit, kRaysOfSurfel> hits;
         for (auto s = static_cast<uint32_t>(begin); s < end; ++s) {
-            if (sites.countOf(s) <= kRaysOfSurfel) isSuspect[s] = 1;
-            const RaysOfSide rays(sites, Side::front(s));
-            for (size_t i = 0; i < kRaysOfSurfel && isSuspect[s] == 0; ++i)
-                if (meetsBack(scene, rays[i])) isSuspect[s] = 1;
+            isSuspect[s] = 1;
+            if (sites.countOf(s) * (kMostOpen + 1) <= kRaysOfSurfel) continue;
+            const RaysOfSide ofFront(sites, Side::front(s));
+            for (size_t i = 0; i < kRaysOfSurfel; ++i) rays[i] = ofFront[i];
+            scene.intersect(rays, hits, RayOrder::scattered);
+            isSuspect[s] = std::ranges::any_of(hits, isBack) ? 1 : 0;
         }
     });
     return isSuspect;
 }
 
-/// Whether a ray from a texel's place `u`, one of many, ends at a back as inside a solid.
-bool isCovered(const RayScene& scene, const Footprints& prints, uint32_t texel, glm::vec2 u,
-               size_t ray)
+/// A place on a texel whose rays end at a back if it lies inside a solid.
+class Place
 {
-    const uint32_t seed = prints.seed();
-    const glm::vec2 shift(seededShift(seed, texel, 8), seededShift(seed, texel, 9));
-    const TexelSite site = prints.at(texel, u);
-    return meetsBack(scene, {.origin = site.position + kOffSurface * site.normal,
-                             .direction = cosineDirection(
-                                 site.normal, evenPoint(static_cast<float>(ray), shift))});
-}
+public:
+    /// `u`: where on the texel, in its unit square.
+    Place(const Footprints& prints, uint32_t texel, glm::vec2 u)
+        : site_(prints.at(texel, u)),
+          shift_(seededShift(prints.seed(), texel, 8), seededShift(prints.seed(), texel, 9))
+    {}
+
+    [[nodiscard]] bool isCovered(const RayScene& scene, size_t ray) const
+    {
+        return isBack(scene.intersect(
+            {.origin = site_.position + kOffSurface * site_.normal,
+             .direction =
+                 cosineDirection(site_.normal, evenPoint(static_cast<float>(ray), shift_))}));
+    }
+
+private:
+    TexelSite site_;
+    glm::vec2 shift_;
+};
 
 bool isEnclosed(const RayScene& scene, const Footprints& prints, uint32_t texel)
 {
+    const Place middle(prints, texel, glm::vec2(0.5f));
     size_t open = 0;
     for (size_t i = 0; open <= kMostOpen && i - open < kRaysOfTexel - kMostOpen; ++i)
-        open += isCovered(scene, prints, texel, glm::vec2(0.5f), i) ? 0u : 1u;
+        open += middle.isCovered(scene, i) ? 0u : 1u;
     return open <= kMostOpen;
 }
 
@@ -80,8 +96,8 @@ uint8_t openShare(const RayScene& scene, const Footprints& prints, uint32_t texe
     size_t open = 0;
     for (size_t i = 0; i < kPlacesOfTexel; ++i) {
         if (i == kPlacesFirst && open == 0) return 0;
-        open +=
-            isCovered(scene, prints, texel, evenPoint(static_cast<float>(i), within), i) ? 0u : 1u;
+        const Place place(prints, texel, evenPoint(static_cast<float>(i), within));
+        open += place.isCovered(scene, i) ? 0u : 1u;
     }
     return static_cast<uint8_t>(255 * open / kPlacesOfTexel);
 }

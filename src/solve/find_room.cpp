@@ -4,6 +4,7 @@
 #include "fit/glowing.h"
 #include "fit/lamp_groups.h"
 #include "fit/outside.h"
+#include "fit/pairs.h"
 #include "fit/told_lamp.h"
 #include "lights/candidates.h"
 #include "lights/fixture_map.h"
