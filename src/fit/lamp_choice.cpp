@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -29,8 +28,6 @@ constexpr double kModelNats = -4.0;
 constexpr double kLeanNats = 0.03; // what no light asks for does not shine
 constexpr double kTries = 4.0;     // of the most promising pieces of a room, each time one is added
 constexpr float kHardlyCommon = 0.01f; // of two lamps' light at places, that comes to the same ones
-constexpr float kMuchCommon = 0.5f;    // likewise: one may have been taken for the other
-constexpr double kExchanges = 16.0;    // that are tried in a room, at most
 constexpr int kChoices = 4;            // rounds of taking away and adding, at most
 
 bool emitsAny(std::span<const uint32_t> pieces, std::span<const uint8_t> emits)
@@ -98,9 +95,8 @@ private:
     };
     struct Exchange
     {
-        uint32_t from = 0;   // emits,
-        uint32_t to = 0;     // and would in its place
-        float common = 0.0f; // of what they light
+        uint32_t from = 0; // emits,
+        uint32_t to = 0;   // and would in its place
     };
 
     [[nodiscard]] bool mayCome(uint32_t piece) const;
@@ -319,34 +315,27 @@ bool LampChoice::grow()
     }
 }
 
-/// Those that light the most in common come first.
 std::vector<LampChoice::Exchange> LampChoice::exchanges() const
 {
     std::vector<Exchange> exchanges;
     for (uint32_t from = 0; from < pieces_.size(); ++from) {
         if (emits_[from] == 0 || pieces_[from].isGiven) continue;
-        for (uint32_t to = 0; to < pieces_.size(); ++to) {
-            if (!mayCome(to)) continue;
-            const float common = commonOf(lights_[from], lights_[to]);
-            if (common >= kMuchCommon) exchanges.push_back({from, to, common});
-        }
+        for (const uint32_t to : pieces_[from].takenFor)
+            if (mayCome(to)) exchanges.push_back({from, to});
     }
-    std::ranges::stable_sort(exchanges, std::greater(), &Exchange::common);
-    exchanges.resize(
-        std::min(exchanges.size(), static_cast<size_t>(kExchanges * light_.model.rooms)));
     return exchanges;
 }
 
-/// Lets a piece emit in place of one that lights the same places, where that is likeliest: neither
-/// taking the one away nor adding the other gains anything where the inside of a shade was taken
-/// for the bulb in it. False where all is as likely as it can be.
+/// Lets a piece emit in place of one that was taken for it, where that is likeliest: both light
+/// nearly the same places, so that neither taking the one away nor adding the other gains anything.
+/// False where all is as likely as it can be.
 bool LampChoice::exchange()
 {
     const std::vector<Exchange> exchanges = this->exchanges();
     const double before = estimate_.nats + natsOf(emits_);
     std::vector<Trial> trials(exchanges.size());
     forEach(trials.size(), [&](size_t k) {
-        const auto [from, to, common] = exchanges[k];
+        const auto [from, to] = exchanges[k];
         Trial& trial = trials[k];
         trial.emits = emits_;
         for (const uint32_t piece : removalOf({from}, 0.0).pieces) trial.emits[piece] = 0;

@@ -17,9 +17,10 @@ struct Choosable
     bool isGiven = false;
     bool isUnseen = false;
     bool isOpening = false;
-    double natsOfSize = 0.0;         // more to believe in it, for it is small; see natsOfSize()
-    std::vector<uint32_t> model{};   // other pieces that look like it
-    std::vector<uint32_t> leansOn{}; // larger ones that it may be a part of
+    double natsOfSize = 0.0;          // more to believe in it, for it is small; see natsOfSize()
+    std::vector<uint32_t> model{};    // other pieces that look like it
+    std::vector<uint32_t> leansOn{};  // larger ones that it may be a part of
+    std::vector<uint32_t> takenFor{}; // others that it may be mistaken for
 };
 
 /// Nats that it takes to believe that a lamp is one: its log odds among burnt-out pieces.

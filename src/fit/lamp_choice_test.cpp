@@ -58,7 +58,7 @@ struct BulbInAShade
         std::vector<uint8_t> emits(2, 0);
         emits[first] = 1;
         const LightEstimate start = floor.fit().solve(emits, floor.fit().beginning(), kWide);
-        const std::vector<Choosable> pieces(2);
+        const std::vector<Choosable> pieces{{.takenFor = {shade}}, {.takenFor = {bulb}}};
         return chooseLamps({floor.model, floor.pairs, floor.alike, kPairNoise, emits, start.log,
                             camera, TexturePlaces{}},
                            pieces)

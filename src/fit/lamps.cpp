@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -28,7 +29,6 @@ namespace
 
 constexpr double kNoiseOfPairs = 0.7; // of the median difference of pairs: half are of two paints
 constexpr double kLeastNoise = 0.02;  // log; what a byte and a few rays tell
-constexpr double kUnknown = 0.7;      // standard error of log radiance: about a factor of two
 constexpr double kColorSpread = 1.0;  // log: of a lamp's channels about its luminance
 
 // Numerics.
@@ -49,6 +49,12 @@ std::string unknownAt(glm::vec3 place, size_t lamps)
                        "for it lights little that can be seen; its radiance is a guess. Set it in "
                        "lights.json and pass that with --lights",
                        place.x, place.y, place.z);
+}
+
+/// Whether a standard error of log radiance is less than a factor of two.
+bool isDetermined(float error)
+{
+    return static_cast<double>(error) < std::numbers::ln2;
 }
 
 /// Whether the textures are pictures of a camera; floats are light by themselves.
@@ -165,7 +171,7 @@ std::vector<Choosable> LampSearch::choosable(std::span<const uint32_t> ofRoom) c
     for (const uint32_t f : ofRoom)
         pieces.push_back({pieces_[f].isGiven, pieces_[f].isUnseen, pieces_[f].isOpening,
                           pieces_[f].isGiven ? 0.0 : natsOfSize(pieces_[f].candidate.area),
-                          here(kin_.model[f]), here(kin_.leansOn[f])});
+                          here(kin_.model[f]), here(kin_.leansOn[f]), here(kin_.takenFor[f])});
     return pieces;
 }
 
@@ -326,6 +332,7 @@ void LampSearch::letSunIn(const LitSides& sides)
     pieces_.push_back({.isGiven = true, .body = pieces_.size()});
     kin_.model.emplace_back();
     kin_.leansOn.emplace_back();
+    kin_.takenFor.emplace_back();
     choose(LampEvidence::kPairsFirst);
 }
 
@@ -337,7 +344,7 @@ void LampSearch::takeSun(FoundLamps& found)
     found.sun = {.sun = {.direction = sun_->towards,
                          .irradiance = sun.radiance * sunSolidAngle(),
                          .error = glm::vec3(sun.error),
-                         .determined = static_cast<double>(sun.error) < kUnknown},
+                         .determined = isDetermined(sun.error)},
                  .outside = *std::move(beforeSun_),
                  .onSides = std::move(sun_->onSides)};
     for (const SunPatch& patch : sun_->patches) {
@@ -396,11 +403,10 @@ FoundLamps LampSearch::result()
     std::stable_sort(lamps.begin(), lamps.end(),
                      [&](const Piece& a, const Piece& b) { return power(a) > power(b); });
     for (Piece& lamp : lamps) {
-        const bool isDetermined = static_cast<double>(lamp.error) < kUnknown;
-        if (!isDetermined)
-            found.warnings.push_back(unknownAt(lamp.candidate.centre, lamp.ends.size()));
+        const bool isTold = isDetermined(lamp.error);
+        if (!isTold) found.warnings.push_back(unknownAt(lamp.candidate.centre, lamp.ends.size()));
         found.lamps.push_back({std::move(lamp.candidate.patches), glm::vec3(errorOfPower(lamp)),
-                               std::move(lamp.onSides), false, isDetermined, std::move(lamp.ends)});
+                               std::move(lamp.onSides), false, isTold, std::move(lamp.ends)});
         found.powers.lamps.push_back(lamp.radiance);
     }
     takeSun(found);

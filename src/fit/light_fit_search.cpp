@@ -17,6 +17,7 @@ namespace
 {
 
 constexpr double kWhiteNats = 0.1;     // weight of a burnt-out piece being about white
+constexpr double kBareBulb = 7.0;      // log radiance: 1e5 cd/m^2 over white paper in 300 lux
 constexpr double kOutsideSpread = 2.0; // log: how much less small holes may show than is expected
 constexpr double kOutsideMore = 0.7;   // log: how much more; they are hardly brighter than a room
 constexpr double kOpeningNats = 0.5;   // weight of an opening being as dark as small holes
@@ -84,8 +85,9 @@ LightFitSearch::LightFitSearch(const LightFit& fit, std::span<const uint8_t> emi
 }
 
 /// Normal about what is known; else Cauchy about white: a burnt-out piece is a wall or a lamp of
-/// whatever brightness, and a pull that grew with the distance would hold lamps back. It weighs
-/// more the more of a piece shows a colour, for much more than white is white in all channels.
+/// whatever brightness, and a pull that grew with the distance would hold lamps back; but for what
+/// is brighter than a bare bulb, each e-fold of which is one standard deviation. It weighs more the
+/// more of a piece shows a colour, for much more than white is white in all channels.
 LightFitSearch::Prior LightFitSearch::priorOf(size_t unknown, const Point& point) const
 {
     const bool isOutside = unknown >= pieceOf_.size();
@@ -99,12 +101,15 @@ LightFitSearch::Prior LightFitSearch::priorOf(size_t unknown, const Point& point
         return {0.5 * weight * off * off, weight, weight * off};
     }
     if (!isOutside && prior_.log.empty()) {
+        const size_t piece = pieceOf_[unknown];
         const double nats =
-            kWhiteNats + (model_.coloured.empty()
-                              ? 0.0
-                              : static_cast<double>(model_.coloured[pieceOf_[unknown]]));
+            kWhiteNats +
+            (model_.coloured.empty() ? 0.0 : static_cast<double>(model_.coloured[piece]));
         const double weight = 2.0 * nats / (1.0 + log * log);
-        return {nats * std::log1p(log * log), weight, weight * log};
+        // Of what was seen; a sun is brighter.
+        const double over = model_.area[piece] > 0.0f ? std::max(log - kBareBulb, 0.0) : 0.0;
+        return {nats * std::log1p(log * log) + 0.5 * over * over, weight + (over > 0.0 ? 1.0 : 0.0),
+                weight * log + over};
     }
     const double off = log - (isOutside ? fit_.outside_ : prior_.log[pieceOf_[unknown]]);
     const double spread = !isOutside ? prior_.spread : off > 0.0 ? kOutsideMore : kOutsideSpread;

@@ -441,4 +441,18 @@ TEST(LightFit, DarkPlacesThatAreTooDarkInTheMeanTellOfGaps)
     EXPECT_LT(uneven.gaps(), 0.3);
 }
 
+// Of what was seen; a sun is brighter than that.
+TEST(LightFit, BrighterThanABareBulbIsLessLikely)
+{
+    const auto natsAt = [](float brightness, float area) {
+        Floor floor({brightness * glm::vec3(40, 30, 20)}, 0.02f, 0.0f);
+        for (size_t i = 0; i < floor.model.places(); ++i)
+            for (DirectLight& light : floor.model.direct[i]) light.irradiance /= brightness;
+        floor.model.area[0] = area;
+        return floor.fit().solve(floor.emits(), {std::log(30.0 * brightness), 0.0}, 1.0).nats;
+    };
+    EXPECT_NEAR(natsAt(1.0f, 0.1f), natsAt(1.0f, 0.0f), 1e-6);
+    EXPECT_GT(natsAt(1000.0f, 0.1f), natsAt(1000.0f, 0.0f) + 3.0);
+}
+
 } // namespace relamp

@@ -11,7 +11,9 @@
 #include <map>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace relamp
 {
@@ -93,7 +95,23 @@ struct Kin
     bool areOneBody;
     bool isModel;
     bool lean;
+    bool isWithin;
 };
+
+/// Whether the middle of a piece lies within the box around another, which faces no single way: a
+/// bulb in its shade.
+bool isWithin(const Candidate& inner, const Candidate& outer)
+{
+    if (isFlat(outer)) return false;
+    glm::vec3 low = outer.centre;
+    glm::vec3 high = outer.centre;
+    for (const ClippedPatch& patch : outer.patches) {
+        low = glm::min(low, patch.position);
+        high = glm::max(high, patch.position);
+    }
+    return glm::all(glm::lessThan(low, inner.centre)) &&
+           glm::all(glm::lessThan(inner.centre, high));
+}
 
 /// What piece `a` is to those behind it, where it is anything.
 std::vector<Kin> kinBehind(const std::vector<Piece>& pieces, uint32_t a, const RayScene& scene)
@@ -104,14 +122,15 @@ std::vector<Kin> kinBehind(const std::vector<Piece>& pieces, uint32_t a, const R
         const Candidate& q = pieces[b].candidate;
         if (pieces[a].isOpening || pieces[b].isOpening) {
             if (pieces[a].isOpening == pieces[b].isOpening && areTouching(p, q))
-                kin.push_back({a, b, false, true, false});
+                kin.push_back({a, b, false, true, false, false});
             continue;
         }
         const bool areOneBody = pieces[a].body == pieces[b].body;
         const bool lean = areOneBody || areInOnePlane(p, q);
         const bool isModel = !areOneBody && !pieces[a].isUnseen && !pieces[b].isUnseen &&
                              areOneModel(pieces[a], pieces[b]) && areInOneRoom(scene, p, q);
-        if (lean || isModel) kin.push_back({a, b, areOneBody, isModel, lean});
+        const bool isBulb = !areOneBody && isWithin(q, p);
+        if (lean || isModel || isBulb) kin.push_back({a, b, areOneBody, isModel, lean, isBulb});
     }
     return kin;
 }
@@ -127,12 +146,17 @@ size_t Piece::rays() const
 Kinship kinshipOf(const std::vector<Piece>& pieces, const RayScene& scene)
 {
     Kinship kin{.model = std::vector<std::vector<uint32_t>>(pieces.size()),
-                .leansOn = std::vector<std::vector<uint32_t>>(pieces.size())};
+                .leansOn = std::vector<std::vector<uint32_t>>(pieces.size()),
+                .takenFor = std::vector<std::vector<uint32_t>>(pieces.size())};
     std::vector<std::vector<Kin>> all(pieces.size());
     forEach(pieces.size(),
             [&](size_t a) { all[a] = kinBehind(pieces, static_cast<uint32_t>(a), scene); });
     for (const std::vector<Kin>& ofPiece : all)
-        for (const auto& [a, b, areOneBody, isModel, lean] : ofPiece) {
+        for (const auto& [a, b, areOneBody, isModel, lean, isBulb] : ofPiece) {
+            if (isBulb) {
+                kin.takenFor[a].push_back(b);
+                kin.takenFor[b].push_back(a);
+            }
             if (!pieces[a].isOpening && (areOneBody || isModel)) kin.alike.push_back({a, b});
             if (lean && pieces[a].candidate.area >= pieces[b].candidate.area)
                 kin.leansOn[b].push_back(a);
