@@ -57,11 +57,8 @@ class LampChoice
 public:
     LampChoice(const FittedLight& light, std::span<const Choosable> pieces)
         : light_(light), pieces_(pieces), fit_(light.model, light.pairs, light.alike, light.noise),
-          lights_(light.model.pieces, std::vector<float>(light.model.places(), 0.0f)),
           emits_(light.emits.begin(), light.emits.end())
     {
-        for (size_t i = 0; i < light.model.places(); ++i)
-            for (const auto [piece, direct] : light.model.direct[i]) lights_[piece][i] = direct;
         fit_.believe(light.told);
         fit_.expectLeaks(light.log);
     }
@@ -71,8 +68,8 @@ public:
         estimate_ = fit_.solve(emits_, {light_.log.begin(), light_.log.end()}, 1.0);
         prune();
         takeTurns();
-        for (int round = 0; round < kChoices && improve(); ++round) {
-        }
+        int round = 0;
+        while (round < kChoices && improve()) ++round;
         if (estimate_.error.empty()) estimate_ = fit_.solve(emits_, estimate_.log, 1.0);
         return {std::move(emits_), std::move(estimate_)};
     }
@@ -117,7 +114,6 @@ private:
     const FittedLight& light_;
     std::span<const Choosable> pieces_;
     LightFit fit_;
-    std::vector<std::vector<float>> lights_; // of pieces: at places, at radiance 1
     std::vector<uint8_t> emits_;
     LightEstimate estimate_;
 };
@@ -198,9 +194,12 @@ void LampChoice::prune()
 /// At places, of all of them at radiance 1.
 std::vector<float> LampChoice::lightOf(std::span<const uint32_t> pieces) const
 {
+    std::vector<uint8_t> isOne(light_.model.pieces, 0);
+    for (const uint32_t piece : pieces) isOne[piece] = 1;
     std::vector<float> light(light_.model.places(), 0.0f);
-    for (const uint32_t piece : pieces)
-        for (size_t i = 0; i < light.size(); ++i) light[i] += lights_[piece][i];
+    for (size_t i = 0; i < light.size(); ++i)
+        for (const auto [piece, direct] : light_.model.direct[i])
+            if (isOne[piece] != 0) light[i] += direct;
     return light;
 }
 
@@ -335,14 +334,14 @@ bool LampChoice::exchange()
     const double before = estimate_.nats + natsOf(emits_);
     std::vector<Trial> trials(exchanges.size());
     forEach(trials.size(), [&](size_t k) {
-        const auto [from, to] = exchanges[k];
+        const auto& [from, to] = exchanges[k];
         Trial& trial = trials[k];
         trial.emits = emits_;
         for (const uint32_t piece : removalOf({from}, 0.0).pieces) trial.emits[piece] = 0;
         trial.emits[to] = 1;
-        const double asMuch = static_cast<double>(sumOf(lights_[from]) / sumOf(lights_[to]));
+        const float asMuch = sumOf(lightOf({&from, 1})) / sumOf(lightOf({&to, 1}));
         std::vector<double> start = estimate_.log;
-        start[to] = start[from] + std::log(asMuch);
+        start[to] = start[from] + std::log(static_cast<double>(asMuch));
         const double most = before - natsOf(trial.emits);
         trial.estimate = fit_.trial(trial.emits, std::move(start), most);
         trial.lost = trial.estimate.nats - most;
