@@ -8,7 +8,6 @@
 #include "shading/hit_lists.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -30,33 +29,30 @@ constexpr size_t kPlacesOfTexel = 16;          // that say how much of it is ope
 constexpr size_t kPlacesFirst = 4; // of these: most that are not open in them are not at all
 constexpr double kInsideOut = 0.5; // share of enclosed texels from which a scan is inside out
 
-bool isBack(const Hit& hit)
+bool meetsBack(const RayScene& scene, const Ray& ray)
 {
+    const Hit hit = scene.intersect(ray);
     return !hit.missed() && !hit.front;
 }
 
-/// Surfels of which some ray met a surface from behind. Those of so few texels that to look at each
-/// takes no more rays are all looked at.
+/// Surfels of which some ray met a surface from behind. Those of few texels are all looked at: a
+/// few rays would miss one that is enclosed.
 std::vector<uint8_t> suspects(const Texels& texels, const RayScene& scene)
 {
     const SurfelSites sites(texels);
     std::vector<uint8_t> isSuspect(texels.surfels.count(), 0);
     forEachChunk(isSuspect.size(), 256, [&](size_t begin, size_t end) {
-        std::array<Ray, kRaysOfSurfel> rays;
-        std::array<Hit, kRaysOfSurfel> hits;
         for (auto s = static_cast<uint32_t>(begin); s < end; ++s) {
-            isSuspect[s] = 1;
-            if (sites.countOf(s) * (kMostOpen + 1) <= kRaysOfSurfel) continue;
-            const RaysOfSide ofFront(sites, Side::front(s));
-            for (size_t i = 0; i < kRaysOfSurfel; ++i) rays[i] = ofFront[i];
-            scene.intersect(rays, hits, RayOrder::scattered);
-            isSuspect[s] = std::ranges::any_of(hits, isBack) ? 1 : 0;
+            if (sites.countOf(s) <= kRaysOfSurfel) isSuspect[s] = 1;
+            const RaysOfSide rays(sites, Side::front(s));
+            for (size_t i = 0; i < kRaysOfSurfel && isSuspect[s] == 0; ++i)
+                if (meetsBack(scene, rays[i])) isSuspect[s] = 1;
         }
     });
     return isSuspect;
 }
 
-/// A place on a texel whose rays end at a back if it lies inside a solid.
+/// A place on a texel, whose rays end at backs inside a solid.
 class Place
 {
 public:
@@ -68,10 +64,9 @@ public:
 
     [[nodiscard]] bool isCovered(const RayScene& scene, size_t ray) const
     {
-        return isBack(scene.intersect(
-            {.origin = site_.position + kOffSurface * site_.normal,
-             .direction =
-                 cosineDirection(site_.normal, evenPoint(static_cast<float>(ray), shift_))}));
+        const glm::vec2 u = evenPoint(static_cast<float>(ray), shift_);
+        return meetsBack(scene, {.origin = site_.position + kOffSurface * site_.normal,
+                                 .direction = cosineDirection(site_.normal, u)});
     }
 
 private:
