@@ -95,28 +95,36 @@ struct Kin
     bool areOneBody;
     bool isModel;
     bool lean;
-    bool isWithin;
+    bool isBulb; // b, in a
 };
 
-/// Whether the middle of a piece lies within the box around another, which faces no single way: a
-/// bulb in its shade.
-bool isWithin(const Candidate& inner, const Candidate& outer)
+/// The box around a piece that faces no single way, which a bulb may hang in; nothing is in that of
+/// another.
+struct Inside
 {
-    if (isFlat(outer)) return false;
-    glm::vec3 low = outer.centre;
-    glm::vec3 high = outer.centre;
-    for (const ClippedPatch& patch : outer.patches) {
-        low = glm::min(low, patch.position);
-        high = glm::max(high, patch.position);
+    glm::vec3 low{0.0f};
+    glm::vec3 high{0.0f};
+
+    explicit Inside(const Candidate& piece)
+    {
+        if (isFlat(piece)) return;
+        low = high = piece.centre;
+        for (const ClippedPatch& patch : piece.patches) {
+            low = glm::min(low, patch.position);
+            high = glm::max(high, patch.position);
+        }
     }
-    return glm::all(glm::lessThan(low, inner.centre)) &&
-           glm::all(glm::lessThan(inner.centre, high));
-}
+    [[nodiscard]] bool has(glm::vec3 place) const
+    {
+        return glm::all(glm::lessThan(low, place)) && glm::all(glm::lessThan(place, high));
+    }
+};
 
 /// What piece `a` is to those behind it, where it is anything.
 std::vector<Kin> kinBehind(const std::vector<Piece>& pieces, uint32_t a, const RayScene& scene)
 {
     std::vector<Kin> kin;
+    const Inside inside(pieces[a].candidate);
     for (uint32_t b = a + 1; b < pieces.size(); ++b) {
         const Candidate& p = pieces[a].candidate;
         const Candidate& q = pieces[b].candidate;
@@ -127,9 +135,10 @@ std::vector<Kin> kinBehind(const std::vector<Piece>& pieces, uint32_t a, const R
         }
         const bool areOneBody = pieces[a].body == pieces[b].body;
         const bool lean = areOneBody || areInOnePlane(p, q);
-        const bool isModel = !areOneBody && !pieces[a].isUnseen && !pieces[b].isUnseen &&
-                             areOneModel(pieces[a], pieces[b]) && areInOneRoom(scene, p, q);
-        const bool isBulb = !areOneBody && isWithin(q, p);
+        const bool areSeen = !areOneBody && !pieces[a].isUnseen && !pieces[b].isUnseen;
+        const bool isModel =
+            areSeen && areOneModel(pieces[a], pieces[b]) && areInOneRoom(scene, p, q);
+        const bool isBulb = areSeen && inside.has(q.centre);
         if (lean || isModel || isBulb) kin.push_back({a, b, areOneBody, isModel, lean, isBulb});
     }
     return kin;
