@@ -19,7 +19,8 @@ constexpr double kCurvedNats = 1.1; // log odds of a camera with a contrast curv
 constexpr double kTonedNats = -2.2; // likewise of local tone mapping: one in ten
 
 // Numerics.
-constexpr int kCameraRounds = 2; // of what is gathered and what the camera made of it
+constexpr int kCameraRounds = 2;      // of what is gathered and what the camera made of it
+constexpr double kLeastBelief = 0.05; // of a camera: to undo less of it changes nothing
 
 } // namespace
 
@@ -119,7 +120,7 @@ void LampSearch::findContrast()
         n = std::exp(least - n);
         sum += n;
     }
-    const auto sought = [](double belief) { return belief > 0.5 ? belief : 0.0; };
+    const auto sought = [](double belief) { return belief > kLeastBelief ? belief : 0.0; };
     const double likely = (nats[1] + nats[3]) / sum;
     curved_ = sought(likely);
     if (likely > 0.0)
