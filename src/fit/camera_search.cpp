@@ -1,4 +1,4 @@
-#include "fit/lamp_search.h"
+#include "fit/camera_search.h"
 
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
@@ -25,17 +25,17 @@ constexpr double kLeastBelief = 0.05; // of a camera: to undo less of it changes
 } // namespace
 
 /// Those of what a camera may have done to contrast, near what is known of it.
-CameraColumns LampSearch::contrastColumns(const TexturePlaces& places, bool isCurved,
-                                          const std::optional<Gain>& around) const
+CameraColumns CameraSearch::contrastColumns(const TexturePlaces& places, bool isCurved,
+                                            const std::optional<Gain>& around) const
 {
-    CameraColumns columns = columnsOf(camera_.response, places);
+    CameraColumns columns = columnsOf(light_.camera.response, places);
     if (!isCurved) columns = evenSlope(columns);
-    return around ? together(columns, columnsOf(camera_.tone, *around, places)) : columns;
+    return around ? together(columns, columnsOf(light_.camera.tone, *around, places)) : columns;
 }
 
 /// Of one room by a camera that did this, with the leaks that are likeliest then.
-LightEstimate LampSearch::contrastOf(const RoomLight& room, bool isCurved,
-                                     const std::optional<Gain>& around, int rounds) const
+LightEstimate CameraSearch::contrastOf(const RoomLight& room, bool isCurved,
+                                       const std::optional<Gain>& around, int rounds) const
 {
     CameraColumns columns = contrastColumns(room.texturePlaces(), isCurved, around);
     LightEstimate light{.log = room.log, .camera = columns.known};
@@ -48,23 +48,17 @@ LightEstimate LampSearch::contrastOf(const RoomLight& room, bool isCurved,
     return light;
 }
 
-/// Of the house's places, those that are a room's.
-double LampSearch::shareOf(const RoomParts& room) const
-{
-    return static_cast<double>(room.places.size()) / static_cast<double>(model_.places());
-}
-
 /// Of all rooms, by one camera. What errs alike in them is no better known for their number, so
 /// what they tell of it is the mean, by places.
-LightEstimate LampSearch::byOneCamera(const HouseLight& light,
-                                      std::span<const LightEstimate> fits) const
+LightEstimate CameraSearch::byOneCamera(const HouseLight& light,
+                                        std::span<const LightEstimate> fits) const
 {
     LightEstimate house = light.joined(fits);
     house.nats = 0.0;
     house.camera.assign(fits.front().camera.size(), 0.0);
     house.cameraCovariance.assign(fits.front().cameraCovariance.size(), 0.0);
     for (size_t r = 0; r < fits.size(); ++r) {
-        const double share = shareOf(light.rooms()[r]);
+        const double share = light_.shareOf(light.rooms()[r]);
         house.nats += share * fits[r].nats;
         house.occam += share * fits[r].occam;
         for (size_t k = 0; k < house.camera.size(); ++k)
@@ -76,9 +70,9 @@ LightEstimate LampSearch::byOneCamera(const HouseLight& light,
 }
 
 /// The same for evidence: `nats` are those against such a camera.
-LightEstimate LampSearch::fitOfContrast(const HouseLight& light,
-                                        std::span<const LightEstimate> fits, bool isCurved,
-                                        bool isToned) const
+LightEstimate CameraSearch::fitOfContrast(const HouseLight& light,
+                                          std::span<const LightEstimate> fits, bool isCurved,
+                                          bool isToned) const
 {
     LightEstimate house = byOneCamera(light, fits);
     house.nats += house.occam - (isCurved ? kCurvedNats : 0.0) - (isToned ? kTonedNats : 0.0);
@@ -86,8 +80,7 @@ LightEstimate LampSearch::fitOfContrast(const HouseLight& light,
     return house;
 }
 
-/// How likely a response and local tone mapping are beside all pieces that may emit.
-void LampSearch::findContrast()
+void CameraSearch::findContrast()
 {
     const auto isCurved = [](size_t kind) { return (kind & 1u) != 0; };
     const auto isToned = [](size_t kind) { return (kind & 2u) != 0; };
@@ -96,8 +89,8 @@ void LampSearch::findContrast()
     };
     const std::optional<Gain> none;
     std::optional<Gain> around;
-    if (isGainSought_) around = evidence_.brightnessAround(camera_.response);
-    const HouseLight house = houseLight(LampEvidence::kPairsFirst);
+    if (isGainSought_) around = light_.evidence.brightnessAround(light_.camera.response);
+    const HouseLight house = light_.house(LampEvidence::kPairsFirst);
     std::array<std::vector<LightEstimate>, 4> ofRooms; // of kinds of cameras
     for (auto& ofKind : ofRooms) ofKind.resize(house.rooms().size());
     house.forEachRoom([&](size_t r, const RoomLight& room) {
@@ -131,64 +124,52 @@ void LampSearch::findContrast()
 
 /// The light that is gathered changes with the contrast, and with it the contrast. What is only
 /// likely is undone by as much: the mean over the cameras that it may have been.
-void LampSearch::bend(size_t pairs)
+void CameraSearch::bend(size_t pairs)
 {
     for (int round = 0; round < kCameraRounds && isBent(); ++round) {
         std::optional<Gain> around;
-        if (toned_ > 0.0) around = evidence_.brightnessAround(camera_.response);
-        const HouseLight house = houseLight(pairs);
+        if (toned_ > 0.0) around = light_.evidence.brightnessAround(light_.camera.response);
+        const HouseLight house = light_.house(pairs);
         LightEstimate light = byOneCamera(house, house.estimatesOf([&](const RoomLight& room) {
             return contrastOf(room, curved_ > 0.0, around, 1);
         }));
         if (curved_ > 0.0) {
-            camera_.response = responseOf(light.camera, curved_);
+            light_.camera.response = responseOf(light.camera, curved_);
             doubtOfResponse_ = doubtOfResponse(light, curved_, curved_);
         }
         if (toned_ > 0.0)
-            camera_.tone = localToneOf(evidence_.brightnessAround(camera_.response),
-                                       toned_ * light.camera.back());
-        seeByCamera(std::move(light.log));
+            light_.camera.tone =
+                localToneOf(light_.evidence.brightnessAround(light_.camera.response),
+                            toned_ * light.camera.back());
+        light_.undoCamera(std::move(light.log));
     }
 }
 
 /// Of places, by what they show and the colours of lamps so far.
-std::vector<glm::vec3> LampSearch::albedo() const
+std::vector<glm::vec3> CameraSearch::albedo() const
 {
-    std::vector<glm::vec3> albedo(model_.places());
-    const PackedLight packed(model_);
+    std::vector<glm::vec3> albedo(light_.model.places());
+    const PackedLight packed(light_.model);
     for (int c = 0; c < 3; ++c) {
         std::vector<double> radiance;
-        for (const Piece& piece : pieces_)
+        for (const Piece& piece : light_.pieces)
             radiance.push_back(static_cast<double>(piece.radiance[c]));
-        for (size_t o = 0; o < model_.outsides; ++o)
-            radiance.push_back(static_cast<double>(outside_[o][c]));
+        for (size_t o = 0; o < light_.model.outsides; ++o)
+            radiance.push_back(static_cast<double>(light_.outside[o][c]));
         std::vector<double> light;
         for (size_t i = 0; i < albedo.size(); ++i)
-            light.push_back(static_cast<double>(model_.gathered[i][c]));
+            light.push_back(static_cast<double>(light_.model.gathered[i][c]));
         packed.add(radiance, 0, light);
         for (size_t i = 0; i < albedo.size(); ++i)
             albedo[i][c] =
-                kPi * model_.shown[i][c] / std::max(static_cast<float>(light[i]), kFaintest);
+                kPi * light_.model.shown[i][c] / std::max(static_cast<float>(light[i]), kFaintest);
     }
     return albedo;
 }
 
-HouseLight LampSearch::houseLight(size_t pairs) const
-{
-    return houseLight(pairs, model_);
-}
-
-HouseLight LampSearch::houseLight(size_t pairs, const LightModel& model) const
-{
-    return {{model, evidence_.pairs(pairs), kin_.alike, noiseOfAll(), emits_, estimate_.log,
-             camera_, evidence_.texturePlaces(), evidence_.told(), !isResponseSought_},
-            evidence_.roomOfPlace(),
-            noise_};
-}
-
 /// The light of a room with each of these for its gain, among lamps that are known.
-std::vector<LightEstimate> LampSearch::gainFits(const RoomLight& room,
-                                                std::span<const CameraColumns> columns) const
+std::vector<LightEstimate> CameraSearch::gainFits(const RoomLight& room,
+                                                  std::span<const CameraColumns> columns) const
 {
     std::vector<LightEstimate> fits(columns.size());
     LightFit fit = room.fit();
@@ -200,61 +181,61 @@ std::vector<LightEstimate> LampSearch::gainFits(const RoomLight& room,
 
 /// Undoes a drift of exposure that is likelier than not, and returns how likely it is: by an even
 /// gain beside the lamps that are known, in the mean of all rooms.
-double LampSearch::findDrift()
+double CameraSearch::findDrift()
 {
-    const HouseLight house = houseLight(LampEvidence::kPairsFirst);
+    const HouseLight house = light_.house(LampEvidence::kPairsFirst);
     const std::span<const RoomParts> rooms = house.rooms();
     std::vector<LightEstimate> drifting(rooms.size());
     std::vector<double> evidence(rooms.size());
     house.forEachRoom([&](size_t r, const RoomLight& room) {
         std::array<CameraColumns, 2> columns; // of no drift, and of one
-        columns[1] = columnsOf(camera_.gains[r], room.texturePlaces());
+        columns[1] = columnsOf(light_.camera.gains[r], room.texturePlaces());
         columns[0].worth = columns[1].worth;
         std::vector<LightEstimate> fits = gainFits(room, columns);
         evidence[r] = fits[0].nats + fits[0].occam - fits[1].nats - fits[1].occam;
         drifting[r] = std::move(fits[1]);
     });
     double mean = 0.0;
-    for (size_t r = 0; r < rooms.size(); ++r) mean += shareOf(rooms[r]) * evidence[r];
+    for (size_t r = 0; r < rooms.size(); ++r) mean += light_.shareOf(rooms[r]) * evidence[r];
     const double drifted = likelihoodByEvidence(mean);
-    camera_.drifted = static_cast<float>(drifted);
-    if (camera_.hasDrifted()) undoDrift(rooms, drifting);
+    light_.camera.drifted = static_cast<float>(drifted);
+    if (light_.camera.hasDrifted()) undoDrift(rooms, drifting);
     return drifted;
 }
 
-void LampSearch::undoDrift(std::span<const RoomParts> rooms, std::span<const LightEstimate> found)
+void CameraSearch::undoDrift(std::span<const RoomParts> rooms, std::span<const LightEstimate> found)
 {
-    std::vector<double> log = estimate_.log;
+    std::vector<double> log = light_.estimate.log;
     for (size_t r = 0; r < rooms.size(); ++r) {
         rooms[r].put(found[r].log, log);
-        camera_.gains[r] = gainOf(std::move(camera_.gains[r]), found[r].camera);
+        light_.camera.gains[r] = gainOf(std::move(light_.camera.gains[r]), found[r].camera);
     }
-    seeByCamera(std::move(log));
+    light_.undoCamera(std::move(log));
 }
 
 /// Of the places of each room.
-std::vector<std::vector<glm::vec3>> LampSearch::positionsByRoom() const
+std::vector<std::vector<glm::vec3>> CameraSearch::positionsByRoom() const
 {
-    const std::span<const glm::vec3> all = evidence_.texturePlaces().position;
-    const std::span<const uint8_t> room = evidence_.roomOfPlace();
-    std::vector<std::vector<glm::vec3>> positions(noise_.size());
+    const std::span<const glm::vec3> all = light_.evidence.texturePlaces().position;
+    const std::span<const uint8_t> room = light_.evidence.roomOfPlace();
+    std::vector<std::vector<glm::vec3>> positions(light_.noise.size());
     for (size_t i = 0; i < all.size(); ++i) positions[room.empty() ? 0 : room[i]].push_back(all[i]);
     return positions;
 }
 
-/// The drift of exposure and white balance, among lamps that are known; in every room by itself,
-/// for what each shows is hardly lit by the others. One round is enough where none is likely: what
+/// One round is enough where none is likely: what
 /// is gathered hardly changes then.
-void LampSearch::findGain()
+void CameraSearch::findGain()
 {
-    camera_.gains = evenGainsOver(positionsByRoom());
-    if (camera_.gains.empty()) return;
+    if (!isGainSought_) return;
+    light_.camera.gains = evenGainsOver(positionsByRoom());
+    if (light_.camera.gains.empty()) return;
     const double drifted = findDrift();
-    for (int round = 0; round < (camera_.hasDrifted() ? kCameraRounds : 1); ++round) {
-        const HouseLight house = houseLight(LampEvidence::kPairsFirst);
+    for (int round = 0; round < (light_.camera.hasDrifted() ? kCameraRounds : 1); ++round) {
+        const HouseLight house = light_.house(LampEvidence::kPairsFirst);
         std::vector<LightEstimate> fits(house.rooms().size());
         house.forEachRoom([&](size_t r, const RoomLight& room) {
-            CameraColumns columns = columnsOf(camera_.gains[r], room.texturePlaces());
+            CameraColumns columns = columnsOf(light_.camera.gains[r], room.texturePlaces());
             columns.worth = worthOfGain(drifted);
             fits[r] = std::move(gainFits(room, {&columns, 1}).front());
         });
@@ -263,28 +244,18 @@ void LampSearch::findGain()
     findWhiteBalance(drifted);
 }
 
-void LampSearch::findWhiteBalance(double drifted)
+void CameraSearch::findWhiteBalance(double drifted)
 {
     const std::vector<glm::vec3> albedo = this->albedo();
-    const HouseLight house = houseLight(LampEvidence::kPairsFirst);
+    const HouseLight house = light_.house(LampEvidence::kPairsFirst);
     house.forEachRoom([&](size_t r, const RoomLight& room) {
         std::vector<glm::vec3> ofRoom;
         for (const uint32_t place : room.of.places) ofRoom.push_back(albedo[place]);
-        camera_.gains[r] =
-            withWhiteBalance(std::move(camera_.gains[r]), room.position, ofRoom, room.pairs,
+        light_.camera.gains[r] =
+            withWhiteBalance(std::move(light_.camera.gains[r]), room.position, ofRoom, room.pairs,
                              room.told, {drifted, LightFit::effectivePairs(room.model)});
     });
-    seeByCamera(estimate_.log);
-}
-
-/// Everything in the radiance that the camera tells, from light that was found with it.
-void LampSearch::seeByCamera(std::vector<double> log)
-{
-    const double brighter = evidence_.linearize(camera_);
-    model_ = evidence_.modelOf(pieces_, sights_, std::move(model_.direct));
-    for (double& l : log) l += brighter;
-    estimate_.log = std::move(log);
-    solve([](const RoomLight& room) { return room.fit().solve(room.emits, room.log, 1.0); });
+    light_.undoCamera(light_.estimate.log);
 }
 
 } // namespace relamp

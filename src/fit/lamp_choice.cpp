@@ -57,7 +57,7 @@ class LampChoice
 public:
     LampChoice(const FittedLight& light, std::span<const Choosable> pieces)
         : light_(light), pieces_(pieces), fit_(light.model, light.pairs, light.alike, light.noise),
-          emits_(light.emits.begin(), light.emits.end())
+          chosen_{.emits = {light.emits.begin(), light.emits.end()}}
     {
         fit_.believe(light.told);
         fit_.expectLeaks(light.log);
@@ -65,13 +65,14 @@ public:
 
     ChosenLight run()
     {
-        estimate_ = fit_.solve(emits_, {light_.log.begin(), light_.log.end()}, 1.0);
+        chosen_.estimate = fit_.solve(chosen_.emits, {light_.log.begin(), light_.log.end()}, 1.0);
         prune();
         takeTurns();
         int round = 0;
         while (round < kChoices && improve()) ++round;
-        if (estimate_.error.empty()) estimate_ = fit_.solve(emits_, estimate_.log, 1.0);
-        return {std::move(emits_), std::move(estimate_)};
+        if (chosen_.estimate.error.empty())
+            chosen_.estimate = fit_.solve(chosen_.emits, chosen_.estimate.log, 1.0);
+        return std::move(chosen_);
     }
 
 private:
@@ -86,10 +87,10 @@ private:
 
     struct Trial
     {
-        std::vector<uint8_t> emits;
-        LightEstimate estimate{};
+        ChosenLight light{};
         double lost = 0.0; // nats
     };
+
     struct Exchange
     {
         uint32_t from = 0; // emits,
@@ -97,7 +98,8 @@ private:
     };
 
     [[nodiscard]] bool mayCome(uint32_t piece) const;
-    [[nodiscard]] double natsOf(std::span<const uint8_t> emits) const;
+    [[nodiscard]] double costOf(std::span<const uint8_t> emits) const;
+    [[nodiscard]] double natsOf(const ChosenLight& light) const;
     [[nodiscard]] Removal removalOf(std::vector<uint32_t> pieces, double cost) const;
     [[nodiscard]] std::vector<Removal> removals() const;
     void prune();
@@ -114,19 +116,18 @@ private:
     const FittedLight& light_;
     std::span<const Choosable> pieces_;
     LightFit fit_;
-    std::vector<uint8_t> emits_;
-    LightEstimate estimate_;
+    ChosenLight chosen_;
 };
 
 /// It does not emit, and might.
 bool LampChoice::mayCome(uint32_t piece) const
 {
-    return emits_[piece] == 0 && !pieces_[piece].isUnseen &&
+    return chosen_.emits[piece] == 0 && !pieces_[piece].isUnseen &&
            (pieces_[piece].isOpening || light_.model.area[piece] > 0.0f);
 }
 
-/// Against these emitting: those of one model, and what leans on them, are believed together.
-double LampChoice::natsOf(std::span<const uint8_t> emits) const
+/// Nats against these emitting: those of one model, and what leans on them, are believed together.
+double LampChoice::costOf(std::span<const uint8_t> emits) const
 {
     double nats = 0.0;
     std::vector<uint8_t> before(emits.size(), 0);
@@ -138,6 +139,12 @@ double LampChoice::natsOf(std::span<const uint8_t> emits) const
     return nats;
 }
 
+/// The less, the likelier.
+double LampChoice::natsOf(const ChosenLight& light) const
+{
+    return light.estimate.nats + costOf(light.emits);
+}
+
 /// These with all that leans on nothing else.
 Removal LampChoice::removalOf(std::vector<uint32_t> pieces, double cost) const
 {
@@ -146,10 +153,10 @@ Removal LampChoice::removalOf(std::vector<uint32_t> pieces, double cost) const
     Removal removal{std::move(pieces), cost};
     for (size_t k = 0; k < removal.pieces.size(); ++k)
         for (uint32_t f = 0; f < pieces_.size(); ++f) {
-            if (emits_[f] == 0 || isGone[f] != 0 || pieces_[f].isGiven) continue;
+            if (chosen_.emits[f] == 0 || isGone[f] != 0 || pieces_[f].isGiven) continue;
             const std::vector<uint32_t>& on = pieces_[f].leansOn;
             const auto isLeft = [&](uint32_t other) {
-                return emits_[other] != 0 && isGone[other] == 0;
+                return chosen_.emits[other] != 0 && isGone[other] == 0;
             };
             if (std::find(on.begin(), on.end(), removal.pieces[k]) == on.end() ||
                 std::any_of(on.begin(), on.end(), isLeft))
@@ -165,10 +172,10 @@ Removal LampChoice::removalOf(std::vector<uint32_t> pieces, double cost) const
 std::vector<Removal> LampChoice::removals() const
 {
     std::vector<Removal> removals;
-    const auto mayGo = [&](uint32_t f) { return emits_[f] != 0 && !pieces_[f].isGiven; };
+    const auto mayGo = [&](uint32_t f) { return chosen_.emits[f] != 0 && !pieces_[f].isGiven; };
     for (uint32_t f = 0; f < pieces_.size(); ++f) {
         if (!mayGo(f)) continue;
-        removals.push_back(removalOf({f}, natsToEmit(pieces_[f], emits_)));
+        removals.push_back(removalOf({f}, natsToEmit(pieces_[f], chosen_.emits)));
         std::vector<uint32_t> model{f};
         std::copy_if(pieces_[f].model.begin(), pieces_[f].model.end(), std::back_inserter(model),
                      mayGo);
@@ -182,12 +189,12 @@ void LampChoice::prune()
 {
     for (;;) {
         const std::vector<Removal> removals = this->removals();
-        const std::vector<uint8_t> gone = fit_.needless(estimate_, emits_, removals);
+        const std::vector<uint8_t> gone = fit_.needless(chosen_.estimate, chosen_.emits, removals);
         if (std::all_of(gone.begin(), gone.end(), [](uint8_t g) { return g == 0; })) return;
         for (size_t k = 0; k < removals.size(); ++k)
             if (gone[k] != 0)
-                for (const uint32_t piece : removals[k].pieces) emits_[piece] = 0;
-        estimate_ = fit_.solve(emits_, estimate_.log, 1.0);
+                for (const uint32_t piece : removals[k].pieces) chosen_.emits[piece] = 0;
+        chosen_.estimate = fit_.solve(chosen_.emits, chosen_.estimate.log, 1.0);
     }
 }
 
@@ -229,11 +236,12 @@ void LampChoice::drop()
         std::vector<Removal> removals = this->removals();
         std::vector<Trial> trials(removals.size());
         forEach(trials.size(), [&](size_t k) {
-            trials[k].emits = emits_;
-            for (const uint32_t piece : removals[k].pieces) trials[k].emits[piece] = 0;
-            const double most = estimate_.nats + removals[k].cost;
-            trials[k].estimate = fit_.trial(trials[k].emits, estimate_.log, most);
-            trials[k].lost = trials[k].estimate.nats - most;
+            trials[k].light.emits = chosen_.emits;
+            for (const uint32_t piece : removals[k].pieces) trials[k].light.emits[piece] = 0;
+            const double most = chosen_.estimate.nats + removals[k].cost;
+            trials[k].light.estimate =
+                fit_.trial(trials[k].light.emits, chosen_.estimate.log, most);
+            trials[k].lost = trials[k].light.estimate.nats - most;
         });
         std::vector<size_t> needless;
         for (size_t k = 0; k < trials.size(); ++k)
@@ -245,9 +253,10 @@ void LampChoice::drop()
         for (const size_t k : needless) sets.push_back(std::move(removals[k].pieces));
         const std::vector<size_t> gone = apart(sets);
         for (const size_t set : gone)
-            for (const uint32_t piece : sets[set]) emits_[piece] = 0;
-        estimate_ = gone.size() == 1 ? std::move(trials[needless.front()].estimate)
-                                     : fit_.trial(emits_, estimate_.log, INFINITY);
+            for (const uint32_t piece : sets[set]) chosen_.emits[piece] = 0;
+        chosen_.estimate = gone.size() == 1
+                               ? std::move(trials[needless.front()].light.estimate)
+                               : fit_.trial(chosen_.emits, chosen_.estimate.log, INFINITY);
     }
 }
 
@@ -257,13 +266,14 @@ std::vector<LampChoice::Addition> LampChoice::bestAdditions() const
     std::vector<Addition> additions;
     for (uint32_t f = 0; f < pieces_.size(); ++f)
         if (mayCome(f)) additions.push_back({f});
-    const LightGain gain(fit_, estimate_);
+    const LightGain gain(fit_, chosen_.estimate);
     forEach(additions.size(), [&](size_t k) {
         Addition& a = additions[k];
         const double saved = gain.of(a.piece, a.log);
-        a.gain = saved - natsToEmit(pieces_[a.piece], emits_);
+        a.gain = saved - natsToEmit(pieces_[a.piece], chosen_.emits);
         // Others may have taken a window's light over: then its bound alone speaks for it.
-        if (a.log == 0.0 && saved > kLampNats && !emitsAny(pieces_[a.piece].leansOn, emits_)) {
+        if (a.log == 0.0 && saved > kLampNats &&
+            !emitsAny(pieces_[a.piece].leansOn, chosen_.emits)) {
             a.log = gain.leastOf(a.piece);
             a.byBound = saved;
         }
@@ -277,15 +287,15 @@ std::vector<LampChoice::Addition> LampChoice::bestAdditions() const
     additions.resize(std::min(additions.size(), static_cast<size_t>(kTries * light_.model.rooms)));
     forEach(additions.size(), [&](size_t k) {
         Addition& a = additions[k];
-        std::vector<uint8_t> with = emits_;
+        std::vector<uint8_t> with = chosen_.emits;
         with[a.piece] = 1;
-        std::vector<double> start = estimate_.log;
+        std::vector<double> start = chosen_.estimate.log;
         start[a.piece] = a.log;
-        const double most = estimate_.nats - natsToEmit(pieces_[a.piece], emits_);
+        const double most = chosen_.estimate.nats - natsToEmit(pieces_[a.piece], chosen_.emits);
         a.estimate = fit_.trial(with, std::move(start), most);
         a.gain = most - a.estimate.nats;
         // That its light is asked for, a fit must tell.
-        if (a.byBound > 0.0 && estimate_.nats - a.estimate.nats < a.byBound + kLeanNats)
+        if (a.byBound > 0.0 && chosen_.estimate.nats - a.estimate.nats < a.byBound + kLeanNats)
             a.gain = 0.0;
     });
     std::erase_if(additions, [](const Addition& a) { return a.gain <= 0.0; });
@@ -304,13 +314,13 @@ bool LampChoice::grow()
     for (bool isAny = false;; isAny = true) {
         std::vector<Addition> best = bestAdditions();
         if (best.empty()) return isAny;
-        std::vector<double> start = estimate_.log;
+        std::vector<double> start = chosen_.estimate.log;
         for (const Addition& a : best) {
-            emits_[a.piece] = 1;
+            chosen_.emits[a.piece] = 1;
             start[a.piece] = a.log;
         }
-        estimate_ = best.size() == 1 ? std::move(best.front().estimate)
-                                     : fit_.trial(emits_, std::move(start), INFINITY);
+        chosen_.estimate = best.size() == 1 ? std::move(best.front().estimate)
+                                            : fit_.trial(chosen_.emits, std::move(start), INFINITY);
     }
 }
 
@@ -318,7 +328,7 @@ std::vector<LampChoice::Exchange> LampChoice::exchanges() const
 {
     std::vector<Exchange> exchanges;
     for (uint32_t from = 0; from < pieces_.size(); ++from) {
-        if (emits_[from] == 0 || pieces_[from].isGiven) continue;
+        if (chosen_.emits[from] == 0 || pieces_[from].isGiven) continue;
         for (const uint32_t to : pieces_[from].takenFor)
             if (mayCome(to)) exchanges.push_back({from, to});
     }
@@ -331,25 +341,24 @@ std::vector<LampChoice::Exchange> LampChoice::exchanges() const
 bool LampChoice::exchange()
 {
     const std::vector<Exchange> exchanges = this->exchanges();
-    const double before = estimate_.nats + natsOf(emits_);
+    const double before = natsOf(chosen_);
     std::vector<Trial> trials(exchanges.size());
     forEach(trials.size(), [&](size_t k) {
         const auto& [from, to] = exchanges[k];
         Trial& trial = trials[k];
-        trial.emits = emits_;
-        for (const uint32_t piece : removalOf({from}, 0.0).pieces) trial.emits[piece] = 0;
-        trial.emits[to] = 1;
+        trial.light.emits = chosen_.emits;
+        for (const uint32_t piece : removalOf({from}, 0.0).pieces) trial.light.emits[piece] = 0;
+        trial.light.emits[to] = 1;
         const float asMuch = sumOf(lightOf({&from, 1})) / sumOf(lightOf({&to, 1}));
-        std::vector<double> start = estimate_.log;
+        std::vector<double> start = chosen_.estimate.log;
         start[to] = start[from] + std::log(static_cast<double>(asMuch));
-        const double most = before - natsOf(trial.emits);
-        trial.estimate = fit_.trial(trial.emits, std::move(start), most);
-        trial.lost = trial.estimate.nats - most;
+        const double most = before - costOf(trial.light.emits);
+        trial.light.estimate = fit_.trial(trial.light.emits, std::move(start), most);
+        trial.lost = trial.light.estimate.nats - most;
     });
     const auto best = std::ranges::min_element(trials, {}, &Trial::lost);
     if (best == trials.end() || best->lost >= 0.0) return false;
-    emits_ = std::move(best->emits);
-    estimate_ = std::move(best->estimate);
+    chosen_ = std::move(best->light);
     return true;
 }
 
@@ -360,28 +369,24 @@ void LampChoice::takeTurns()
     ChosenLight grown;            // and what grow() made of it
     for (int round = 0; round < kChoices; ++round) {
         drop();
-        if (round > 0 && emits_ == dropped) {
-            if (grown.estimate.nats + natsOf(grown.emits) < estimate_.nats + natsOf(emits_)) {
-                emits_ = std::move(grown.emits);
-                estimate_ = std::move(grown.estimate);
-            }
+        if (round > 0 && chosen_.emits == dropped) {
+            if (natsOf(grown) < natsOf(chosen_)) chosen_ = std::move(grown);
             return;
         }
-        dropped = emits_;
+        dropped = chosen_.emits;
         if (!grow()) return;
-        grown = {emits_, estimate_};
+        grown = chosen_;
     }
 }
 
 /// An exchange, and what is needed then; false where that is no likelier.
 bool LampChoice::improve()
 {
-    ChosenLight before{emits_, estimate_};
+    ChosenLight before = chosen_;
     if (!exchange()) return false;
     takeTurns();
-    if (estimate_.nats + natsOf(emits_) < before.estimate.nats + natsOf(before.emits)) return true;
-    emits_ = std::move(before.emits);
-    estimate_ = std::move(before.estimate);
+    if (natsOf(chosen_) < natsOf(before)) return true;
+    chosen_ = std::move(before);
     return false;
 }
 

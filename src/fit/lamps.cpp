@@ -3,13 +3,17 @@
 #include "base/call_all.h"
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
-#include "fit/lamp_search.h"
+#include "fit/camera_search.h"
+#include "fit/lamp_choice.h"
+#include "fit/lamp_pieces.h"
 #include "fit/light_gain.h"
 #include "fit/outside.h"
+#include "fit/searched_light.h"
 #include "fit/sun.h"
 #include "fit/sun_search.h"
+#include "fit/sun_trial.h"
+#include "fit/told_paint.h"
 #include "fit/unseen.h"
-#include "lights/lamp_body.h"
 
 #include <algorithm>
 #include <array>
@@ -27,13 +31,9 @@ namespace relamp
 namespace
 {
 
-constexpr double kNoiseOfPairs = 0.7; // of the median difference of pairs: half are of two paints
-constexpr double kLeastNoise = 0.02;  // log; what a byte and a few rays tell
-constexpr double kColorSpread = 1.0;  // log: of a lamp's channels about its luminance
+constexpr double kColorSpread = 1.0; // log: of a lamp's channels about its luminance
 
 // Numerics.
-constexpr double kMostPieces =
-    96.0; // of a room, that may emit; a fit takes the square of their number
 constexpr size_t kSearchSteps = 4; // of the search, as progress tells
 constexpr int kJoins = 4;          // rounds, at most
 constexpr uint32_t kNoPiece = ~0u; // a number that none has
@@ -64,102 +64,84 @@ bool isByCamera(const Scan& scan)
                        [](const Page& page) { return page.image.clipsAtWhite; });
 }
 
-} // namespace
+/// One search: findLamps().
+class LampSearch
+{
+public:
+    LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
+               const SurfelRadiance& radiance, const GatherOptions& options, double rooms,
+               Progress& progress);
+
+    FoundLamps run();
+
+private:
+    void takeResponse(const Response& known);
+    [[nodiscard]] std::vector<Choosable> choosable(std::span<const uint32_t> ofRoom) const;
+    void choose(size_t pairs);
+    [[nodiscard]] std::vector<Piece> lamps() const;
+    void putBack(std::vector<Piece> lamps);
+    void lookCloser();
+    bool join();
+    void dropFaint();
+    [[nodiscard]] LightEstimate colorOf(int channel) const;
+    void findColors();
+    void letSunIn(const LitSides& sides);
+    void takeSun(FoundLamps& found);
+    [[nodiscard]] std::vector<float> changeUnseen() const;
+    [[nodiscard]] float gaps() const;
+    FoundLamps result();
+
+    const Texels& texels_;
+    const RayScene& scene_;
+    const HitLists& hits_;
+    bool isSunSought_;
+    Progress::Stage stage_;
+    std::vector<glm::vec3> nothingNear_; // see FoundLamps
+    std::vector<std::string> warnings_;
+    ToldPaint told_; // of surfels
+    SearchedLight light_;
+    CameraSearch camera_;
+    std::optional<RayScene> beforeSun_; // what stands before it
+    std::optional<SunTrial> sun_;       // the last piece
+};
 
 LampSearch::LampSearch(const Texels& texels, const RayScene& scene, const HitLists& hits,
                        const SurfelRadiance& radiance, const GatherOptions& options, double rooms,
                        Progress& progress)
     : texels_(texels), scene_(scene), hits_(hits), isSunSought_(options.sun),
-      isResponseSought_(!options.response && isByCamera(*texels.scan)),
-      isGainSought_(options.gain && isByCamera(*texels.scan)),
       stage_(progress, "lamps", kSearchSteps),
-      told_(toldPaintOf(options, texels.surfels, radiance, warnings_)), rooms_(rooms),
-      evidence_(texels, scene, hits, radiance, options.quality, rooms, told_.same)
+      told_(toldPaintOf(options, texels.surfels, radiance, warnings_)),
+      light_{.evidence =
+                 LampEvidence(texels, scene, hits, radiance, options.quality, rooms, told_.same),
+             .isResponseKnown = options.response || !isByCamera(*texels.scan)},
+      camera_(light_, !light_.isResponseKnown, options.gain && isByCamera(*texels.scan))
 {
     if (options.response) takeResponse(*options.response);
-    callAll([&] { takeCandidates(options, radiance); }, [&] { evidence_.drawAllPairs(); });
-    const std::span<const uint8_t> ofPlaces = evidence_.roomOfPlace();
-    const auto last = std::max_element(ofPlaces.begin(), ofPlaces.end());
-    noise_.assign(last == ofPlaces.end() ? 1 : size_t{1} + *last, kFirstNoise);
+    LampPieces found;
+    callAll([&] { found = lampPiecesOf(texels, scene, hits, radiance, options, rooms); },
+            [&] { light_.evidence.drawAllPairs(); });
+    light_.pieces = std::move(found.pieces);
+    nothingNear_ = std::move(found.nothingNear);
+    std::ranges::move(found.warnings, std::back_inserter(warnings_));
+    light_.emits.assign(light_.pieces.size(), 1);
+    light_.evidence.look(light_.pieces, 1);
+    light_.relate(scene);
+    stage_.advance();
 }
 
 void LampSearch::takeResponse(const Response& known)
 {
     if (isByCamera(*texels_.scan))
-        camera_.response = known;
+        light_.camera.response = known;
     else if (!known.isStraight())
         warnings_.emplace_back("a texture is of floats, which are light by themselves: what was "
                                "said of the camera's response was passed over");
 }
 
-void LampSearch::takeCandidates(const GatherOptions& options, const SurfelRadiance& radiance)
-{
-    std::vector<Candidate> candidates = findCandidates(texels_, radiance);
-    std::vector<uint8_t> isGiven(candidates.size() + 1, 0);
-    std::vector<uint8_t> isRefused(candidates.size() + 1, 0);
-    const auto mark = [&](glm::vec3 place, std::vector<uint8_t>& marks) {
-        const size_t nearest = nearestTo(candidates, place);
-        marks[nearest] = 1;
-        if (nearest == candidates.size()) nothingNear_.push_back(place);
-    };
-    for (const glm::vec3 place : options.lights) mark(place, isGiven);
-    for (const glm::vec3 place : options.notLights) mark(place, isRefused);
-    isGiven.resize(candidates.size());
-    size_t c = 0;
-    std::erase_if(isGiven, [&](uint8_t) { return isRefused[c++] != 0; });
-    c = 0;
-    std::erase_if(candidates, [&](const Candidate&) { return isRefused[c++] != 0; });
-    const auto most = static_cast<size_t>(kMostPieces * rooms_);
-    LampGroups lamps = groupLamps(std::move(candidates), isGiven, most);
-    if (lamps.leftOut > 0)
-        warnings_.push_back(fmt::format("{} burnt-out pieces, {:.2f} m^2 together, are more than "
-                                        "the {} largest and were taken for no lights; point at "
-                                        "those that are with --light",
-                                        lamps.leftOut, lamps.areaLeftOut, most));
-    for (LampGroup& group : lamps.groups) addPieces(std::move(group), radiance);
-    for (const Candidate& square : hits_.squares) {
-        const size_t body = pieces_.size();
-        pieces_.push_back({.candidate = square, .body = body, .isOpening = true});
-    }
-    emits_.assign(pieces_.size(), 1);
-    evidence_.look(pieces_, 1);
-    relatePieces();
-    stage_.advance();
-}
-
-/// A group is flat and so has no far side.
-void LampSearch::addPieces(LampGroup group, const SurfelRadiance& radiance)
-{
-    const size_t body = pieces_.size();
-    const bool isFading = fades(texels_, radiance, group.whole);
-    Piece piece{.candidate = std::move(group.whole),
-                .ends = std::move(group.ends),
-                .isGiven = group.isGiven,
-                .body = body,
-                .isFading = isFading};
-    Candidate unseen;
-    if (piece.ends.empty()) unseen = unseenSideOf(piece.candidate, texels_, scene_);
-    pieces_.push_back(std::move(piece));
-    if (unseen.patches.empty()) return;
-    pieces_.push_back({.candidate = std::move(unseen), .body = body, .isUnseen = true});
-}
-
-/// What pieces are to each other; once for those that are there.
-void LampSearch::relatePieces()
-{
-    sights_ = evidence_.sightsOf(pieces_);
-    kin_ = kinshipOf(pieces_, scene_);
-}
-
-void LampSearch::observe()
-{
-    model_ = evidence_.modelOf(pieces_, sights_);
-}
-
 /// What decides which pieces emit, of a room's own.
 std::vector<Choosable> LampSearch::choosable(std::span<const uint32_t> ofRoom) const
 {
-    std::vector<uint32_t> numbers(pieces_.size(), kNoPiece);
+    std::vector<uint32_t> numbers(light_.pieces.size(), kNoPiece);
     for (uint32_t f = 0; f < ofRoom.size(); ++f) numbers[ofRoom[f]] = f;
     const auto here = [&](std::span<const uint32_t> pieces) {
         std::vector<uint32_t> some;
@@ -169,87 +151,97 @@ std::vector<Choosable> LampSearch::choosable(std::span<const uint32_t> ofRoom) c
     };
     std::vector<Choosable> pieces;
     for (const uint32_t f : ofRoom)
-        pieces.push_back({pieces_[f].isGiven, pieces_[f].isUnseen, pieces_[f].isOpening,
-                          pieces_[f].isGiven ? 0.0 : natsOfSize(pieces_[f].candidate.area),
-                          here(kin_.model[f]), here(kin_.leansOn[f]), here(kin_.takenFor[f])});
+        pieces.push_back(
+            {light_.pieces[f].isGiven, light_.pieces[f].isUnseen, light_.pieces[f].isOpening,
+             light_.pieces[f].isGiven ? 0.0 : natsOfSize(light_.pieces[f].candidate.area),
+             here(light_.kin.model[f]), here(light_.kin.leansOn[f]), here(light_.kin.takenFor[f])});
     return pieces;
 }
 
 /// Decides which pieces emit, from an estimate where more or fewer do; in every room by itself.
 void LampSearch::choose(size_t pairs)
 {
-    const HouseLight house = houseLight(pairs);
+    const HouseLight house = light_.house(pairs);
     std::vector<ChosenLight> chosen(house.rooms().size());
     std::vector<LightEstimate> estimates(chosen.size());
     house.forEachRoom([&](size_t r, const RoomLight& room) {
-        chosen[r] = chooseLamps(room.alone(camera_, !isResponseSought_), choosable(room.of.pieces));
+        chosen[r] = chooseLamps(room.alone(light_.camera, light_.isResponseKnown),
+                                choosable(room.of.pieces));
         estimates[r] = std::move(chosen[r].estimate);
     });
     for (size_t r = 0; r < chosen.size(); ++r) {
         const std::vector<uint32_t>& pieces = house.rooms()[r].pieces;
-        for (size_t f = 0; f < pieces.size(); ++f) emits_[pieces[f]] = chosen[r].emits[f];
+        for (size_t f = 0; f < pieces.size(); ++f) light_.emits[pieces[f]] = chosen[r].emits[f];
     }
-    estimate_ = house.joined(estimates);
+    light_.estimate = house.joined(estimates);
 }
 
 std::vector<Piece> LampSearch::lamps() const
 {
     std::vector<Piece> lamps;
-    for (size_t f = 0; f < pieces_.size(); ++f)
-        if (emits_[f] != 0 && !(sun_ && f == sun_->sun())) lamps.push_back(pieces_[f]);
+    for (size_t f = 0; f < light_.pieces.size(); ++f)
+        if (light_.emits[f] != 0 && !(sun_ && f == sun_->sun())) lamps.push_back(light_.pieces[f]);
     return lamps;
+}
+
+/// The same in their places.
+void LampSearch::putBack(std::vector<Piece> lamps)
+{
+    auto next = lamps.begin();
+    for (size_t f = 0; f < light_.pieces.size(); ++f)
+        if (light_.emits[f] != 0) light_.pieces[f] = std::move(*next++);
 }
 
 /// One ray an origin is noise, which makes the light of a lamp seem weaker than it is.
 void LampSearch::lookCloser()
 {
     std::vector<Piece> lamps = this->lamps();
-    evidence_.look(lamps, LampEvidence::kMostRays);
-    auto next = lamps.begin();
-    for (size_t f = 0; f < pieces_.size(); ++f)
-        if (emits_[f] != 0) pieces_[f] = std::move(*next++);
-    observe();
+    light_.evidence.look(lamps, LampEvidence::kMostRays);
+    putBack(std::move(lamps));
+    light_.observe();
 }
 
 /// One lamp of the pieces that are one; false where none are.
 bool LampSearch::join()
 {
-    for (size_t f = 0; f < pieces_.size(); ++f) {
-        pieces_[f].radiance = glm::vec3(static_cast<float>(std::exp(estimate_.log[f])));
-        pieces_[f].error = static_cast<float>(estimate_.error[f]);
+    for (size_t f = 0; f < light_.pieces.size(); ++f) {
+        light_.pieces[f].radiance = glm::vec3(static_cast<float>(std::exp(light_.estimate.log[f])));
+        light_.pieces[f].error = static_cast<float>(light_.estimate.error[f]);
     }
     std::vector<Piece> lamps = this->lamps();
     const size_t before = lamps.size();
     joinPieces(lamps);
     const size_t count = lamps.size();
     if (count == before) return false;
-    for (size_t f = 0; f < pieces_.size(); ++f)
-        if (emits_[f] == 0 && !pieces_[f].isUnseen) lamps.push_back(std::move(pieces_[f]));
-    pieces_ = std::move(lamps);
-    emits_.assign(pieces_.size(), 0);
-    std::fill_n(emits_.begin(), count, uint8_t{1});
-    const std::vector<double> outside(estimate_.log.end() - static_cast<ptrdiff_t>(model_.outsides),
-                                      estimate_.log.end());
-    estimate_.log.clear();
-    for (const Piece& piece : pieces_)
-        estimate_.log.push_back(std::log(static_cast<double>(luminance(piece.radiance))));
-    estimate_.log.insert(estimate_.log.end(), outside.begin(), outside.end());
-    relatePieces();
-    observe();
+    for (size_t f = 0; f < light_.pieces.size(); ++f)
+        if (light_.emits[f] == 0 && !light_.pieces[f].isUnseen)
+            lamps.push_back(std::move(light_.pieces[f]));
+    light_.pieces = std::move(lamps);
+    light_.emits.assign(light_.pieces.size(), 0);
+    std::fill_n(light_.emits.begin(), count, uint8_t{1});
+    const std::vector<double> outside(light_.estimate.log.end() -
+                                          static_cast<ptrdiff_t>(light_.model.outsides),
+                                      light_.estimate.log.end());
+    light_.estimate.log.clear();
+    for (const Piece& piece : light_.pieces)
+        light_.estimate.log.push_back(std::log(static_cast<double>(luminance(piece.radiance))));
+    light_.estimate.log.insert(light_.estimate.log.end(), outside.begin(), outside.end());
+    light_.relate(scene_);
+    light_.observe();
     return true;
 }
 
 /// What is believed to shine for another of its model, and lights nothing, is no lamp.
 void LampSearch::dropFaint()
 {
-    std::vector<double> most(pieces_.size(), 0.0);
-    const HouseLight house = houseLight(LampEvidence::kPairsFirst);
+    std::vector<double> most(light_.pieces.size(), 0.0);
+    const HouseLight house = light_.house(LampEvidence::kPairsFirst);
     house.forEachRoom([&](size_t, const RoomLight& room) {
         const std::vector<double> shares = room.shares();
         for (size_t f = 0; f < shares.size(); ++f) most[room.of.pieces[f]] = shares[f];
     });
-    for (size_t f = 0; f < pieces_.size(); ++f)
-        if (!pieces_[f].isGiven && most[f] < kLeastMatters) emits_[f] = 0;
+    for (size_t f = 0; f < light_.pieces.size(); ++f)
+        if (!light_.pieces[f].isGiven && most[f] < kLeastMatters) light_.emits[f] = 0;
 }
 
 /// A channel of the light, near its luminance.
@@ -257,7 +249,7 @@ LightEstimate LampSearch::colorOf(int channel) const
 {
     const std::optional<LightModel> sunny =
         sun_ ? std::optional(sun_->channelOf(channel)) : std::nullopt;
-    const HouseLight house = houseLight(LampEvidence::kPairs, sunny ? *sunny : model_);
+    const HouseLight house = light_.house(LampEvidence::kPairs, sunny ? *sunny : light_.model);
     return house.joined(house.estimatesOf([&](const RoomLight& room) {
         LightFit fit = room.fit(channel);
         fit.expectLeaks(room.log);
@@ -270,8 +262,8 @@ LightEstimate LampSearch::colorOf(int channel) const
 void LampSearch::findColors()
 {
     for (int round = 0; round < 2; ++round) {
-        const HouseLight house = houseLight(LampEvidence::kPairs);
-        estimate_ = house.joined(house.estimatesOf([](const RoomLight& room) {
+        const HouseLight house = light_.house(LampEvidence::kPairs);
+        light_.estimate = house.joined(house.estimatesOf([](const RoomLight& room) {
             LightFit fit = room.fit();
             fit.expectLeaks(room.log);
             return fit.solve(room.emits, room.log, 1.0);
@@ -283,25 +275,23 @@ void LampSearch::findColors()
             glm::vec3 rgb;
             for (size_t c = 0; c < 3; ++c)
                 rgb[static_cast<int>(c)] = static_cast<float>(std::exp(colors[c].log[f]));
-            return rgb * static_cast<float>(std::exp(estimate_.log[f])) / luminance(rgb);
+            return rgb * static_cast<float>(std::exp(light_.estimate.log[f])) / luminance(rgb);
         };
-        for (size_t f = 0; f < pieces_.size(); ++f) {
-            pieces_[f].radiance = radianceOf(f);
-            pieces_[f].error = static_cast<float>(estimate_.error[f]);
+        for (size_t f = 0; f < light_.pieces.size(); ++f) {
+            light_.pieces[f].radiance = radianceOf(f);
+            light_.pieces[f].error = static_cast<float>(light_.estimate.error[f]);
         }
         std::vector<glm::vec3> outside;
-        for (size_t o = 0; o < model_.outsides; ++o)
-            outside.push_back(radianceOf(pieces_.size() + o));
-        outside_ = outsideOf(outside, hits_.shareOfPart);
+        for (size_t o = 0; o < light_.model.outsides; ++o)
+            outside.push_back(radianceOf(light_.pieces.size() + o));
+        light_.outside = outsideOf(outside, hits_.shareOfPart);
         if (round > 0) return;
         std::vector<Piece> lamps = this->lamps();
-        const LitSides sides = evidence_.settle(lamps, outside_);
-        auto next = lamps.begin();
-        for (size_t f = 0; f < pieces_.size(); ++f)
-            if (emits_[f] != 0) pieces_[f] = std::move(*next++);
-        model_ = evidence_.modelOf(pieces_, sights_, std::move(model_.direct));
+        const LitSides sides = light_.evidence.settle(lamps, light_.outside);
+        putBack(std::move(lamps));
+        light_.gatherAnew();
         if (isSunSought_) letSunIn(sides);
-        if (isGainSought_ && !sun_) findGain(); // a patch of sun is no drift
+        if (!sun_) camera_.findGain(); // a patch of sun is no drift
     }
 }
 
@@ -309,30 +299,29 @@ void LampSearch::findColors()
 void LampSearch::letSunIn(const LitSides& sides)
 {
     FoundLamps known;
-    for (size_t f = 0; f < pieces_.size(); ++f)
-        if (emits_[f] != 0) known.lamps.push_back({.patches = pieces_[f].candidate.patches});
-    RayScene outside = sceneWithoutPanes(scene_, texels_, evidence_.radiance(), known);
-    std::vector<uint32_t> all(pieces_.size());
+    for (size_t f = 0; f < light_.pieces.size(); ++f)
+        if (light_.emits[f] != 0)
+            known.lamps.push_back({.patches = light_.pieces[f].candidate.patches});
+    RayScene outside = sceneWithoutPanes(scene_, texels_, light_.evidence.radiance(), known);
+    std::vector<uint32_t> all(light_.pieces.size());
     std::iota(all.begin(), all.end(), 0u);
     std::vector<double> cost;
-    for (const Choosable& piece : choosable(all)) cost.push_back(natsToEmit(piece, emits_));
+    for (const Choosable& piece : choosable(all)) cost.push_back(natsToEmit(piece, light_.emits));
     std::optional<SunFit> fit =
-        findSun(texels_, outside, hits_, evidence_.radiance(),
-                {sides, pieces_, emits_, cost, estimate_.log, model_, evidence_.places(),
-                 evidence_.pairs(LampEvidence::kPairsFirst), kin_.alike, evidence_.told(),
-                 noiseOfAll(), natsOfLamp()});
+        findSun(texels_, outside, hits_, light_.evidence.radiance(),
+                {sides, light_.pieces, light_.emits, cost, light_.estimate.log, light_.model,
+                 light_.evidence.places(), light_.evidence.pairs(LampEvidence::kPairsFirst),
+                 light_.kin.alike, light_.evidence.told(), light_.noiseOfAll(), natsOfLamp()});
     if (!fit) return;
     for (const size_t perPlace : {LampEvidence::kPairsFirst, LampEvidence::kPairs})
-        evidence_.addPairs(perPlace, fit->trial.pairs(evidence_.pairs(perPlace).size()));
+        light_.evidence.addPairs(perPlace,
+                                 fit->trial.pairs(light_.evidence.pairs(perPlace).size()));
     beforeSun_ = std::move(outside);
     sun_ = std::move(fit->trial);
-    model_ = sun_->with;
-    emits_ = std::move(fit->emits);
-    estimate_ = std::move(fit->estimate);
-    pieces_.push_back({.isGiven = true, .body = pieces_.size()});
-    kin_.model.emplace_back();
-    kin_.leansOn.emplace_back();
-    kin_.takenFor.emplace_back();
+    light_.model = sun_->with;
+    light_.emits = std::move(fit->emits);
+    light_.estimate = std::move(fit->estimate);
+    light_.add({.isGiven = true, .body = light_.pieces.size()});
     choose(LampEvidence::kPairsFirst);
 }
 
@@ -340,7 +329,7 @@ void LampSearch::letSunIn(const LitSides& sides)
 void LampSearch::takeSun(FoundLamps& found)
 {
     if (!sun_) return;
-    const Piece& sun = pieces_[sun_->sun()];
+    const Piece& sun = light_.pieces[sun_->sun()];
     found.sun = {.sun = {.direction = sun_->towards,
                          .irradiance = sun.radiance * sunSolidAngle(),
                          .error = glm::vec3(sun.error),
@@ -349,7 +338,7 @@ void LampSearch::takeSun(FoundLamps& found)
                  .onSides = std::move(sun_->onSides)};
     for (const SunPatch& patch : sun_->patches) {
         found.lamps.push_back(
-            {.patches = std::move(pieces_[patch.piece].candidate.patches), .isSunlit = true});
+            {.patches = std::move(light_.pieces[patch.piece].candidate.patches), .isSunlit = true});
         found.powers.lamps.push_back(patch.perRadiance * sun.radiance);
     }
 }
@@ -363,13 +352,13 @@ float errorOfPower(const Piece& lamp)
 /// In every room by itself.
 std::vector<float> LampSearch::changeUnseen() const
 {
-    std::vector<float> change(evidence_.places().size(), 0.0f);
-    const HouseLight house = houseLight(LampEvidence::kPairsFirst);
+    std::vector<float> change(light_.evidence.places().size(), 0.0f);
+    const HouseLight house = light_.house(LampEvidence::kPairsFirst);
     house.forEachRoom([&](size_t r, const RoomLight& room) {
-        CameraModel camera{.response = camera_.response};
-        if (!camera_.gains.empty()) camera.gains = {camera_.gains[r]};
+        CameraModel camera{.response = light_.camera.response};
+        if (!light_.camera.gains.empty()) camera.gains = {light_.camera.gains[r]};
         const std::vector<float> ofRoom =
-            relamp::changeUnseen(room.alone(camera, !isResponseSought_), texels_.surfels.seed);
+            relamp::changeUnseen(room.alone(camera, light_.isResponseKnown), texels_.surfels.seed);
         for (size_t i = 0; i < ofRoom.size(); ++i) change[room.of.places[i]] = ofRoom[i];
     });
     return change;
@@ -378,19 +367,20 @@ std::vector<float> LampSearch::changeUnseen() const
 /// How likely the mesh lets light in, by what places of one paint differ by in the dark.
 float LampSearch::gaps() const
 {
-    const HouseLight house = houseLight(LampEvidence::kPairsFirst);
+    const HouseLight house = light_.house(LampEvidence::kPairsFirst);
     std::vector<double> ofRooms(house.rooms().size());
     house.forEachRoom(
         [&](size_t r, const RoomLight& room) { ofRooms[r] = room.fit().gaps(room.log); });
     double gaps = 0.0;
-    for (size_t r = 0; r < ofRooms.size(); ++r) gaps += shareOf(house.rooms()[r]) * ofRooms[r];
+    for (size_t r = 0; r < ofRooms.size(); ++r)
+        gaps += light_.shareOf(house.rooms()[r]) * ofRooms[r];
     return static_cast<float>(std::min(gaps, 1.0));
 }
 
 FoundLamps LampSearch::result()
 {
-    FoundLamps found{.powers = {.lamps = {}, .outside = outside_},
-                     .residual = static_cast<float>(estimate_.residual),
+    FoundLamps found{.powers = {.lamps = {}, .outside = light_.outside},
+                     .residual = static_cast<float>(light_.estimate.residual),
                      .gaps = gaps(),
                      .changeUnseen = changeUnseen(),
                      .white = std::move(told_.white),
@@ -410,45 +400,25 @@ FoundLamps LampSearch::result()
         found.powers.lamps.push_back(lamp.radiance);
     }
     takeSun(found);
-    found.camera = std::move(camera_);
-    found.doubtOfResponse = doubtOfResponse_;
+    found.camera = std::move(light_.camera);
+    found.doubtOfResponse = camera_.doubt();
     stage_.advance();
     return found;
 }
 
-double LampSearch::noiseOfAll() const
-{
-    return std::accumulate(noise_.begin(), noise_.end(), 0.0) / static_cast<double>(noise_.size());
-}
-
-/// The light of all rooms, and how noisy their pairs are in it.
-void LampSearch::solve(const std::function<LightEstimate(const RoomLight&)>& estimateOf)
-{
-    const HouseLight house = houseLight(LampEvidence::kPairsFirst);
-    const std::vector<LightEstimate> estimates = house.estimatesOf(estimateOf);
-    estimate_ = house.joined(estimates);
-    for (size_t r = 0; r < estimates.size(); ++r)
-        noise_[r] = std::max(kNoiseOfPairs * estimates[r].residual, kLeastNoise);
-}
-
 FoundLamps LampSearch::run()
 {
-    if (!evidence_.tells())
+    if (!light_.evidence.tells())
         return {.white = std::move(told_.white), .warnings = std::move(warnings_)};
-    if (!camera_.isNeutral()) evidence_.linearize(camera_);
-    observe();
-    estimate_.log.assign(model_.pieces + model_.outsides, 0.0); // of other rooms, to begin with
-    solve([](const RoomLight& room) {
-        const LightFit fit = room.fit();
-        return fit.solve(room.emits, fit.beginning(), kFirstWidth);
-    });
-    findContrast();
+    if (!light_.camera.isNeutral()) light_.evidence.linearize(light_.camera);
+    light_.begin();
+    camera_.findContrast();
     choose(LampEvidence::kPairsFirst);
     stage_.advance();
     lookCloser();
     choose(LampEvidence::kPairsFirst);
-    if (isBent()) {
-        bend(LampEvidence::kPairs);
+    if (camera_.isBent()) {
+        camera_.bend(LampEvidence::kPairs);
         choose(LampEvidence::kPairsFirst);
     }
     for (int round = 0; round < kJoins && join(); ++round) choose(LampEvidence::kPairsFirst);
@@ -456,6 +426,8 @@ FoundLamps LampSearch::run()
     findColors();
     return result();
 }
+
+} // namespace
 
 FoundLamps findLamps(const Texels& texels, const RayScene& scene, const HitLists& hits,
                      const SurfelRadiance& radiance, const GatherOptions& options, double rooms,
