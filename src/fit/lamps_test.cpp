@@ -148,10 +148,11 @@ TEST(Lamps, EveryRoomOfAHouseHasItsOwn)
     }
 }
 
+// So many panels light a hall too evenly for its pairs to tell what the camera did: it is known.
 TEST(Lamps, ThreeHundredCeilingPanelsAreFoundInGroups)
 {
     const scenes::ManyLamps hall(20, 15);
-    const FoundLamps lamps = lampsOf(scenes::Surfaces(hall.scan), {});
+    const FoundLamps lamps = lampsOf(scenes::Surfaces(hall.scan), {.response = Response{}});
     EXPECT_LE(lamps.lamps.size(), 32u);
     size_t found = 0;
     for (size_t l = 0; l < lamps.lamps.size(); ++l) {

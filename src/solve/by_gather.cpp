@@ -75,9 +75,8 @@ glm::vec3 meanOf(std::span<const Fixture> group)
 }
 
 /// What a person says is known; a lamp that is as it was found is as sure as then.
-void setError(FoundLamp& lamp, glm::vec3 radiance, const Fixture& found)
+void setError(FoundLamp& lamp, bool isAsFound, const Fixture& found)
 {
-    const bool isAsFound = radiance == found.radiance;
     lamp.logError = isAsFound ? found.error : glm::vec3(0.0f);
     lamp.isDetermined = !isAsFound || found.determined;
 }
@@ -135,27 +134,35 @@ void GatherSolver::keep(SolvedRoom room, const DelightOptions& asked,
     kept_->engine.of(asked.engine, [&] { return std::move(engine); });
 }
 
-/// Patches of sun that light the room like lamps follow the sun.
+/// Patches of sun that light the room like lamps follow the sun. What is as it was found is so to
+/// the bit, which the way to the albedo's scale and back is not.
 LampPowers GatherSolver::setPowers(const Lights& lights)
 {
     FoundRoom& room = kept_->room.found;
-    const Lights found = beforeScale(kept_->found);
-    LampPowers powers{.outside = {lights.ambient, kept_->powers.outside.ratios()}};
+    const Lights& found = kept_->found;
+    const Lights given = beforeScale(lights);
+    const bool isOneScale = lights.tempering.scale == found.tempering.scale;
+    LampPowers powers = kept_->powers;
+    if (!isOneScale || lights.ambient != found.ambient)
+        powers.outside = {given.ambient, powers.outside.ratios()};
     glm::vec3 share(1.0f);
     if (auto& sun = room.found.sun) {
-        sun->sun.irradiance = lights.sun ? lights.sun->irradiance : glm::vec3(0.0f);
-        share = shareOf(sun->sun.irradiance, found.sun->irradiance);
+        sun->sun.irradiance = given.sun ? given.sun->irradiance : glm::vec3(0.0f);
+        share = shareOf(sun->sun.irradiance, beforeScale(found).sun->irradiance);
+        if (!isOneScale || share != glm::vec3(1.0f)) powers.lamps.back() = sunRadiance(sun->sun);
     }
     for (size_t l = 0; l < room.found.lamps.size(); ++l) {
         FoundLamp& lamp = room.found.lamps[l];
         if (lamp.isSunlit) {
-            powers.lamps.push_back(share * kept_->powers.lamps[l]);
+            powers.lamps[l] *= share;
             continue;
         }
-        powers.lamps.push_back(meanOf(namedBy(lamp.labels, lights)));
-        setError(lamp, powers.lamps.back(), found.fixtures[found.placeOf(lamp.labels.front().id)]);
+        const Fixture& asFound = found.fixtures[found.placeOf(lamp.labels.front().id)];
+        const bool isAsFound =
+            isOneScale && meanOf(namedBy(lamp.labels, lights)) == asFound.radiance;
+        if (!isAsFound) powers.lamps[l] = meanOf(namedBy(lamp.labels, given));
+        setError(lamp, isAsFound, asFound);
     }
-    if (room.found.sun) powers.lamps.push_back(sunRadiance(room.found.sun->sun));
     return powers;
 }
 
@@ -165,7 +172,7 @@ Solution GatherSolver::reevaluate(const Lights& lights, const AlbedoOptions& alb
     checkPowers(lights, kept_->found);
     Progress::Stage stage(progress, "re-evaluation", 2);
     SolvedRoom& room = kept_->room;
-    const LampPowers powers = setPowers(beforeScale(lights));
+    const LampPowers powers = setPowers(lights);
     room.found.tempering = lights.tempering;
     const auto& engine = kept_->engine.of(kept_->asked.engine, [&] {
         return std::make_shared<ReevaluateEngine>(texels_, kept_->asked.engine);
