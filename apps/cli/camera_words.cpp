@@ -20,7 +20,7 @@ bool differs(double value, double neutral)
 std::string deedsOf(const relamp::CameraModel& camera)
 {
     std::vector<std::string> deeds;
-    if (differs(camera.response.contrast(), 1.0))
+    if (!camera.response.isStraight())
         deeds.push_back(fmt::format("contrast {:.2f}", camera.response.contrast()));
     if (!camera.tone.gain.isOne())
         deeds.push_back(

@@ -19,8 +19,7 @@ constexpr double kCurvedNats = 1.1; // log odds of a camera with a contrast curv
 constexpr double kTonedNats = -2.2; // likewise of local tone mapping: one in ten
 
 // Numerics.
-constexpr int kCameraRounds = 2;      // of what is gathered and what the camera made of it
-constexpr double kLeastBelief = 0.05; // of a camera: to undo less of it changes nothing
+constexpr int kCameraRounds = 2; // of what is gathered and what the camera made of it
 
 } // namespace
 
@@ -113,7 +112,7 @@ void CameraSearch::findContrast()
         n = std::exp(least - n);
         sum += n;
     }
-    const auto sought = [](double belief) { return belief > kLeastBelief ? belief : 0.0; };
+    const auto sought = [](double belief) { return belief > 0.5 ? belief : 0.0; };
     const double likely = (nats[1] + nats[3]) / sum;
     curved_ = sought(likely);
     if (likely > 0.0)
@@ -223,8 +222,7 @@ std::vector<std::vector<glm::vec3>> CameraSearch::positionsByRoom() const
     return positions;
 }
 
-/// One round is enough where none is likely: what
-/// is gathered hardly changes then.
+/// One round is enough where none is likely: what is gathered hardly changes then.
 void CameraSearch::findGain()
 {
     if (!isGainSought_) return;

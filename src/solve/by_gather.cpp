@@ -149,7 +149,9 @@ LampPowers GatherSolver::setPowers(const Lights& lights)
     if (auto& sun = room.found.sun) {
         sun->sun.irradiance = given.sun ? given.sun->irradiance : glm::vec3(0.0f);
         share = shareOf(sun->sun.irradiance, beforeScale(found).sun->irradiance);
-        if (!isOneScale || share != glm::vec3(1.0f)) powers.lamps.back() = sunRadiance(sun->sun);
+        const bool isAsFound =
+            isOneScale && lights.sun && lights.sun->irradiance == found.sun->irradiance;
+        if (!isAsFound) powers.lamps.back() = sunRadiance(sun->sun);
     }
     for (size_t l = 0; l < room.found.lamps.size(); ++l) {
         FoundLamp& lamp = room.found.lamps[l];
