@@ -244,6 +244,11 @@ Gain evenGainOver(std::span<const glm::vec3> position)
     return gain;
 }
 
+Gain coarseGainOver(std::span<const glm::vec3> position)
+{
+    return latticeOver(position, 2.0f * kKnotSpacing, kMostKnots);
+}
+
 std::vector<Gain> evenGainsOver(std::span<const std::vector<glm::vec3>> positions)
 {
     std::vector<Gain> gains;

@@ -65,6 +65,10 @@ Gain evenGainOver(std::span<const glm::vec3> position);
 /// of the places of each.
 std::vector<Gain> evenGainsOver(std::span<const std::vector<glm::vec3>> positions);
 
+/// One with knots twice as far apart, which leaves a contrast to the contrast; also over places
+/// that have no gain.
+Gain coarseGainOver(std::span<const glm::vec3> position);
+
 /// The logarithms of the gain's knots as unknowns beside the light.
 CameraColumns columnsOf(const Gain& known, const TexturePlaces& places);
 Gain gainOf(Gain lattice, std::span<const double> coefficients);

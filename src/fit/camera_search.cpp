@@ -19,7 +19,27 @@ constexpr double kCurvedNats = 1.1; // log odds of a camera with a contrast curv
 constexpr double kTonedNats = -2.2; // likewise of local tone mapping: one in ten
 
 // Numerics.
-constexpr int kCameraRounds = 2; // of what is gathered and what the camera made of it
+constexpr int kCameraRounds = 2;  // of what is gathered and what the camera made of it
+constexpr double kLeftOpen = 0.4; // from even odds: beyond, a drift does not turn them
+
+/// What a drift of exposure may have done beside a contrast.
+CameraColumns coarseDriftOf(const RoomLight& room)
+{
+    const Gain even = coarseGainOver(room.position);
+    return even.isOne() ? CameraColumns{} : columnsOf(even, room.texturePlaces());
+}
+
+/// With the first coefficients of its camera alone.
+LightEstimate ofFirst(size_t count, LightEstimate light)
+{
+    const size_t all = light.camera.size();
+    for (size_t i = 0; i < count; ++i)
+        for (size_t k = 0; k < count; ++k)
+            light.cameraCovariance[i * count + k] = light.cameraCovariance[i * all + k];
+    light.camera.resize(count);
+    light.cameraCovariance.resize(count * count);
+    return light;
+}
 
 } // namespace
 
@@ -32,11 +52,14 @@ CameraColumns CameraSearch::contrastColumns(const TexturePlaces& places, bool is
     return around ? together(columns, columnsOf(light_.camera.tone, *around, places)) : columns;
 }
 
-/// Of one room by a camera that did this, with the leaks that are likeliest then.
+/// Of one room by a camera that did this, and what is `beside` it, with the leaks that are
+/// likeliest then.
 LightEstimate CameraSearch::contrastOf(const RoomLight& room, bool isCurved,
-                                       const std::optional<Gain>& around, int rounds) const
+                                       const std::optional<Gain>& around,
+                                       const CameraColumns& beside, int rounds) const
 {
-    CameraColumns columns = contrastColumns(room.texturePlaces(), isCurved, around);
+    const CameraColumns own = contrastColumns(room.texturePlaces(), isCurved, around);
+    CameraColumns columns = together(own, beside);
     LightEstimate light{.log = room.log, .camera = columns.known};
     LightFit fit = room.fit();
     for (int round = 0; round < rounds; ++round) {
@@ -44,7 +67,7 @@ LightEstimate CameraSearch::contrastOf(const RoomLight& room, bool isCurved,
         if (!isCurved) columns.expected.front() = flattenedBy(open);
         light = fit.solve(room.emits, light.log, columns);
     }
-    return light;
+    return ofFirst(own.count(), std::move(light));
 }
 
 /// Of all rooms, by one camera. What errs alike in them is no better known for their number, so
@@ -79,7 +102,9 @@ LightEstimate CameraSearch::fitOfContrast(const HouseLight& light,
     return house;
 }
 
-void CameraSearch::findContrast()
+/// What the camera of a house did to contrast; beside a drift of exposure that no lamp explains, or
+/// as if there were none.
+CameraSearch::Contrast CameraSearch::contrastOf(const HouseLight& house, bool isBesideDrift) const
 {
     const auto isCurved = [](size_t kind) { return (kind & 1u) != 0; };
     const auto isToned = [](size_t kind) { return (kind & 2u) != 0; };
@@ -89,14 +114,14 @@ void CameraSearch::findContrast()
     const std::optional<Gain> none;
     std::optional<Gain> around;
     if (isGainSought_) around = light_.evidence.brightnessAround(light_.camera.response);
-    const HouseLight house = light_.house(LampEvidence::kPairsFirst);
     std::array<std::vector<LightEstimate>, 4> ofRooms; // of kinds of cameras
     for (auto& ofKind : ofRooms) ofKind.resize(house.rooms().size());
     house.forEachRoom([&](size_t r, const RoomLight& room) {
+        const CameraColumns drift = isBesideDrift ? coarseDriftOf(room) : CameraColumns{};
         forEach(ofRooms.size(), [&](size_t k) {
             if (isSought(k))
                 ofRooms[k][r] =
-                    contrastOf(room, isCurved(k), isToned(k) ? around : none, kCameraRounds);
+                    contrastOf(room, isCurved(k), isToned(k) ? around : none, drift, kCameraRounds);
         });
     });
     std::array<LightEstimate, 4> fits;
@@ -112,12 +137,20 @@ void CameraSearch::findContrast()
         n = std::exp(least - n);
         sum += n;
     }
+    return {.curved = (nats[1] + nats[3]) / sum,
+            .toned = (nats[2] + nats[3]) / sum,
+            .curve = std::move(fits[nats[1] > nats[3] ? 1 : 3])};
+}
+
+void CameraSearch::findContrast()
+{
+    const HouseLight house = light_.house(LampEvidence::kPairsFirst);
+    Contrast found = contrastOf(house, false);
+    if (isGainSought_ && std::abs(found.curved - 0.5) < kLeftOpen) found = contrastOf(house, true);
     const auto sought = [](double belief) { return belief > 0.5 ? belief : 0.0; };
-    const double likely = (nats[1] + nats[3]) / sum;
-    curved_ = sought(likely);
-    if (likely > 0.0)
-        doubtOfResponse_ = doubtOfResponse(fits[nats[1] > nats[3] ? 1 : 3], likely, curved_);
-    toned_ = sought((nats[2] + nats[3]) / sum);
+    curved_ = sought(found.curved);
+    toned_ = sought(found.toned);
+    if (found.curved > 0.0) doubtOfResponse_ = doubtOfResponse(found.curve, found.curved, curved_);
     bend(LampEvidence::kPairsFirst);
 }
 
@@ -130,7 +163,7 @@ void CameraSearch::bend(size_t pairs)
         if (toned_ > 0.0) around = light_.evidence.brightnessAround(light_.camera.response);
         const HouseLight house = light_.house(pairs);
         LightEstimate light = byOneCamera(house, house.estimatesOf([&](const RoomLight& room) {
-            return contrastOf(room, curved_ > 0.0, around, 1);
+            return contrastOf(room, curved_ > 0.0, around, {}, 1);
         }));
         if (curved_ > 0.0) {
             light_.camera.response = responseOf(light.camera, curved_);

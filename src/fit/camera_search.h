@@ -36,15 +36,24 @@ public:
     [[nodiscard]] const SlopeCovariance& doubt() const { return doubtOfResponse_; }
 
 private:
+    struct Contrast
+    {
+        double curved = 0.0; // how likely
+        double toned = 0.0;  // likewise, locally
+        LightEstimate curve; // if it is one
+    };
+
     [[nodiscard]] CameraColumns contrastColumns(const TexturePlaces& places, bool isCurved,
                                                 const std::optional<Gain>& around) const;
     [[nodiscard]] LightEstimate contrastOf(const RoomLight& room, bool isCurved,
-                                           const std::optional<Gain>& around, int rounds) const;
+                                           const std::optional<Gain>& around,
+                                           const CameraColumns& beside, int rounds) const;
     [[nodiscard]] LightEstimate byOneCamera(const HouseLight& light,
                                             std::span<const LightEstimate> fits) const;
     [[nodiscard]] LightEstimate fitOfContrast(const HouseLight& light,
                                               std::span<const LightEstimate> fits, bool isCurved,
                                               bool isToned) const;
+    [[nodiscard]] Contrast contrastOf(const HouseLight& house, bool isBesideDrift) const;
     [[nodiscard]] std::vector<LightEstimate> gainFits(const RoomLight& room,
                                                       std::span<const CameraColumns> columns) const;
     [[nodiscard]] double findDrift();
