@@ -25,8 +25,9 @@ constexpr double kLeftOpen = 0.4; // from even odds: beyond, a drift does not tu
 /// What a drift of exposure may have done beside a contrast.
 CameraColumns coarseDriftOf(const RoomLight& room)
 {
-    const Gain even = coarseGainOver(room.position);
-    return even.isOne() ? CameraColumns{} : columnsOf(even, room.texturePlaces());
+    CameraColumns drift = columnsOf(coarseGainOver(room.position), room.texturePlaces());
+    drift.worth = 1.0; // as for lamps
+    return drift;
 }
 
 /// With the first coefficients of its camera alone.
@@ -211,27 +212,53 @@ std::vector<LightEstimate> CameraSearch::gainFits(const RoomLight& room,
     return fits;
 }
 
-/// Undoes a drift of exposure that is likelier than not, and returns how likely it is: by an even
-/// gain beside the lamps that are known, in the mean of all rooms.
-double CameraSearch::findDrift()
+/// The evidence for a drift, in the mean of all rooms: by an even gain over each of these beside
+/// the lamps.
+CameraSearch::Drift CameraSearch::driftBy(const HouseLight& house,
+                                          std::span<const Gain> lattices) const
 {
-    const HouseLight house = light_.house(LampEvidence::kPairsFirst);
     const std::span<const RoomParts> rooms = house.rooms();
-    std::vector<LightEstimate> drifting(rooms.size());
     std::vector<double> evidence(rooms.size());
+    Drift drift{.fits = std::vector<LightEstimate>(rooms.size())};
     house.forEachRoom([&](size_t r, const RoomLight& room) {
         std::array<CameraColumns, 2> columns; // of no drift, and of one
-        columns[1] = columnsOf(light_.camera.gains[r], room.texturePlaces());
+        columns[1] = columnsOf(lattices[r], room.texturePlaces());
         columns[0].worth = columns[1].worth;
         std::vector<LightEstimate> fits = gainFits(room, columns);
         evidence[r] = fits[0].nats + fits[0].occam - fits[1].nats - fits[1].occam;
-        drifting[r] = std::move(fits[1]);
+        drift.fits[r] = std::move(fits[1]);
     });
-    double mean = 0.0;
-    for (size_t r = 0; r < rooms.size(); ++r) mean += light_.shareOf(rooms[r]) * evidence[r];
-    const double drifted = likelihoodByEvidence(mean);
+    for (size_t r = 0; r < rooms.size(); ++r)
+        drift.evidence += light_.shareOf(rooms[r]) * evidence[r];
+    return drift;
+}
+
+void CameraSearch::expectDrift()
+{
+    if (!isGainSought_) return;
+    const std::vector<std::vector<glm::vec3>> positions = positionsByRoom();
+    if (evenGainsOver(positions).empty()) return;
+    std::vector<Gain> coarse;
+    for (const auto& ofRoom : positions) coarse.push_back(coarseGainOver(ofRoom));
+    const HouseLight house = light_.house(LampEvidence::kPairsFirst);
+    const Drift drift = driftBy(house, coarse);
+    isDriftExpected_ = likelihoodByEvidence(drift.evidence) > 0.5;
+    if (isDriftExpected_) light_.estimate = house.joined(drift.fits);
+}
+
+CameraColumns CameraSearch::driftOf(const RoomLight& room) const
+{
+    return isDriftExpected_ ? coarseDriftOf(room) : CameraColumns{};
+}
+
+/// Undoes a drift of exposure that is likelier than not, and returns how likely it is.
+double CameraSearch::findDrift()
+{
+    const HouseLight house = light_.house(LampEvidence::kPairsFirst);
+    const Drift drift = driftBy(house, light_.camera.gains);
+    const double drifted = likelihoodByEvidence(drift.evidence);
     light_.camera.drifted = static_cast<float>(drifted);
-    if (light_.camera.hasDrifted()) undoDrift(rooms, drifting);
+    if (light_.camera.hasDrifted()) undoDrift(house.rooms(), drift.fits);
     return drifted;
 }
 

@@ -29,6 +29,11 @@ public:
     [[nodiscard]] bool isBent() const { return curved_ > 0.0 || toned_ > 0.0; }
     /// Both again among the lamps so far, by so many pairs a place.
     void bend(size_t pairs);
+    /// Whether exposure drifts, beside all pieces that may emit: what it may have done is unknown
+    /// beside the light then, until lamps are known.
+    void expectDrift();
+    /// What a drift of exposure may have done in a room; nothing where none is expected.
+    [[nodiscard]] CameraColumns driftOf(const RoomLight& room) const;
     /// The drift of exposure and white balance among lamps that are known, in every room by itself,
     /// for what each shows is hardly lit by the others.
     void findGain();
@@ -36,6 +41,11 @@ public:
     [[nodiscard]] const SlopeCovariance& doubt() const { return doubtOfResponse_; }
 
 private:
+    struct Drift
+    {
+        double evidence = 0.0;           // nats
+        std::vector<LightEstimate> fits; // of rooms, with one
+    };
     struct Contrast
     {
         double curved = 0.0; // how likely
@@ -56,6 +66,7 @@ private:
     [[nodiscard]] Contrast contrastOf(const HouseLight& house, bool isBesideDrift) const;
     [[nodiscard]] std::vector<LightEstimate> gainFits(const RoomLight& room,
                                                       std::span<const CameraColumns> columns) const;
+    [[nodiscard]] Drift driftBy(const HouseLight& house, std::span<const Gain> lattices) const;
     [[nodiscard]] double findDrift();
     void undoDrift(std::span<const RoomParts> rooms, std::span<const LightEstimate> found);
     [[nodiscard]] std::vector<std::vector<glm::vec3>> positionsByRoom() const;
@@ -67,6 +78,7 @@ private:
     bool isGainSought_;
     double curved_ = 0.0; // how likely its response is not straight; 0: it is taken for that
     double toned_ = 0.0;  // likewise, that it mapped tones locally
+    bool isDriftExpected_ = false;
     SlopeCovariance doubtOfResponse_{};
 };
 

@@ -28,6 +28,7 @@ constexpr double kModelNats = -4.0;
 constexpr double kLeanNats = 0.03; // what no light asks for does not shine
 constexpr double kTries = 4.0;     // of the most promising pieces of a room, each time one is added
 constexpr float kHardlyCommon = 0.01f; // of two lamps' light at places, that comes to the same ones
+constexpr float kNearlyAll = 0.8f;     // likewise, where one may be taken for the other
 constexpr int kChoices = 4;            // rounds of taking away and adding, at most
 
 bool emitsAny(std::span<const uint32_t> pieces, std::span<const uint8_t> emits)
@@ -55,23 +56,24 @@ float commonOf(std::span<const float> light, std::span<const float> other)
 class LampChoice
 {
 public:
-    LampChoice(const FittedLight& light, std::span<const Choosable> pieces)
-        : light_(light), pieces_(pieces), fit_(light.model, light.pairs, light.alike, light.noise),
-          chosen_{.emits = {light.emits.begin(), light.emits.end()}}
+    LampChoice(const FittedLight& light, std::span<const Choosable> pieces,
+               const CameraColumns& camera)
+        : light_(light), pieces_(pieces), camera_(camera),
+          fit_(light.model, light.pairs, light.alike, light.noise)
     {
+        chosen_.emits.assign(light.emits.begin(), light.emits.end());
         fit_.believe(light.told);
         fit_.expectLeaks(light.log);
     }
 
     ChosenLight run()
     {
-        chosen_.estimate = fit_.solve(chosen_.emits, {light_.log.begin(), light_.log.end()}, 1.0);
+        solveFrom({light_.log.begin(), light_.log.end()});
         prune();
         takeTurns();
         int round = 0;
         while (round < kChoices && improve()) ++round;
-        if (chosen_.estimate.error.empty())
-            chosen_.estimate = fit_.solve(chosen_.emits, chosen_.estimate.log, 1.0);
+        if (chosen_.estimate.error.empty()) solveFrom(chosen_.estimate.start());
         return std::move(chosen_);
     }
 
@@ -97,6 +99,7 @@ private:
         uint32_t to = 0;   // and would in its place
     };
 
+    void solveFrom(std::vector<double> start);
     [[nodiscard]] bool mayCome(uint32_t piece) const;
     [[nodiscard]] double costOf(std::span<const uint8_t> emits) const;
     [[nodiscard]] double natsOf(const ChosenLight& light) const;
@@ -109,15 +112,22 @@ private:
     [[nodiscard]] std::vector<Addition> bestAdditions() const;
     bool grow();
     void takeTurns();
+    [[nodiscard]] std::vector<std::vector<float>> lightOfEach() const;
     [[nodiscard]] std::vector<Exchange> exchanges() const;
     bool exchange();
     bool improve();
 
     const FittedLight& light_;
     std::span<const Choosable> pieces_;
+    const CameraColumns& camera_;
     LightFit fit_;
     ChosenLight chosen_;
 };
+
+void LampChoice::solveFrom(std::vector<double> start)
+{
+    chosen_.estimate = fit_.solve(chosen_.emits, std::move(start), camera_);
+}
 
 /// It does not emit, and might.
 bool LampChoice::mayCome(uint32_t piece) const
@@ -189,12 +199,13 @@ void LampChoice::prune()
 {
     for (;;) {
         const std::vector<Removal> removals = this->removals();
-        const std::vector<uint8_t> gone = fit_.needless(chosen_.estimate, chosen_.emits, removals);
+        const std::vector<uint8_t> gone =
+            fit_.needless(chosen_.estimate, chosen_.emits, removals, camera_);
         if (std::all_of(gone.begin(), gone.end(), [](uint8_t g) { return g == 0; })) return;
         for (size_t k = 0; k < removals.size(); ++k)
             if (gone[k] != 0)
                 for (const uint32_t piece : removals[k].pieces) chosen_.emits[piece] = 0;
-        chosen_.estimate = fit_.solve(chosen_.emits, chosen_.estimate.log, 1.0);
+        solveFrom(chosen_.estimate.start());
     }
 }
 
@@ -240,7 +251,7 @@ void LampChoice::drop()
             for (const uint32_t piece : removals[k].pieces) trials[k].light.emits[piece] = 0;
             const double most = chosen_.estimate.nats + removals[k].cost;
             trials[k].light.estimate =
-                fit_.trial(trials[k].light.emits, chosen_.estimate.log, most);
+                fit_.trial(trials[k].light.emits, chosen_.estimate.start(), most, camera_);
             trials[k].lost = trials[k].light.estimate.nats - most;
         });
         std::vector<size_t> needless;
@@ -254,9 +265,9 @@ void LampChoice::drop()
         const std::vector<size_t> gone = apart(sets);
         for (const size_t set : gone)
             for (const uint32_t piece : sets[set]) chosen_.emits[piece] = 0;
-        chosen_.estimate = gone.size() == 1
-                               ? std::move(trials[needless.front()].light.estimate)
-                               : fit_.trial(chosen_.emits, chosen_.estimate.log, INFINITY);
+        chosen_.estimate = gone.size() == 1 ? std::move(trials[needless.front()].light.estimate)
+                                            : fit_.trial(chosen_.emits, chosen_.estimate.start(),
+                                                         INFINITY, camera_);
     }
 }
 
@@ -266,7 +277,7 @@ std::vector<LampChoice::Addition> LampChoice::bestAdditions() const
     std::vector<Addition> additions;
     for (uint32_t f = 0; f < pieces_.size(); ++f)
         if (mayCome(f)) additions.push_back({f});
-    const LightGain gain(fit_, chosen_.estimate);
+    const LightGain gain(fit_, chosen_.estimate, camera_);
     forEach(additions.size(), [&](size_t k) {
         Addition& a = additions[k];
         const double saved = gain.of(a.piece, a.log);
@@ -289,10 +300,10 @@ std::vector<LampChoice::Addition> LampChoice::bestAdditions() const
         Addition& a = additions[k];
         std::vector<uint8_t> with = chosen_.emits;
         with[a.piece] = 1;
-        std::vector<double> start = chosen_.estimate.log;
+        std::vector<double> start = chosen_.estimate.start();
         start[a.piece] = a.log;
         const double most = chosen_.estimate.nats - natsToEmit(pieces_[a.piece], chosen_.emits);
-        a.estimate = fit_.trial(with, std::move(start), most);
+        a.estimate = fit_.trial(with, std::move(start), most, camera_);
         a.gain = most - a.estimate.nats;
         // That its light is asked for, a fit must tell.
         if (a.byBound > 0.0 && chosen_.estimate.nats - a.estimate.nats < a.byBound + kLeanNats)
@@ -314,23 +325,39 @@ bool LampChoice::grow()
     for (bool isAny = false;; isAny = true) {
         std::vector<Addition> best = bestAdditions();
         if (best.empty()) return isAny;
-        std::vector<double> start = chosen_.estimate.log;
+        std::vector<double> start = chosen_.estimate.start();
         for (const Addition& a : best) {
             chosen_.emits[a.piece] = 1;
             start[a.piece] = a.log;
         }
-        chosen_.estimate = best.size() == 1 ? std::move(best.front().estimate)
-                                            : fit_.trial(chosen_.emits, std::move(start), INFINITY);
+        chosen_.estimate = best.size() == 1
+                               ? std::move(best.front().estimate)
+                               : fit_.trial(chosen_.emits, std::move(start), INFINITY, camera_);
     }
 }
 
+/// At places, of each piece at radiance 1.
+std::vector<std::vector<float>> LampChoice::lightOfEach() const
+{
+    const size_t places = light_.model.places();
+    std::vector<std::vector<float>> light(light_.model.pieces, std::vector<float>(places, 0.0f));
+    for (size_t i = 0; i < places; ++i)
+        for (const auto [piece, direct] : light_.model.direct[i]) light[piece][i] += direct;
+    return light;
+}
+
+/// What lights nearly the same places may have been taken for another: a shade for the bulb in it,
+/// the ceiling around a lamp for the lamp.
 std::vector<LampChoice::Exchange> LampChoice::exchanges() const
 {
+    const std::vector<std::vector<float>> light = lightOfEach();
     std::vector<Exchange> exchanges;
     for (uint32_t from = 0; from < pieces_.size(); ++from) {
         if (chosen_.emits[from] == 0 || pieces_[from].isGiven) continue;
-        for (const uint32_t to : pieces_[from].takenFor)
-            if (mayCome(to)) exchanges.push_back({from, to});
+        for (uint32_t to = 0; to < pieces_.size(); ++to)
+            if (mayCome(to) && !pieces_[to].isOpening &&
+                commonOf(light[from], light[to]) > kNearlyAll)
+                exchanges.push_back({from, to});
     }
     return exchanges;
 }
@@ -350,10 +377,10 @@ bool LampChoice::exchange()
         for (const uint32_t piece : removalOf({from}, 0.0).pieces) trial.light.emits[piece] = 0;
         trial.light.emits[to] = 1;
         const float asMuch = sumOf(lightOf({&from, 1})) / sumOf(lightOf({&to, 1}));
-        std::vector<double> start = chosen_.estimate.log;
+        std::vector<double> start = chosen_.estimate.start();
         start[to] = start[from] + std::log(static_cast<double>(asMuch));
         const double most = before - costOf(trial.light.emits);
-        trial.light.estimate = fit_.trial(trial.light.emits, std::move(start), most);
+        trial.light.estimate = fit_.trial(trial.light.emits, std::move(start), most, camera_);
         trial.lost = trial.light.estimate.nats - most;
     });
     const auto best = std::ranges::min_element(trials, {}, &Trial::lost);
@@ -409,9 +436,10 @@ double natsToEmit(const Choosable& piece, std::span<const uint8_t> emits)
     return piece.natsOfSize + (emitsAny(piece.model, emits) ? kModelNats : kLampNats);
 }
 
-ChosenLight chooseLamps(const FittedLight& light, std::span<const Choosable> pieces)
+ChosenLight chooseLamps(const FittedLight& light, std::span<const Choosable> pieces,
+                        const CameraColumns& camera)
 {
-    return LampChoice(light, pieces).run();
+    return LampChoice(light, pieces, camera).run();
 }
 
 } // namespace relamp

@@ -17,10 +17,9 @@ struct Choosable
     bool isGiven = false;
     bool isUnseen = false;
     bool isOpening = false;
-    double natsOfSize = 0.0;          // more to believe in it, for it is small; see natsOfSize()
-    std::vector<uint32_t> model{};    // other pieces that look like it
-    std::vector<uint32_t> leansOn{};  // larger ones that it may be a part of
-    std::vector<uint32_t> takenFor{}; // others that it may be mistaken for
+    double natsOfSize = 0.0;         // more to believe in it, for it is small; see natsOfSize()
+    std::vector<uint32_t> model{};   // other pieces that look like it
+    std::vector<uint32_t> leansOn{}; // larger ones that it may be a part of
 };
 
 /// Nats that it takes to believe that a lamp is one: its log odds among burnt-out pieces.
@@ -40,7 +39,9 @@ struct ChosenLight
 };
 
 /// Decides which pieces of one room emit, from a light where more or fewer do: by trials without
-/// each of them, and with each of those that the light asks for most.
-ChosenLight chooseLamps(const FittedLight& light, std::span<const Choosable> pieces);
+/// each of them, and with each of those that the light asks for most. `camera`: what it may have
+/// done that is no lamp's light.
+ChosenLight chooseLamps(const FittedLight& light, std::span<const Choosable> pieces,
+                        const CameraColumns& camera = {});
 
 } // namespace relamp

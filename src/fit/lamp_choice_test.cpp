@@ -43,12 +43,12 @@ struct BulbInAShade
     Floor floor{{{40, 30, 20}, {0, 0, 0}}, 0.02f, 0.0f};
     CameraModel camera;
 
-    BulbInAShade()
+    explicit BulbInAShade(float unlike = 0.3f)
     {
         for (size_t i = 0; i < floor.model.places(); ++i)
             if (const float ofBulb = floor.model.directAt(i, bulb); ofBulb > 0.0f)
                 floor.model.direct[i].push_back(
-                    {shade, 0.2f * ofBulb * (i % 4 < 2 ? 1.0f - kUnlike : 1.0f + kUnlike)});
+                    {shade, 0.2f * ofBulb * (i % 4 < 2 ? 1.0f - unlike : 1.0f + unlike)});
         for (const size_t piece : {bulb, shade}) floor.burnOut(piece, 1 - piece, 1.0f);
     }
 
@@ -58,14 +58,12 @@ struct BulbInAShade
         std::vector<uint8_t> emits(2, 0);
         emits[first] = 1;
         const LightEstimate start = floor.fit().solve(emits, floor.fit().beginning(), kWide);
-        const std::vector<Choosable> pieces{{.takenFor = {shade}}, {.takenFor = {bulb}}};
+        const std::vector<Choosable> pieces(2);
         return chooseLamps({floor.model, floor.pairs, floor.alike, kPairNoise, emits, start.log,
                             camera, TexturePlaces{}},
                            pieces)
             .emits;
     }
-
-    static constexpr float kUnlike = 0.3f;
 };
 
 } // namespace
@@ -76,6 +74,37 @@ TEST(LampChoice, ABulbIsTakenForTheShadeThatItLights)
     const BulbInAShade lamp;
     EXPECT_THAT(lamp.chosenFrom(BulbInAShade::bulb), testing::ElementsAre(1, 0));
     EXPECT_THAT(lamp.chosenFrom(BulbInAShade::shade), testing::ElementsAre(1, 0));
+}
+
+// A shelf in front of a shade, and a sill below a window, light much of what these light.
+TEST(LampChoice, WhatLightsOtherPlacesAsWellIsNotTakenForALamp)
+{
+    const BulbInAShade lamp(0.6f);
+    EXPECT_THAT(lamp.chosenFrom(BulbInAShade::shade), testing::ElementsAre(0, 1));
+}
+
+// It is as bright as under a second lamp where the exposure rose, and a gain of that shape takes
+// less to believe in than a lamp.
+TEST(LampChoice, WhatAGainExplainsTakesNoLamp)
+{
+    constexpr float kRise = 0.3f; // log
+    Floor floor{{{40, 30, 20}, {40, 30, 20}}, 0.02f, 0.0f};
+    CameraColumns gain{.known = {0.0}, .expected = {0.0}, .precision = {1.0 / (kRise * kRise)}};
+    for (size_t i = 0; i < floor.model.places(); ++i) {
+        const glm::vec3 first = floor.restAt(i) + floor.truth[0] * floor.model.directAt(i, 0);
+        const glm::vec3 both = first + floor.truth[1] * floor.model.directAt(i, 1);
+        const float rise = std::log1p(20.0f * floor.model.directAt(i, 1) / luminance(first));
+        floor.model.shown[i] *= first / both * std::exp(rise);
+        gain.bend.push_back(-rise / kRise);
+    }
+    const std::vector<uint8_t> both{1, 1};
+    const LightEstimate start = floor.fit().solve(both, floor.fit().beginning(), kWide);
+    const CameraModel camera;
+    const FittedLight light{floor.model, floor.pairs, floor.alike, kPairNoise,
+                            both,        start.log,   camera,      TexturePlaces{}};
+    const std::vector<Choosable> pieces(2);
+    EXPECT_THAT(chooseLamps(light, pieces).emits, testing::ElementsAre(1, 1));
+    EXPECT_THAT(chooseLamps(light, pieces, gain).emits, testing::ElementsAre(1, 0));
 }
 
 } // namespace relamp

@@ -154,7 +154,7 @@ std::vector<Choosable> LampSearch::choosable(std::span<const uint32_t> ofRoom) c
         pieces.push_back(
             {light_.pieces[f].isGiven, light_.pieces[f].isUnseen, light_.pieces[f].isOpening,
              light_.pieces[f].isGiven ? 0.0 : natsOfSize(light_.pieces[f].candidate.area),
-             here(light_.kin.model[f]), here(light_.kin.leansOn[f]), here(light_.kin.takenFor[f])});
+             here(light_.kin.model[f]), here(light_.kin.leansOn[f])});
     return pieces;
 }
 
@@ -165,8 +165,9 @@ void LampSearch::choose(size_t pairs)
     std::vector<ChosenLight> chosen(house.rooms().size());
     std::vector<LightEstimate> estimates(chosen.size());
     house.forEachRoom([&](size_t r, const RoomLight& room) {
-        chosen[r] = chooseLamps(room.alone(light_.camera, light_.isResponseKnown),
-                                choosable(room.of.pieces));
+        chosen[r] =
+            chooseLamps(room.alone(light_.camera, light_.isResponseKnown),
+                        choosable(room.of.pieces), sun_ ? CameraColumns{} : camera_.driftOf(room));
         estimates[r] = std::move(chosen[r].estimate);
     });
     for (size_t r = 0; r < chosen.size(); ++r) {
@@ -413,6 +414,7 @@ FoundLamps LampSearch::run()
     if (!light_.camera.isNeutral()) light_.evidence.linearize(light_.camera);
     light_.begin();
     camera_.findContrast();
+    camera_.expectDrift();
     choose(LampEvidence::kPairsFirst);
     stage_.advance();
     lookCloser();

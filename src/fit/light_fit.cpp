@@ -182,6 +182,13 @@ double LightFit::costOfPairs(size_t first, std::span<const double> log) const
     return perPair() * sum.value();
 }
 
+std::vector<double> LightEstimate::start() const
+{
+    std::vector<double> start = log;
+    start.insert(start.end(), camera.begin(), camera.end());
+    return start;
+}
+
 std::vector<double> LightFit::logAlbedo(const LightEstimate& estimate,
                                         const CameraColumns& camera) const
 {
@@ -210,11 +217,10 @@ LightEstimate LightFit::solve(std::span<const uint8_t> emits, std::vector<double
 }
 
 LightEstimate LightFit::trial(std::span<const uint8_t> emits, std::vector<double> start,
-                              double most) const
+                              double most, const CameraColumns& camera) const
 {
     const EmissionPrior prior;
-    const CameraColumns none;
-    LightFitSearch search(*this, emits, prior, std::move(start), none);
+    LightFitSearch search(*this, emits, prior, std::move(start), camera);
     search.run(1.0, most);
     return search.estimate();
 }
@@ -230,11 +236,11 @@ LightEstimate LightFit::solve(std::span<const uint8_t> emits, std::vector<double
 
 std::vector<uint8_t> LightFit::needless(const LightEstimate& estimate,
                                         std::span<const uint8_t> emits,
-                                        std::span<const Removal> removals) const
+                                        std::span<const Removal> removals,
+                                        const CameraColumns& camera) const
 {
     const EmissionPrior prior;
-    const CameraColumns none;
-    LightFitSearch search(*this, emits, prior, estimate.log, none);
+    LightFitSearch search(*this, emits, prior, estimate.start(), camera);
     search.run(1.0);
     return search.needless(removals);
 }

@@ -40,6 +40,8 @@ struct LightEstimate
     double occam = 0.0;    // nats that the camera's coefficients cost by what the data narrow them
     double nats = 0.0;     // of data and priors: the less, the likelier
     double residual = 0.0; // median absolute deviation of a pair
+
+    [[nodiscard]] std::vector<double> start() const; // of another fit: log, and behind it camera
 };
 
 /// What is believed of pieces that emit before a look at the pairs.
@@ -85,14 +87,15 @@ public:
     double gaps(std::span<const double> log);
     /// From now on these pairs count as well, which a person said to be of one paint.
     void believe(std::span<const MaterialPair> same) { told_ = same; }
-    /// `emits`: one flag a piece. `start`: as LightEstimate::log. `widest`: how many times wider
-    /// than its noise the first loss is: the more, the farther off the start may be.
+    /// `emits`: one flag a piece. `start`: as LightEstimate::log, or LightEstimate::start()
+    /// with this camera. `widest`: how many times wider than its noise the first loss
+    /// is: the more, the farther off the start may be.
     [[nodiscard]] LightEstimate solve(std::span<const uint8_t> emits, std::vector<double> start,
                                       double widest, const EmissionPrior& prior = {}) const;
     /// The same by a narrow loss, and without errors, for an estimate that is of use with less than
     /// `most` nats alone: the search ends where it will not get there.
     [[nodiscard]] LightEstimate trial(std::span<const uint8_t> emits, std::vector<double> start,
-                                      double most) const;
+                                      double most, const CameraColumns& camera = {}) const;
     /// The same with what the camera did as further unknowns.
     [[nodiscard]] LightEstimate solve(std::span<const uint8_t> emits, std::vector<double> start,
                                       const CameraColumns& camera, double widest = 1.0) const;
@@ -100,7 +103,8 @@ public:
     /// the least needed goes, all others take its part, and so on. One flag each.
     [[nodiscard]] std::vector<uint8_t> needless(const LightEstimate& estimate,
                                                 std::span<const uint8_t> emits,
-                                                std::span<const Removal> removals) const;
+                                                std::span<const Removal> removals,
+                                                const CameraColumns& camera = {}) const;
     /// Log radiance of pieces if they only reflect, in this light.
     [[nodiscard]] std::vector<double> reflected(std::span<const double> log) const;
     /// Nats of the pairs from `first` on.

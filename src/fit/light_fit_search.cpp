@@ -80,7 +80,8 @@ LightFitSearch::LightFitSearch(const LightFit& fit, std::span<const uint8_t> emi
         pieceOf_.push_back(f);
     }
     here_.log = std::move(start);
-    here_.log.insert(here_.log.end(), camera.known.begin(), camera.known.end());
+    if (here_.log.size() == model_.pieces + model_.outsides)
+        here_.log.insert(here_.log.end(), camera.known.begin(), camera.known.end());
     slopes_.emplace(slopes());
 }
 
@@ -473,7 +474,7 @@ std::vector<uint8_t> LightFitSearch::needless(std::span<const Removal> removals)
         const double left = here_.reflected[pieceOf_[u]] - here_.log[pieceOf_[u]];
         change[static_cast<Eigen::Index>(u)] = std::min(std::exp(left), 1.0) - 1.0;
     }
-    change.tail(static_cast<Eigen::Index>(model_.outsides)).setZero();
+    change.tail(static_cast<Eigen::Index>(model_.outsides + camera_.count())).setZero();
     std::vector<uint8_t> isGone(pieceOf_.size(), 0);
     std::vector<uint8_t> gone(removals.size(), 0);
     for (;;) {

@@ -16,13 +16,13 @@ constexpr double kStep = 3.0; // each so many times the last
 
 } // namespace
 
-LightGain::LightGain(const LightFit& fit, const LightEstimate& estimate)
+LightGain::LightGain(const LightFit& fit, const LightEstimate& estimate,
+                     const CameraColumns& camera)
     : fit_(fit), radiance_(exponentials(estimate.log)),
-      light_(fit.irradiance(radiance_, 0, fit.model_.places())), logAlbedo_(light_.size()),
-      lit_(fit.model_.pieces)
+      light_(fit.irradiance(radiance_, 0, fit.model_.places())),
+      logAlbedo_(fit.logAlbedo(estimate, camera)), logShown_(logAlbedo_), lit_(fit.model_.pieces)
 {
-    for (size_t i = 0; i < light_.size(); ++i)
-        logAlbedo_[i] = fit.logShown_[i] - std::log(light_[i]);
+    for (size_t i = 0; i < light_.size(); ++i) logShown_[i] += std::log(light_[i]);
     for (uint32_t i = 0; i < light_.size(); ++i)
         for (const auto [f, direct] : fit.model_.direct[i])
             if (direct > 0.0f) lit_[f].push_back({i, direct});
@@ -58,8 +58,8 @@ double LightGain::of(size_t piece, double& best) const
     const auto residual = [&](MaterialPair pair) { return logAlbedo[pair.p] - logAlbedo[pair.q]; };
     const auto nats = [&](double radiance) {
         for (const auto [i, direct] : lit_[piece])
-            logAlbedo[i] = fit_.logShown_[i] -
-                           std::log(light_[i] + (radiance - was) * static_cast<double>(direct));
+            logAlbedo[i] =
+                logShown_[i] - std::log(light_[i] + (radiance - was) * static_cast<double>(direct));
         SumOfLogs sum;
         for (const size_t k : changed) {
             const double off = residual(fit_.pairs_[k]);

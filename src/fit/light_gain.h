@@ -13,7 +13,7 @@ namespace relamp
 class LightGain
 {
 public:
-    LightGain(const LightFit& fit, const LightEstimate& estimate);
+    LightGain(const LightFit& fit, const LightEstimate& estimate, const CameraColumns& camera = {});
 
     /// In nats, of a piece that did not emit and now does: by the best of a few radiances, which
     /// `log` receives; it stays as it is where the gain is not by its light.
@@ -35,6 +35,7 @@ private:
     std::vector<double> radiance_;           // of pieces, then of parts outside
     std::vector<double> light_;              // irradiance of places
     std::vector<double> logAlbedo_;          // likewise
+    std::vector<double> logShown_;           // likewise
     std::vector<std::vector<LitPlace>> lit_; // by each piece
 };
 

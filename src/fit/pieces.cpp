@@ -95,42 +95,18 @@ struct Kin
     bool areOneBody;
     bool isModel;
     bool lean;
-    bool isBulb; // b, in a
-};
-
-/// The box around a piece that faces no single way, which a bulb may hang in; nothing is in that of
-/// another.
-struct Inside
-{
-    glm::vec3 low{0.0f};
-    glm::vec3 high{0.0f};
-
-    explicit Inside(const Candidate& piece)
-    {
-        if (isFlat(piece)) return;
-        low = high = piece.centre;
-        for (const ClippedPatch& patch : piece.patches) {
-            low = glm::min(low, patch.position);
-            high = glm::max(high, patch.position);
-        }
-    }
-    [[nodiscard]] bool has(glm::vec3 place) const
-    {
-        return glm::all(glm::lessThan(low, place)) && glm::all(glm::lessThan(place, high));
-    }
 };
 
 /// What piece `a` is to those behind it, where it is anything.
 std::vector<Kin> kinBehind(const std::vector<Piece>& pieces, uint32_t a, const RayScene& scene)
 {
     std::vector<Kin> kin;
-    const Inside inside(pieces[a].candidate);
     for (uint32_t b = a + 1; b < pieces.size(); ++b) {
         const Candidate& p = pieces[a].candidate;
         const Candidate& q = pieces[b].candidate;
         if (pieces[a].isOpening || pieces[b].isOpening) {
             if (pieces[a].isOpening == pieces[b].isOpening && areTouching(p, q))
-                kin.push_back({a, b, false, true, false, false});
+                kin.push_back({a, b, false, true, false});
             continue;
         }
         const bool areOneBody = pieces[a].body == pieces[b].body;
@@ -138,8 +114,7 @@ std::vector<Kin> kinBehind(const std::vector<Piece>& pieces, uint32_t a, const R
         const bool areSeen = !areOneBody && !pieces[a].isUnseen && !pieces[b].isUnseen;
         const bool isModel =
             areSeen && areOneModel(pieces[a], pieces[b]) && areInOneRoom(scene, p, q);
-        const bool isBulb = areSeen && inside.has(q.centre);
-        if (lean || isModel || isBulb) kin.push_back({a, b, areOneBody, isModel, lean, isBulb});
+        if (lean || isModel) kin.push_back({a, b, areOneBody, isModel, lean});
     }
     return kin;
 }
@@ -155,17 +130,12 @@ size_t Piece::rays() const
 Kinship kinshipOf(const std::vector<Piece>& pieces, const RayScene& scene)
 {
     Kinship kin{.model = std::vector<std::vector<uint32_t>>(pieces.size()),
-                .leansOn = std::vector<std::vector<uint32_t>>(pieces.size()),
-                .takenFor = std::vector<std::vector<uint32_t>>(pieces.size())};
+                .leansOn = std::vector<std::vector<uint32_t>>(pieces.size())};
     std::vector<std::vector<Kin>> all(pieces.size());
     forEach(pieces.size(),
             [&](size_t a) { all[a] = kinBehind(pieces, static_cast<uint32_t>(a), scene); });
     for (const std::vector<Kin>& ofPiece : all)
-        for (const auto& [a, b, areOneBody, isModel, lean, isBulb] : ofPiece) {
-            if (isBulb) {
-                kin.takenFor[a].push_back(b);
-                kin.takenFor[b].push_back(a);
-            }
+        for (const auto& [a, b, areOneBody, isModel, lean] : ofPiece) {
             if (!pieces[a].isOpening && (areOneBody || isModel)) kin.alike.push_back({a, b});
             if (lean && pieces[a].candidate.area >= pieces[b].candidate.area)
                 kin.leansOn[b].push_back(a);

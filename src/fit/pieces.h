@@ -36,12 +36,10 @@ struct Piece
 /// What pieces are to each other.
 struct Kinship
 {
-    std::vector<AlikePieces> alike;              // they have about one radiance
-    std::vector<std::vector<uint32_t>> model;    // of each, others that look like it
-    std::vector<std::vector<uint32_t>> leansOn;  // of each, larger ones that it may be a part of:
-                                                 // the near side of a far one, a pane beside a pane
-    std::vector<std::vector<uint32_t>> takenFor; // of each, others that it may be mistaken for: a
-                                                 // bulb and the shade around it
+    std::vector<AlikePieces> alike;             // they have about one radiance
+    std::vector<std::vector<uint32_t>> model;   // of each, others that look like it
+    std::vector<std::vector<uint32_t>> leansOn; // of each, larger ones that it may be a part of:
+                                                // the near side of a far one, a pane beside a pane
 };
 
 Kinship kinshipOf(const std::vector<Piece>& pieces, const RayScene& scene);

@@ -41,17 +41,6 @@ Piece globeAt(float x, float area, size_t body)
     return {.candidate = candidateOf(std::move(patches)), .body = body};
 }
 
-/// The inside of one that is open below and above, around (0, 2, 0).
-Piece shade(size_t body)
-{
-    std::vector<ClippedPatch> patches;
-    for (const glm::vec3 facing :
-         {glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 0, 1), glm::vec3(0, 0, -1)})
-        for (const float y : {1.9f, 2.1f})
-            patches.push_back({glm::vec3(0, y, 0) - 0.1f * facing, facing, 0.01f, 0});
-    return {.candidate = candidateOf(std::move(patches)), .body = body};
-}
-
 /// A panel at 0, its far side above it, and a panel like it at 2.
 std::vector<Piece> panelWithFarSideAndAnother()
 {
@@ -167,17 +156,6 @@ TEST(Pieces, GlobesOfOneSizeAreOneModelWhereverTheyHang)
 }
 
 // It has its near side's radiance, and does not speak for another lamp.
-// A shelf in front of the shade, and a sill below a pane, light what these light as well.
-TEST(Pieces, BulbMayBeMistakenForTheShadeAroundItAndNothingElseIs)
-{
-    const Kinship kin =
-        kinOf({panelAt(2, 10, 0), patchAt({2.25f, 2.4f, 0.25f}, -kDown, 0.1f, 1), shade(2),
-               patchAt({0, 2, 0}, kDown, 0.01f, 3), patchAt({0, 2, 0.2f}, -kDown, 0.01f, 4)});
-    EXPECT_THAT(kin.takenFor[2], ElementsAre(3));
-    EXPECT_THAT(kin.takenFor[3], ElementsAre(2));
-    for (const size_t other : {0u, 1u, 4u}) EXPECT_THAT(kin.takenFor[other], IsEmpty());
-}
-
 TEST(Pieces, FarSideLeansOnItsNearOneAndIsNoModel)
 {
     const Kinship kin = kinOf(panelWithFarSideAndAnother());

@@ -18,7 +18,7 @@ constexpr double kLeastNoise = 0.02;  // log; what a byte and a few rays tell
 void SearchedLight::add(Piece piece)
 {
     pieces.push_back(std::move(piece));
-    for (auto* kinsOf : {&kin.model, &kin.leansOn, &kin.takenFor}) kinsOf->emplace_back();
+    for (auto* kinsOf : {&kin.model, &kin.leansOn}) kinsOf->emplace_back();
 }
 
 void SearchedLight::relate(const RayScene& scene)
