@@ -97,6 +97,7 @@ private:
     {
         uint32_t from = 0; // emits,
         uint32_t to = 0;   // and would in its place
+        float asMuch = 1;  // radiance of that for the same light
     };
 
     void solveFrom(std::vector<double> start);
@@ -112,7 +113,6 @@ private:
     [[nodiscard]] std::vector<Addition> bestAdditions() const;
     bool grow();
     void takeTurns();
-    [[nodiscard]] std::vector<std::vector<float>> lightOfEach() const;
     [[nodiscard]] std::vector<Exchange> exchanges() const;
     bool exchange();
     bool improve();
@@ -336,28 +336,26 @@ bool LampChoice::grow()
     }
 }
 
-/// At places, of each piece at radiance 1.
-std::vector<std::vector<float>> LampChoice::lightOfEach() const
-{
-    const size_t places = light_.model.places();
-    std::vector<std::vector<float>> light(light_.model.pieces, std::vector<float>(places, 0.0f));
-    for (size_t i = 0; i < places; ++i)
-        for (const auto [piece, direct] : light_.model.direct[i]) light[piece][i] += direct;
-    return light;
-}
-
 /// What lights nearly the same places may have been taken for another: a shade for the bulb in it,
-/// the ceiling around a lamp for the lamp.
+/// the ceiling around a lamp for the lamp. By what is not 0: a hall has many pieces and places.
 std::vector<LampChoice::Exchange> LampChoice::exchanges() const
 {
-    const std::vector<std::vector<float>> light = lightOfEach();
+    const std::span direct(light_.model.direct.data(), light_.model.places());
+    std::vector<float> all(pieces_.size(), 0.0f); // that each sends to places
+    for (const auto& ofPlace : direct)
+        for (const auto [piece, sent] : ofPlace) all[piece] += sent;
+    for (float& sent : all) sent = std::max(sent, kFaintest);
     std::vector<Exchange> exchanges;
     for (uint32_t from = 0; from < pieces_.size(); ++from) {
         if (chosen_.emits[from] == 0 || pieces_[from].isGiven) continue;
+        std::vector<float> common(pieces_.size(), 0.0f); // as commonOf() has it
+        for (size_t i = 0; i < direct.size(); ++i)
+            if (const float share = light_.model.directAt(i, from) / all[from]; share > 0.0f)
+                for (const auto [to, sent] : direct[i])
+                    common[to] += std::min(share, sent / all[to]);
         for (uint32_t to = 0; to < pieces_.size(); ++to)
-            if (mayCome(to) && !pieces_[to].isOpening &&
-                commonOf(light[from], light[to]) > kNearlyAll)
-                exchanges.push_back({from, to});
+            if (mayCome(to) && !pieces_[to].isOpening && common[to] > kNearlyAll)
+                exchanges.push_back({from, to, all[from] / all[to]});
     }
     return exchanges;
 }
@@ -371,12 +369,11 @@ bool LampChoice::exchange()
     const double before = natsOf(chosen_);
     std::vector<Trial> trials(exchanges.size());
     forEach(trials.size(), [&](size_t k) {
-        const auto& [from, to] = exchanges[k];
+        const auto& [from, to, asMuch] = exchanges[k];
         Trial& trial = trials[k];
         trial.light.emits = chosen_.emits;
         for (const uint32_t piece : removalOf({from}, 0.0).pieces) trial.light.emits[piece] = 0;
         trial.light.emits[to] = 1;
-        const float asMuch = sumOf(lightOf({&from, 1})) / sumOf(lightOf({&to, 1}));
         std::vector<double> start = chosen_.estimate.start();
         start[to] = start[from] + std::log(static_cast<double>(asMuch));
         const double most = before - costOf(trial.light.emits);
