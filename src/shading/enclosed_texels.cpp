@@ -24,6 +24,7 @@ constexpr float kDark = 1e-4f;       // shading
 constexpr size_t kRaysOfSurfel = 12; // that say whether its texels need to be looked at
 constexpr size_t kRaysOfTexel = 24;
 constexpr size_t kMostOpen = kRaysOfTexel / 4; // rays of an enclosed one: it has light of its own
+constexpr size_t kRaysFirst = 4;               // of an enclosed one, one in 256 has these all open
 constexpr uint32_t kTexelsOfSurfel = 16;       // that are looked at, or up to twice as many
 constexpr size_t kPlacesOfTexel = 16;          // that say how much of it is open
 constexpr size_t kPlacesFirst = 4; // of these: most that are not open in them are not at all
@@ -78,8 +79,10 @@ bool isEnclosed(const RayScene& scene, const Footprints& prints, uint32_t texel)
 {
     const Place middle(prints, texel, glm::vec2(0.5f));
     size_t open = 0;
-    for (size_t i = 0; open <= kMostOpen && i - open < kRaysOfTexel - kMostOpen; ++i)
+    for (size_t i = 0; open <= kMostOpen && i - open < kRaysOfTexel - kMostOpen; ++i) {
+        if (i == kRaysFirst && open == i) return false;
         open += middle.isCovered(scene, i) ? 0u : 1u;
+    }
     return open <= kMostOpen;
 }
 
