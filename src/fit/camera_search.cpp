@@ -282,13 +282,18 @@ std::vector<std::vector<glm::vec3>> CameraSearch::positionsByRoom() const
     return positions;
 }
 
-/// One round is enough where none is likely: what is gathered hardly changes then.
+/// A drift between walls looks like paint, so that pairs across them are drawn once most of it is
+/// undone. One round is enough where none is likely: what is gathered hardly changes then.
 void CameraSearch::findGain()
 {
     if (!isGainSought_) return;
     light_.camera.gains = evenGainsOver(positionsByRoom());
     if (light_.camera.gains.empty()) return;
     const double drifted = findDrift();
+    if (light_.camera.hasDrifted()) {
+        findWhiteBalance(drifted);
+        light_.evidence.pairWalls(albedo());
+    }
     for (int round = 0; round < (light_.camera.hasDrifted() ? kCameraRounds : 1); ++round) {
         const HouseLight house = light_.house(LampEvidence::kPairsFirst);
         std::vector<LightEstimate> fits(house.rooms().size());

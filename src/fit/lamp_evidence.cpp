@@ -23,6 +23,7 @@ constexpr double kPlacesOfRoom = 3000.0; // of fewer, noise of their few rays is
 constexpr size_t kEvidencePlaces = 6000; // all over a room, so that a small lamp lights a dozen
 constexpr size_t kPlacesOfDraft = 2000;  // likewise, for a first look
 constexpr size_t kPlacesOfScout = 4; // of a house; in one room a small lamp has few places to lose
+constexpr size_t kLooksAcross = 2;   // of a wall's place for each of its pairs: half disagree
 constexpr size_t kLooks = 12;        // from a piece, at the others
 constexpr size_t kRaysToSettle = 2;  // to a lamp at most, for what walls send on of it
 constexpr float kAreaOfRay = 0.05f;  // m^2 of a piece that a ray from an origin is for
@@ -187,6 +188,13 @@ void LampEvidence::drawAllPairs()
         pairs_[perPlace] =
             drawPairs(std::span(texture_).first(drawn_), std::span(places_).first(drawn_),
                       texels_.surfels, scene_, perPlace, roomOfPlace_);
+}
+
+void LampEvidence::pairWalls(std::span<const glm::vec3> albedo)
+{
+    for (const size_t perPlace : {kPairsFirst, kPairs})
+        addPairs(perPlace, drawAcrossWalls(albedo.first(drawn_), std::span(places_).first(drawn_),
+                                           texels_.surfels, kLooksAcross * perPlace, roomOfPlace_));
 }
 
 std::span<const MaterialPair> LampEvidence::pairs(size_t perPlace) const

@@ -65,6 +65,8 @@ public:
     /// What places show in the file.
     [[nodiscard]] TexturePlaces texturePlaces() const { return {texture_, positions_}; }
 
+    /// Further pairs, across walls that this albedo of places shows as of one paint.
+    void pairWalls(std::span<const glm::vec3> albedo);
     /// Further pairs, of places that the caller adds to the model.
     void addPairs(size_t perPlace, std::span<const MaterialPair> pairs)
     {

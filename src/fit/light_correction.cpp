@@ -4,6 +4,7 @@
 #include "base/radiometry.shared.h"
 #include "base/sampling.shared.h"
 #include "fit/light_fit_search.h"
+#include "fit/pairs.h"
 #include "fit/reliability.h"
 #include "lights/candidates.h"
 #include "shading/gathered_light.h"
@@ -23,7 +24,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kPaintStep = 0.3f; // of log albedo between two of one paint: more is an edge
 constexpr float kColorStep = 0.1f; // of log (r / g) and log (b / g) between neighbours, likewise
 
 // What an error of 1 is held against one pair of neighbours: errors of light are wide, so that all

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/radiometry.shared.h"
+#include "fit/white_balance.h"
 #include "lights/candidates.h"
 #include "scan/one_room.h"
 
@@ -23,6 +24,7 @@ constexpr float kDarkestPaired = 0.004f; // luminance; below, a byte's steps are
 constexpr size_t kPairsForRooms = 1000; // to tell how many rooms there are
 constexpr double kFewestInRoom = 10.0;  // of these, to tell anything; else as many again
 constexpr int kDrawingsForRooms = 32;   // at most
+constexpr int kTriesOfWall = 64;        // to find an upright place on another plane
 constexpr int kDrawings = 8; // of drawing for what lay in other rooms, as in a house of several
 
 /// Colour without brightness, in logs.
@@ -134,6 +136,21 @@ std::vector<MaterialPair> drawLevel(const Surfels& surfels, std::span<const uint
     return drawn;
 }
 
+/// As much as a plane is one.
+bool isUpright(const Surfels& surfels, uint32_t surfel)
+{
+    return std::abs(surfels.normal[surfel].y) <= std::sqrt(1.0f - kSamePlane * kSamePlane);
+}
+
+/// Of two places in one light; where their hues differ by more than automatic white balance does to
+/// them it is two.
+bool isOnePaint(glm::vec3 albedoOfP, glm::vec3 albedoOfQ)
+{
+    const glm::vec3 step = glm::log(albedoOfP) - glm::log(albedoOfQ);
+    return std::hypot(step.r - step.g, step.b - step.g) < static_cast<float>(kTintSpread) &&
+           std::abs(std::log(luminance(albedoOfP) / luminance(albedoOfQ))) < kPaintStep;
+}
+
 } // namespace
 
 bool areOnOnePlane(const Surfels& surfels, uint32_t p, uint32_t q)
@@ -199,6 +216,27 @@ std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
                 ++wanted[drawn[k].p];
     }
     return result;
+}
+
+std::vector<MaterialPair> drawAcrossWalls(std::span<const glm::vec3> albedo,
+                                          std::span<const uint32_t> surfels, const Surfels& all,
+                                          size_t perPlace, std::span<const uint8_t> rooms)
+{
+    std::vector<MaterialPair> pairs;
+    std::mt19937 random(all.seed);
+    const std::vector<std::vector<uint32_t>> ofRooms = placesOfRooms(surfels.size(), rooms);
+    for (uint32_t p = 0; p < surfels.size(); ++p) {
+        if (!isUpright(all, surfels[p])) continue;
+        const std::vector<uint32_t>& others = ofRooms[rooms.empty() ? 0 : rooms[p]];
+        size_t looked = 0;
+        for (int attempt = 0; attempt < kTriesOfWall && looked < perPlace; ++attempt) {
+            const uint32_t q = others[static_cast<uint32_t>(random()) % others.size()];
+            if (!isUpright(all, surfels[q]) || areOnOnePlane(all, surfels[p], surfels[q])) continue;
+            ++looked;
+            if (isOnePaint(albedo[p], albedo[q])) pairs.push_back({p, q});
+        }
+    }
+    return pairs;
 }
 
 } // namespace relamp

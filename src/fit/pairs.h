@@ -10,6 +10,8 @@
 namespace relamp
 {
 
+constexpr float kPaintStep = 0.3f; // of log albedo between two of one paint: more is an edge
+
 /// Whether two surfels lie on one plane, as walls, floors and table tops are.
 bool areOnOnePlane(const Surfels& surfels, uint32_t p, uint32_t q);
 /// Whether two radiances do not rule out one material under differently coloured light.
@@ -32,5 +34,17 @@ std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
                                     std::span<const uint32_t> surfels, const Surfels& all,
                                     const RayScene& scene, size_t perPlace,
                                     std::span<const uint8_t> rooms = {});
+
+/// Draws pairs across the walls of each room, by `albedo` of places, > 0, as the light that was
+/// found makes it once white balance is undone: upright places on different planes that are of one
+/// hue and about as bright. Hue tells paints apart, for it hardly depends on the light; brightness
+/// alone would take every wall for the next where exposure drifts.
+///
+/// Each upright place looks at `perPlace` others, whatever their paint, and pairs with those that
+/// agree; were more looked at until some do, the tail of another paint's noise would. `albedo` is
+/// of as many places as `surfels`, else as drawPairs().
+std::vector<MaterialPair> drawAcrossWalls(std::span<const glm::vec3> albedo,
+                                          std::span<const uint32_t> surfels, const Surfels& all,
+                                          size_t perPlace, std::span<const uint8_t> rooms = {});
 
 } // namespace relamp

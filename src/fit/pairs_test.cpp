@@ -33,11 +33,29 @@ struct Places
     }
     [[nodiscard]] std::vector<MaterialPair> pairsIn(const Scan& around, size_t perPlace) const
     {
-        std::vector<uint32_t> all(surfels.count());
-        std::iota(all.begin(), all.end(), 0u);
-        return drawPairs(shown, all, surfels, RayScene(around), perPlace);
+        return drawPairs(shown, all(), surfels, RayScene(around), perPlace);
+    }
+    /// What places show is their albedo here.
+    [[nodiscard]] std::vector<MaterialPair> acrossWalls(size_t perPlace,
+                                                        std::span<const uint8_t> rooms = {}) const
+    {
+        return drawAcrossWalls(shown, all(), surfels, perPlace, rooms);
+    }
+    [[nodiscard]] std::vector<uint32_t> all() const
+    {
+        std::vector<uint32_t> numbers(surfels.count());
+        std::iota(numbers.begin(), numbers.end(), 0u);
+        return numbers;
     }
 };
+
+/// A place on one of four walls of a room of 4 m, on its floor or its ceiling.
+void addToRoom(Places& room, float x, size_t surface, glm::vec3 albedo)
+{
+    const glm::vec3 normal[] = {{1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}, kUp, scenes::kDown};
+    const glm::vec3 position[] = {{0, 1, x}, {x, 1, 0}, {4, 1, x}, {x, 1, 4}, {x, 0, 2}, {x, 3, 2}};
+    room.add(position[surface], normal[surface], albedo);
+}
 
 /// A row of places that differ in what `place(i)` adds.
 template<class AddPlace>
@@ -55,12 +73,11 @@ TEST(Pairs, AreOfOneRoomWhereRoomsAreKnown)
     const Places places = hundred([](Places& house, float x, int) {
         house.add({x, 0.0f, 1.0f}, kUp, glm::vec3(0.5f));
     });
-    std::vector<uint32_t> all(places.surfels.count());
-    std::iota(all.begin(), all.end(), 0u);
     std::vector<uint8_t> rooms;
-    for (const uint32_t i : all) rooms.push_back(i % 10 == 0 ? 1 : 0);
-    const auto pairs = drawPairs(places.shown, all, places.surfels, RayScene(Scan{}), 2, rooms);
-    EXPECT_EQ(pairs.size(), 2 * all.size()); // of the lesser room as well
+    for (const uint32_t i : places.all()) rooms.push_back(i % 10 == 0 ? 1 : 0);
+    const auto pairs =
+        drawPairs(places.shown, places.all(), places.surfels, RayScene(Scan{}), 2, rooms);
+    EXPECT_EQ(pairs.size(), 2 * rooms.size()); // of the lesser room as well
     for (const auto [p, q] : pairs) EXPECT_EQ(rooms[p], rooms[q]);
 }
 
@@ -168,6 +185,49 @@ TEST(Pairs, OnePlaceHasNobody)
     Places places;
     places.add(glm::vec3(0.0f), kUp, glm::vec3(0.5f));
     EXPECT_THAT(places.pairs(4), testing::IsEmpty());
+}
+
+// The second wall is a fifth darker by the drift that is to be found; the third is of another hue,
+// and the fourth of the same hue and half as bright, as other paint is.
+TEST(Pairs, AcrossWallsAreOfOneHueAndAboutAsBright)
+{
+    const glm::vec3 cream(0.6f, 0.55f, 0.45f);
+    const Places places = hundred([&](Places& room, float x, int i) {
+        const glm::vec3 paint[] = {cream,        0.8f * cream, {0.55f, 0.55f, 0.5f},
+                                   0.5f * cream, cream,        cream};
+        const auto surface = static_cast<size_t>(i % 6);
+        addToRoom(room, x, surface, paint[surface]);
+    });
+    const auto pairs = places.acrossWalls(8);
+    EXPECT_GT(pairs.size(), 50u);
+    for (const MaterialPair pair : pairs) {
+        EXPECT_LT(pair.p % 6, 2u);
+        EXPECT_EQ(pair.q % 6, 1 - pair.p % 6);
+    }
+}
+
+// One in twenty of a wall's places is as bright as the next wall by chance: were partners looked
+// for until some agree, all of that wall would be paired with these.
+TEST(Pairs, AcrossWallsAreOfWhoIsLookedAtWhateverItsPaint)
+{
+    const Places places = hundred([](Places& room, float x, int i) {
+        const bool isOfNextByChance = i % 40 == 1;
+        addToRoom(room, x, static_cast<size_t>(i % 2),
+                  glm::vec3(i % 2 == 0 || isOfNextByChance ? 0.6f : 0.4f));
+    });
+    EXPECT_LT(places.acrossWalls(2).size(), 40u); // of 200 that are looked at
+}
+
+TEST(Pairs, AcrossWallsAreOfOneRoom)
+{
+    const Places places = hundred([](Places& house, float x, int i) {
+        addToRoom(house, x, static_cast<size_t>(i % 4), glm::vec3(0.5f));
+    });
+    std::vector<uint8_t> rooms;
+    for (const uint32_t i : places.all()) rooms.push_back(i < 50 ? 0 : 1);
+    const auto pairs = places.acrossWalls(2, rooms);
+    EXPECT_EQ(pairs.size(), 200u);
+    for (const auto [p, q] : pairs) EXPECT_EQ(rooms[p], rooms[q]);
 }
 
 } // namespace relamp

@@ -18,8 +18,7 @@ namespace relamp
 namespace
 {
 
-constexpr double kTintSpread = 0.07; // log: of red or blue over green, by automatic white balance
-constexpr double kTintStep = 0.04;   // log: likewise, from knot to knot
+constexpr double kTintStep = 0.04;       // log: likewise, from knot to knot
 constexpr double kLeastTintNoise = 0.01; // log: what a byte tells of a colour
 
 // Numerics.

@@ -10,6 +10,8 @@
 namespace relamp
 {
 
+constexpr double kTintSpread = 0.07; // log: of red or blue over green, by automatic white balance
+
 /// What is known of a camera before its white balance is.
 struct DriftBelief
 {
