@@ -41,8 +41,8 @@ std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
 /// alone would take every wall for the next where exposure drifts.
 ///
 /// Each upright place looks at `perPlace` others, whatever their paint, and pairs with those that
-/// agree; were more looked at until some do, the tail of another paint's noise would. `albedo` is
-/// of as many places as `surfels`, else as drawPairs().
+/// agree: were it to look until some do, noise would pair it with another paint. `albedo` is of as
+/// many places as `surfels`; all else as drawPairs().
 std::vector<MaterialPair> drawAcrossWalls(std::span<const glm::vec3> albedo,
                                           std::span<const uint32_t> surfels, const Surfels& all,
                                           size_t perPlace, std::span<const uint8_t> rooms = {});
