@@ -35,14 +35,14 @@ std::vector<MaterialPair> drawPairs(std::span<const glm::vec3> shown,
                                     const RayScene& scene, size_t perPlace,
                                     std::span<const uint8_t> rooms = {});
 
-/// Draws pairs across the walls of each room, by `albedo` of places, > 0, as the light that was
+/// Draws pairs across the walls of each room, by `albedo` of places, >= 0, as the light that was
 /// found makes it once white balance is undone: upright places on different planes that are of one
 /// hue and about as bright. Hue tells paints apart, for it hardly depends on the light; brightness
 /// alone would take every wall for the next where exposure drifts.
 ///
 /// Each upright place looks at `perPlace` others, whatever their paint, and pairs with those that
 /// agree: were it to look until some do, noise would pair it with another paint. `albedo` is of as
-/// many places as `surfels`; all else as drawPairs().
+/// many places as `surfels`; one that is 0 in a channel agrees with none. All else as drawPairs().
 std::vector<MaterialPair> drawAcrossWalls(std::span<const glm::vec3> albedo,
                                           std::span<const uint32_t> surfels, const Surfels& all,
                                           size_t perPlace, std::span<const uint8_t> rooms = {});
