@@ -169,6 +169,12 @@ Response responseOf(std::span<const double> coefficients, double share)
     return response;
 }
 
+bool isFlattening(std::span<const double> coefficients)
+{
+    constexpr size_t bright = Response::kKnots - 2; // of white itself hardly a place tells
+    return coefficients[bright] > kUsualSlopes[bright] - 1.0;
+}
+
 SlopeCovariance doubtOfResponse(const LightEstimate& fit, double likely, double share)
 {
     const double other = likely * (1.0 - share) * (1.0 - share) + (1.0 - likely) * share * share;
@@ -211,7 +217,7 @@ CameraColumns together(const CameraColumns& first, const CameraColumns& second)
     const size_t m = second.count();
     const size_t places = std::max(first.bend.size() / std::max<size_t>(n, 1),
                                    second.bend.size() / std::max<size_t>(m, 1));
-    CameraColumns both{.slopeKnown = first.slopeKnown};
+    CameraColumns both{.slopeKnown = first.slopeKnown, .worth = first.worth * second.worth};
     const auto append = [](auto& to, const auto& from) {
         to.insert(to.end(), from.begin(), from.end());
     };

@@ -42,6 +42,10 @@ CameraColumns evenSlope(const CameraColumns& slopes);
 double flattenedBy(double open);
 /// `share`, 0..1, of the way from a straight one.
 Response responseOf(std::span<const double> coefficients, double share = 1.0);
+/// Whether such a camera made what is bright flatter than is usual, as fused brackets do. Leaks,
+/// and what of a drift lies between knots, look like contrast in the dark alone, and of a deeper
+/// kind.
+bool isFlattening(std::span<const double> coefficients);
 /// By how much that may be wrong where a curve is `likely`, 0..1, and else it is straight: what the
 /// pairs leave open of a curve, and that it may be the other. The slopes come first in
 /// `fit.camera`.

@@ -249,6 +249,14 @@ TEST(CameraColumns, ACupboardHasNoLatticeAndAHallNoMoreKnotsThanARoom)
     EXPECT_LE(evenGainOver(hall).log.size(), 250u);
 }
 
+// As fits beside a drift have them, in rooms of Blender and of bench/rooms.
+TEST(CameraColumns, BracketsAreFlatAndLeaksAndPhonesAreNot)
+{
+    EXPECT_TRUE(isFlattening(std::vector{-0.070, -0.111, 0.117, 0.165, 0.383}));
+    EXPECT_FALSE(isFlattening(std::vector{-0.343, -0.236, -0.273, -0.110, 0.230}));
+    EXPECT_FALSE(isFlattening(std::vector{-0.195, -0.194, -0.175, -0.032, 0.219}));
+}
+
 // Of a curve of slope 1.4 that is as likely as none, half is undone, and the truth lies 0.2 to
 // either side; where nothing of it is undone it lies at one end.
 TEST(CameraColumns, ACurveThatIsHalfLikelyIsInDoubtByHalf)

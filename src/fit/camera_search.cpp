@@ -15,7 +15,9 @@ namespace relamp
 namespace
 {
 
-constexpr double kCurvedNats = 1.1; // log odds of a camera with a contrast curve: three in four
+// Log odds of a camera with a contrast curve: three in four. One that makes contrast less, as fused
+// brackets, is one in four.
+constexpr double kCurvedNats = 1.1;
 constexpr double kTonedNats = -2.2; // likewise of local tone mapping: one in ten
 
 // Numerics.
@@ -27,6 +29,16 @@ CameraColumns coarseDriftOf(const RoomLight& room)
 {
     CameraColumns drift = columnsOf(coarseGainOver(room.position), room.texturePlaces());
     drift.worth = 1.0; // as for lamps
+    return drift;
+}
+
+/// All of it, by pairs that are worth so many times N; nothing in a room too small for a drift.
+CameraColumns fineDriftOf(const RoomLight& room, double worth)
+{
+    const Gain gain = evenGainOver(room.position);
+    if (gain.isOne()) return {};
+    CameraColumns drift = columnsOf(gain, room.texturePlaces());
+    drift.worth = worth;
     return drift;
 }
 
@@ -94,18 +106,19 @@ LightEstimate CameraSearch::byOneCamera(const HouseLight& light,
 
 /// The same for evidence: `nats` are those against such a camera.
 LightEstimate CameraSearch::fitOfContrast(const HouseLight& light,
-                                          std::span<const LightEstimate> fits, bool isCurved,
-                                          bool isToned) const
+                                          std::span<const LightEstimate> fits, bool isToned) const
 {
     LightEstimate house = byOneCamera(light, fits);
-    house.nats += house.occam - (isCurved ? kCurvedNats : 0.0) - (isToned ? kTonedNats : 0.0);
+    house.nats += house.occam - (isToned ? kTonedNats : 0.0);
     if (isToned && house.camera.back() <= 0.0) house.nats = INFINITY; // no camera deepens it
     return house;
 }
 
-/// What the camera of a house did to contrast; beside a drift of exposure that no lamp explains, or
-/// as if there were none.
-CameraSearch::Contrast CameraSearch::contrastOf(const HouseLight& house, bool isBesideDrift) const
+/// What the camera of a house did to contrast, beside what else it may have done in a room.
+CameraSearch::Contrast
+CameraSearch::contrastOf(const HouseLight& house,
+                         const std::function<CameraColumns(const RoomLight&)>& besideOf,
+                         double curvedNats) const
 {
     const auto isCurved = [](size_t kind) { return (kind & 1u) != 0; };
     const auto isToned = [](size_t kind) { return (kind & 2u) != 0; };
@@ -118,19 +131,19 @@ CameraSearch::Contrast CameraSearch::contrastOf(const HouseLight& house, bool is
     std::array<std::vector<LightEstimate>, 4> ofRooms; // of kinds of cameras
     for (auto& ofKind : ofRooms) ofKind.resize(house.rooms().size());
     house.forEachRoom([&](size_t r, const RoomLight& room) {
-        const CameraColumns drift = isBesideDrift ? coarseDriftOf(room) : CameraColumns{};
+        const CameraColumns beside = besideOf(room);
         forEach(ofRooms.size(), [&](size_t k) {
             if (isSought(k))
-                ofRooms[k][r] =
-                    contrastOf(room, isCurved(k), isToned(k) ? around : none, drift, kCameraRounds);
+                ofRooms[k][r] = contrastOf(room, isCurved(k), isToned(k) ? around : none, beside,
+                                           kCameraRounds);
         });
     });
     std::array<LightEstimate, 4> fits;
     std::array<double, 4> nats{};
     for (size_t k = 0; k < fits.size(); ++k) {
         fits[k].nats = INFINITY;
-        if (isSought(k)) fits[k] = fitOfContrast(house, ofRooms[k], isCurved(k), isToned(k));
-        nats[k] = fits[k].nats;
+        if (isSought(k)) fits[k] = fitOfContrast(house, ofRooms[k], isToned(k));
+        nats[k] = fits[k].nats - (isCurved(k) ? curvedNats : 0.0);
     }
     const double least = *std::min_element(nats.begin(), nats.end());
     double sum = 0.0;
@@ -146,8 +159,15 @@ CameraSearch::Contrast CameraSearch::contrastOf(const HouseLight& house, bool is
 void CameraSearch::findContrast()
 {
     const HouseLight house = light_.house(LampEvidence::kPairsFirst);
-    Contrast found = contrastOf(house, false);
-    if (isGainSought_ && std::abs(found.curved - 0.5) < kLeftOpen) found = contrastOf(house, true);
+    Contrast found = contrastOf(
+        house, [](const RoomLight&) { return CameraColumns{}; }, kCurvedNats);
+    if (isGainSought_ && std::abs(found.curved - 0.5) < kLeftOpen)
+        found = contrastOf(house, coarseDriftOf, kCurvedNats);
+    undo(found);
+}
+
+void CameraSearch::undo(const Contrast& found)
+{
     const auto sought = [](double belief) { return belief > 0.5 ? belief : 0.0; };
     curved_ = sought(found.curved);
     toned_ = sought(found.toned);
@@ -164,7 +184,9 @@ void CameraSearch::bend(size_t pairs)
         if (toned_ > 0.0) around = light_.evidence.brightnessAround(light_.camera.response);
         const HouseLight house = light_.house(pairs);
         LightEstimate light = byOneCamera(house, house.estimatesOf([&](const RoomLight& room) {
-            return contrastOf(room, curved_ > 0.0, around, {}, 1);
+            const CameraColumns beside =
+                isBesideDrift_ ? fineDriftOf(room, worthOfGain(1.0)) : CameraColumns{};
+            return contrastOf(room, curved_ > 0.0, around, beside, 1);
         }));
         if (curved_ > 0.0) {
             light_.camera.response = responseOf(light.camera, curved_);
@@ -243,7 +265,34 @@ void CameraSearch::expectDrift()
     const HouseLight house = light_.house(LampEvidence::kPairsFirst);
     const Drift drift = driftBy(house, coarse);
     isDriftExpected_ = likelihoodByEvidence(drift.evidence) > 0.5;
-    if (isDriftExpected_) light_.estimate = house.joined(drift.fits);
+    if (!isDriftExpected_) return;
+    light_.estimate = house.joined(drift.fits);
+    if (isResponseSought_ && curved_ < 0.5 + kLeftOpen) findContrastBesideDrift();
+}
+
+/// A drift that is left in the texture hides a contrast, and makes its slopes too low. It is asked
+/// for from the start, in the texture as it is.
+void CameraSearch::findContrastBesideDrift()
+{
+    const bool wasBent = isBent();
+    const CameraModel camera = light_.camera;
+    const LightEstimate estimate = light_.estimate;
+    if (wasBent) {
+        light_.camera.response = {};
+        light_.camera.tone = {};
+        light_.undoCamera(light_.estimate.log);
+    }
+    const Contrast found = contrastOf(
+        light_.house(LampEvidence::kPairsFirst),
+        [](const RoomLight& room) { return fineDriftOf(room, kGainWorth); }, -kCurvedNats);
+    if (found.curved > 0.5 && isFlattening(found.curve.camera)) {
+        isBesideDrift_ = true;
+        undo(found);
+    } else if (wasBent) {
+        light_.camera = camera;
+        light_.undoCamera(estimate.log);
+        light_.estimate = estimate;
+    }
 }
 
 CameraColumns CameraSearch::driftOf(const RoomLight& room) const

@@ -4,6 +4,7 @@
 #include "fit/searched_light.h"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,7 +31,8 @@ public:
     /// Both again among the lamps so far, by so many pairs a place.
     void bend(size_t pairs);
     /// Whether exposure drifts, beside all pieces that may emit: what it may have done is unknown
-    /// beside the light then, until lamps are known.
+    /// beside the light then, until lamps are known. Where the contrast is not sure, one that
+    /// the drift hid is looked for.
     void expectDrift();
     /// What a drift of exposure may have done in a room; nothing where none is expected.
     [[nodiscard]] CameraColumns driftOf(const RoomLight& room) const;
@@ -60,10 +62,14 @@ private:
                                            const CameraColumns& beside, int rounds) const;
     [[nodiscard]] LightEstimate byOneCamera(const HouseLight& light,
                                             std::span<const LightEstimate> fits) const;
-    [[nodiscard]] LightEstimate fitOfContrast(const HouseLight& light,
-                                              std::span<const LightEstimate> fits, bool isCurved,
-                                              bool isToned) const;
-    [[nodiscard]] Contrast contrastOf(const HouseLight& house, bool isBesideDrift) const;
+    [[nodiscard]] LightEstimate
+    fitOfContrast(const HouseLight& light, std::span<const LightEstimate> fits, bool isToned) const;
+    [[nodiscard]] Contrast
+    contrastOf(const HouseLight& house,
+               const std::function<CameraColumns(const RoomLight&)>& besideOf,
+               double curvedNats) const;
+    void undo(const Contrast& found);
+    void findContrastBesideDrift();
     [[nodiscard]] std::vector<LightEstimate> gainFits(const RoomLight& room,
                                                       std::span<const CameraColumns> columns) const;
     [[nodiscard]] Drift driftBy(const HouseLight& house, std::span<const Gain> lattices) const;
@@ -79,6 +85,7 @@ private:
     double curved_ = 0.0; // how likely its response is not straight; 0: it is taken for that
     double toned_ = 0.0;  // likewise, that it mapped tones locally
     bool isDriftExpected_ = false;
+    bool isBesideDrift_ = false; // the contrast was found beside a drift, and is fitted so
     SlopeCovariance doubtOfResponse_{};
 };
 
