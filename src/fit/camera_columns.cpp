@@ -217,7 +217,8 @@ CameraColumns together(const CameraColumns& first, const CameraColumns& second)
     const size_t m = second.count();
     const size_t places = std::max(first.bend.size() / std::max<size_t>(n, 1),
                                    second.bend.size() / std::max<size_t>(m, 1));
-    CameraColumns both{.slopeKnown = first.slopeKnown, .worth = first.worth * second.worth};
+    CameraColumns both{
+        .slopeKnown = first.slopeKnown, .slope = first.slope, .worth = first.worth * second.worth};
     const auto append = [](auto& to, const auto& from) {
         to.insert(to.end(), from.begin(), from.end());
     };
@@ -228,9 +229,6 @@ CameraColumns together(const CameraColumns& first, const CameraColumns& second)
     for (size_t i = 0; i < places; ++i) {
         append(both.bend, first.bendAt(i));
         append(both.bend, second.bendAt(i));
-        if (first.slope.empty()) continue;
-        append(both.slope, first.slopeAt(i));
-        both.slope.resize(both.bend.size(), 0.0f);
     }
     both.precision.assign((n + m) * (n + m), 0.0);
     for (size_t i = 0; i < n; ++i)

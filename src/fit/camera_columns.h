@@ -57,7 +57,7 @@ SlopeCovariance doubtOfResponse(const LightEstimate& fit, double likely, double 
 CameraColumns columnsOf(const LocalTone& known, const Gain& around, const TexturePlaces& places);
 LocalTone localToneOf(const Gain& around, double coefficient);
 
-/// Both as unknowns of one fit, the first ahead.
+/// Both as unknowns of one fit, the first ahead, which alone may have slopes.
 CameraColumns together(const CameraColumns& first, const CameraColumns& second);
 
 /// A lattice for the brightness around places, fine enough for local tone mapping.

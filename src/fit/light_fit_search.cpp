@@ -167,7 +167,7 @@ double LightFitSearch::slopeOf(const Point& at, MaterialPair pair) const
 {
     double slope =
         0.5 * static_cast<double>(camera_.slopeKnown[pair.p] + camera_.slopeKnown[pair.q]);
-    for (size_t k = 0; k < camera_.count(); ++k)
+    for (size_t k = 0; k < camera_.slopes(); ++k)
         slope += 0.5 * cameraAt(at, k) *
                  static_cast<double>(camera_.slopeAt(pair.p)[k] + camera_.slopeAt(pair.q)[k]);
     return std::max(slope, kFlattestSlope);
@@ -178,7 +178,7 @@ double LightFitSearch::slopeOf(const Point& at, MaterialPair pair) const
 double LightFitSearch::costOfCamera(const Point& at) const
 {
     double nats = 0.0;
-    for (size_t k = 0; k < fit_.pairs_.size() && !camera_.slope.empty(); ++k)
+    for (size_t k = 0; k < fit_.pairs_.size() && camera_.slopes() > 0; ++k)
         nats -= fit_.paintShare_[k] * perPair() * std::log(slopeOf(at, fit_.pairs_[k]));
     const size_t n = camera_.count();
     const std::vector<double> c = beyondExpected(at);
@@ -189,29 +189,10 @@ double LightFitSearch::costOfCamera(const Point& at) const
 
 void LightFitSearch::addCamera(const Point& at, Normal& normal) const
 {
-    const size_t n = camera_.count();
     const auto first = static_cast<Eigen::Index>(lights());
+    addSlopes(at, normal);
+    const size_t n = camera_.count();
     const std::vector<double> c = beyondExpected(at);
-    std::vector<double> sums(n * (n + 1), 0.0); // of the rows' products, and then of the rows
-    std::vector<double> row(n);
-    for (size_t i = 0; i < fit_.pairs_.size() && !camera_.slope.empty(); ++i) {
-        const MaterialPair pair = fit_.pairs_[i];
-        const double slope = slopeOf(at, pair);
-        const double weight = fit_.paintShare_[i] * perPair();
-        for (size_t k = 0; k < n; ++k)
-            row[k] = 0.5 / slope *
-                     static_cast<double>(camera_.slopeAt(pair.p)[k] + camera_.slopeAt(pair.q)[k]);
-        for (size_t k = 0; k < n; ++k) {
-            for (size_t j = 0; j < n; ++j) sums[k * n + j] += weight * row[k] * row[j];
-            sums[n * n + k] -= weight * row[k];
-        }
-    }
-    for (size_t k = 0; k < n; ++k) {
-        const Eigen::Index u = first + static_cast<Eigen::Index>(k);
-        normal.slope[u] += sums[n * n + k];
-        for (size_t j = 0; j < n; ++j)
-            normal.matrix(u, first + static_cast<Eigen::Index>(j)) += sums[k * n + j];
-    }
     for (size_t i = 0; i < n; ++i)
         for (size_t j = 0; j < n; ++j) {
             const double weight = camera_.precision[i * n + j];
@@ -219,6 +200,27 @@ void LightFitSearch::addCamera(const Point& at, Normal& normal) const
                           first + static_cast<Eigen::Index>(j)) += weight;
             normal.slope[first + static_cast<Eigen::Index>(i)] += weight * c[j];
         }
+}
+
+/// Of the logarithm of the slope.
+void LightFitSearch::addSlopes(const Point& at, Normal& normal) const
+{
+    if (camera_.slopes() == 0) return;
+    const auto n = static_cast<Eigen::Index>(camera_.slopes());
+    const auto first = static_cast<Eigen::Index>(lights());
+    Eigen::MatrixXd products = Eigen::MatrixXd::Zero(n, n);
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(n);
+    for (size_t i = 0; i < fit_.pairs_.size(); ++i) {
+        const auto [p, q] = fit_.pairs_[i];
+        const Eigen::Map<const Eigen::VectorXf> ofP(camera_.slopeAt(p).data(), n);
+        const Eigen::Map<const Eigen::VectorXf> ofQ(camera_.slopeAt(q).data(), n);
+        const Eigen::VectorXd row = 0.5 / slopeOf(at, fit_.pairs_[i]) * (ofP + ofQ).cast<double>();
+        const double weight = fit_.paintShare_[i] * perPair();
+        products += weight * row * row.transpose();
+        sum -= weight * row;
+    }
+    normal.matrix.block(first, first, n, n) += products;
+    normal.slope.segment(first, n) += sum;
 }
 
 /// How far the mean log albedo of all places is from a room's.

@@ -91,6 +91,7 @@ private:
     [[nodiscard]] double perPair() const { return camera_.worth * fit_.perPair(); }
     [[nodiscard]] double slopeOf(const Point& at, MaterialPair pair) const;
     void addCamera(const Point& at, Normal& normal) const;
+    void addSlopes(const Point& at, Normal& normal) const;
     [[nodiscard]] double costOfCamera(const Point& at) const;
     [[nodiscard]] size_t at(size_t unknown) const // its place in logs
     {

@@ -80,8 +80,9 @@ struct CameraColumns
     std::vector<double> known;     // coefficients that `shown` is for
     std::vector<double> expected;  // that are believed beforehand
     std::vector<float> bend;       // [place * count + coefficient]
-    std::vector<float> slope;      // likewise: of d log radiance / d log texture; empty: 0
-    std::vector<float> slopeKnown; // of places: that with `known`
+    std::vector<float> slopeKnown; // of places: d log radiance / d log texture with `known`
+    std::vector<float> slope;      // what the first coefficients do to that, and no others:
+                                   // [place * slopes + coefficient]
     double worth = 1.0; // how many times as many pairs are independent once these are known
     std::vector<double> precision; // of that belief: count * count
 
@@ -90,9 +91,13 @@ struct CameraColumns
     {
         return {bend.data() + place * count(), count()};
     }
+    [[nodiscard]] size_t slopes() const
+    {
+        return slopeKnown.empty() ? 0 : slope.size() / slopeKnown.size();
+    }
     [[nodiscard]] std::span<const float> slopeAt(size_t place) const
     {
-        return {slope.data() + place * count(), count()};
+        return {slope.data() + place * slopes(), slopes()};
     }
 };
 

@@ -26,9 +26,10 @@ CameraColumns columnsOf(const FittedLight& light)
 {
     CameraColumns columns = columnsSought(light);
     const size_t places = light.model.places();
+    const size_t slopes = columns.slopes();
     columns.bend.resize(places * columns.count(), 0.0f);
-    if (columns.slope.empty()) return columns;
-    columns.slope.resize(places * columns.count(), 0.0f);
+    if (slopes == 0) return columns;
+    columns.slope.resize(places * slopes, 0.0f);
     columns.slopeKnown.resize(places, 1.0f);
     return columns;
 }
