@@ -277,6 +277,7 @@ void CameraSearch::findContrastBesideDrift()
     const bool wasBent = isBent();
     const CameraModel camera = light_.camera;
     const LightEstimate estimate = light_.estimate;
+    const std::vector<double> noise = light_.noise;
     if (wasBent) {
         light_.camera.response = {};
         light_.camera.tone = {};
@@ -290,8 +291,9 @@ void CameraSearch::findContrastBesideDrift()
         undo(found);
     } else if (wasBent) {
         light_.camera = camera;
-        light_.undoCamera(estimate.log);
+        light_.linearize();
         light_.estimate = estimate;
+        light_.noise = noise;
     }
 }
 

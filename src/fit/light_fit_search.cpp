@@ -210,13 +210,14 @@ void LightFitSearch::addSlopes(const Point& at, Normal& normal) const
     const auto first = static_cast<Eigen::Index>(lights());
     Eigen::MatrixXd products = Eigen::MatrixXd::Zero(n, n);
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(n);
+    Eigen::VectorXd row(n);
     for (size_t i = 0; i < fit_.pairs_.size(); ++i) {
         const auto [p, q] = fit_.pairs_[i];
         const Eigen::Map<const Eigen::VectorXf> ofP(camera_.slopeAt(p).data(), n);
         const Eigen::Map<const Eigen::VectorXf> ofQ(camera_.slopeAt(q).data(), n);
-        const Eigen::VectorXd row = 0.5 / slopeOf(at, fit_.pairs_[i]) * (ofP + ofQ).cast<double>();
+        row = 0.5 / slopeOf(at, fit_.pairs_[i]) * (ofP + ofQ).cast<double>();
         const double weight = fit_.paintShare_[i] * perPair();
-        products += weight * row * row.transpose();
+        products.noalias() += weight * row * row.transpose();
         sum -= weight * row;
     }
     normal.matrix.block(first, first, n, n) += products;

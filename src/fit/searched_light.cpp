@@ -67,10 +67,16 @@ void SearchedLight::solve(const std::function<LightEstimate(const RoomLight&)>& 
         noise[r] = std::max(kNoiseOfPairs * estimates[r].residual, kLeastNoise);
 }
 
-void SearchedLight::undoCamera(std::vector<double> log)
+double SearchedLight::linearize()
 {
     const double brighter = evidence.linearize(camera);
     gatherAnew();
+    return brighter;
+}
+
+void SearchedLight::undoCamera(std::vector<double> log)
+{
+    const double brighter = linearize();
     for (double& l : log) l += brighter;
     estimate.log = std::move(log);
     solve([](const RoomLight& room) { return room.fit().solve(room.emits, room.log, 1.0); });

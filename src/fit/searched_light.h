@@ -52,7 +52,10 @@ struct SearchedLight
 
     /// The light of all rooms, and how noisy their pairs are in it.
     void solve(const std::function<LightEstimate(const RoomLight&)>& estimateOf);
-    /// Undoes what `camera` says now, in radiances that were found with it, and solves anew.
+    /// Undoes what `camera` says now in what is shown and gathered; by how much that is brighter
+    /// than before, log.
+    double linearize();
+    /// The same, and solves anew from radiances as they were before.
     void undoCamera(std::vector<double> log);
 };
 
