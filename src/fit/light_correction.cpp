@@ -7,6 +7,7 @@
 #include "fit/pairs.h"
 #include "fit/reliability.h"
 #include "lights/candidates.h"
+#include "relamp/delight.h"
 #include "shading/gathered_light.h"
 
 #include <algorithm>
@@ -39,9 +40,13 @@ constexpr int kThin = 2;               // rings of neighbours; a line is narrowe
 constexpr float kOneSidedRing = 0.35f; // surfel sizes, of the mean way to those beside one
 constexpr float kOpen = 0.015f; // share of a view that is so near: less, and nothing throws one
 
+constexpr float kShadow = 0.35f; // m; as far reaches that of things that have grown together
+
 // Numerics.
 constexpr int kDraws = 2;            // of pairs that a place is in; each draw gives it two
 constexpr size_t kTexelsOfMean = 32; // whose light stands for that of a run
+constexpr int kMostRings = 32;       // of a shadow in a fine mesh; for time alone
+constexpr float kMostShare = 255.0f / CorrectionMap::kAll; // that a result can keep
 
 /// Albedo as the light found makes it, in logarithms.
 struct Paint
@@ -122,25 +127,48 @@ Sheet sheetOf(const Surfels& surfels, std::span<const Paint> paint)
     return sheet;
 }
 
+/// What `pick(s, i, own, other)` makes of each value, ring by ring: of surfel s and the entries i
+/// of its sheet.
+template<class Pick>
+std::vector<float> byRings(const Sheet& sheet, std::vector<float> values, int rings,
+                           const Pick& pick)
+{
+    std::vector<float> before;
+    for (int ring = 0; ring < rings; ++ring) {
+        before = values;
+        forEach(values.size(), [&](size_t s) {
+            for (size_t i = sheet.begin(s); i < sheet.end(s); ++i)
+                values[s] = pick(s, i, values[s], before[static_cast<size_t>(sheet.surfel[i])]);
+        });
+    }
+    return values;
+}
+
 /// The values without what is low and thin, by morphological closing; nothing is closed at a rim,
 /// for beyond it the values may go on falling.
 std::vector<float> closed(const Sheet& sheet, std::vector<float> values)
 {
-    std::vector<float> before;
-    const auto ring = [&](const auto& pick) {
-        before = values;
-        forEach(values.size(), [&](size_t s) {
-            for (size_t i = sheet.begin(s); i < sheet.end(s); ++i)
-                values[s] = pick(s, before[static_cast<size_t>(sheet.surfel[i])]);
-        });
+    const auto greater = [&](size_t s, size_t, float own, float other) {
+        return sheet.atRim[s] ? own : std::max(own, other);
     };
-    const auto greater = [&](size_t s, float other) {
-        return sheet.atRim[s] ? values[s] : std::max(values[s], other);
+    const auto less = [](size_t, size_t, float own, float other) { return std::min(own, other); };
+    return byRings(sheet, byRings(sheet, std::move(values), kThin, greater), kThin, less);
+}
+
+/// By how much less light was found on each surfel than on one of its colour within the reach of a
+/// shadow, in logarithms: the most that a shadow which nothing throws has taken of it.
+std::vector<float> shadowOf(const Surfels& surfels, const Sheet& sheet,
+                            std::span<const glm::vec3> irradiance)
+{
+    std::vector<float> shadow(irradiance.size());
+    forEach(shadow.size(), [&](size_t s) { shadow[s] = logOfLight(luminance(irradiance[s])); });
+    const auto rings = static_cast<int>(std::min(kShadow / surfels.size + 0.5f, float{kMostRings}));
+    const auto greaterOfItsColour = [&](size_t, size_t i, float own, float other) {
+        return sheet.alike[i] > 0.5f ? std::max(own, other) : own;
     };
-    const auto less = [&](size_t s, float other) { return std::min(values[s], other); };
-    for (int i = 0; i < kThin; ++i) ring(greater);
-    for (int i = 0; i < kThin; ++i) ring(less);
-    return values;
+    const std::vector<float> lit = byRings(sheet, shadow, rings, greaterOfItsColour);
+    forEach(shadow.size(), [&](size_t s) { shadow[s] = lit[s] - shadow[s]; });
+    return shadow;
 }
 
 /// How much of what a surfel sees is near it, 0..1.
@@ -406,11 +434,12 @@ std::vector<float> correctionOf(const Surfels& surfels, const SurfelRadiance& ra
     const Sheet sheet = sheetOf(surfels, paint);
     clearOfPatterns(surfels, hits, sheet, paint);
     const Eigen::VectorXf lit = Settling(sheet, partnersOf(paint, surfels.seed), paint).run();
+    const std::vector<float> shadow = shadowOf(surfels, sheet, light.irradiance);
     std::vector<float> shares(surfels.count());
     for (size_t s = 0; s < shares.size(); ++s)
-        shares[s] = std::min(lit[static_cast<Eigen::Index>(s)], kAlwaysUnsure);
+        shares[s] = std::min(lit[static_cast<Eigen::Index>(s)], kAlwaysUnsure + gaps * shadow[s]);
     const float level = levelOf(paint, shares);
-    for (float& share : shares) share = std::exp(share - level);
+    for (float& share : shares) share = std::min(std::exp(share - level), kMostShare);
     return shares;
 }
 

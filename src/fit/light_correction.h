@@ -20,8 +20,9 @@ namespace relamp
 SurfelLighting foundLight(const Texels& texels, const SurfelRadiance& radiance,
                           const TexelShading& shade, std::vector<float> spread);
 
-/// How much of the light that was found on each surfel is there, 0..1.05: the rest leaks in where
-/// the mesh is open, or is kept out by what the mesh lacks.
+/// How much of the light that was found on each surfel is there, 0..1.275: the rest leaks in where
+/// the mesh is open, or is kept out by what the mesh lacks; more than all where it has shadows that
+/// the texture does not show.
 ///
 /// A smooth change within one paint is light, an edge is paint (Land and McCann 1971); places of
 /// one paint have one albedo, near and far. Light is believed by its variance: little where a

@@ -35,6 +35,23 @@ SurfelLighting foundOn(const Surfels& surfels, float spread = 0.7f)
     return found;
 }
 
+bool isInStrip(float x)
+{
+    return std::abs(x - 1.0f) < 0.1f;
+}
+
+/// Even light but for a strip, which gets so much of it and may get a fifth more or less.
+SurfelLighting foundBeside(const Surfels& surfels, float ofStrip)
+{
+    SurfelLighting found;
+    for (const glm::vec3 place : surfels.position) {
+        const float light = isInStrip(place.x) ? ofStrip : 1.0f;
+        found.irradiance.emplace_back(light);
+        found.spread.push_back(isInStrip(place.x) ? 0.2f * light : 0.0f);
+    }
+    return found;
+}
+
 /// Something that fades from 1 to 0.3 on the left.
 float fadeAt(float x)
 {
@@ -124,6 +141,32 @@ TEST(LightCorrection, WhereTheMeshHasGapsLightThatIsNotSureWasLetIn)
     const auto shares = sharesWith(1.0f);
     EXPECT_NEAR(shareBetween(surfels, shares, 0.0f, 0.5f), 0.769f / 0.95f, 0.02f);
     EXPECT_NEAR(shareBetween(surfels, shares, 0.7f, kSide), 1.0f, 0.01f);
+}
+
+// What the mesh has grown by throws a shadow that the texture has not.
+TEST(LightCorrection, WhereTheMeshHasGapsAShadowMayBeNone)
+{
+    const scenes::Surfaces floor(scenes::square(kSide, 64, scenes::plain(glm::vec3(0.5f))));
+    const Surfels& surfels = floor.texels.surfels;
+    const SurfelLighting found = foundBeside(surfels, 0.87f);
+    const auto sharesWith = [&](float gaps) {
+        return correctionOf(surfels, floor.radiance, seeingNothing(surfels), found, gaps);
+    };
+    EXPECT_NEAR(shareBetween(surfels, sharesWith(1.0f), 0.95f, 1.05f), 1.0f / 0.87f, 0.03f);
+    EXPECT_LT(shareBetween(surfels, sharesWith(0.0f), 0.95f, 1.05f), 1.06f);
+}
+
+// A greater step in the texture, where light is even. A twentieth more, and the room's level, which
+// what leaks in everywhere makes a twentieth less.
+TEST(LightCorrection, BrightPaintHasNoMoreLightThanIsBesideIt)
+{
+    const scenes::Surfaces floor(scenes::square(kSide, 64, [](glm::vec3 p, glm::vec3) {
+        return glm::vec3(isInStrip(p.x) ? 0.5f / 0.8f : 0.5f);
+    }));
+    const Surfels& surfels = floor.texels.surfels;
+    const auto shares = correctionOf(surfels, floor.radiance, seeingNothing(surfels),
+                                     foundBeside(surfels, 1.0f), 1.0f);
+    EXPECT_LT(shareBetween(surfels, shares, 0.95f, 1.05f), 1.12f);
 }
 
 TEST(LightCorrection, AnEdgeOfPaintIsNone)

@@ -20,7 +20,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kWhole = 0.3f;   // length of a mean normal; what is shorter faces all around
 constexpr float kSliver = 0.02f; // ratio of areas; too small beside a lamp to be one of its own
 
 /// Whether they touch in one plane, as panes of one window do.
@@ -56,7 +55,7 @@ void add(const Piece& piece, Piece& whole)
 /// on one side.
 bool areAlikeBodies(const Candidate& a, const Candidate& b)
 {
-    return std::max(glm::length(a.normal), glm::length(b.normal)) < kWhole && areOfOneSize(a, b);
+    return std::max(glm::length(a.normal), glm::length(b.normal)) < kNoFacing && areOfOneSize(a, b);
 }
 
 /// Lamps of one model are of one colour: both are burnt out in all channels, or neither is.

@@ -25,6 +25,9 @@ struct ClippedPatch
     glm::vec3 radiance{1.0f}; // mean that the texture shows; was more
 };
 
+/// Length of the mean normal of a lamp's patches, below which it shines all around.
+inline constexpr float kNoFacing = 0.3f;
+
 /// What the texture says of the light that leaves every surfel.
 struct SurfelRadiance
 {

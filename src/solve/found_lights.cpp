@@ -17,8 +17,6 @@ namespace relamp
 namespace
 {
 
-constexpr float kNoFacing = 0.3f; // length of a mean normal below which a lamp shines all around
-
 Fixture fixtureOf(const FoundLamp& lamp, glm::vec3 radiance, std::span<const ClippedPatch> patches)
 {
     Fixture fixture;
