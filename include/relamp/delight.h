@@ -38,10 +38,11 @@ enum class Solver {
 };
 
 /// How much of the light that lamps and walls bring to the texels of one page is there, where the
-/// rest leaks in through what the mesh lacks: docs/method/light_correction.md.
+/// rest leaks in through what the mesh lacks; more than all where the mesh throws a shadow that the
+/// texture does not show: docs/method/light_correction.md.
 struct CorrectionMap
 {
-    static constexpr uint8_t kAll = 200; // all of it is there; 0: none
+    static constexpr uint8_t kAll = 200; // all of it is there; 0: none, up to 255
 
     int width = 0;
     int height = 0;

@@ -100,6 +100,23 @@ class Page:
         return _frozen(self._layers()["doubt"])
 
     @property
+    def correction(self) -> Array:
+        """(H, W) float32, 0..1.275: times what the mesh tells of light it is the shading.
+
+        Below 1 where the mesh lets light in, above where it throws a shadow that the texture does
+        not show; 0 where no surface is. 1 everywhere by solvers that correct nothing.
+        Source: docs/method/light_correction.md.
+        """
+        made: Array = self._once("correction", self._correction)
+        return made
+
+    def _correction(self) -> Array:
+        share = self._decomposition.correction(self._index, self._threads)
+        if share is None:
+            return _frozen(np.ones(self.albedo.shape[:2], np.float32))
+        return _frozen(share.astype(np.float32) / np.float32(_relamp.ALL_LIGHT))
+
+    @property
     def emission(self) -> Array:
         """(H, W, 3) float32: radiance of what shines by itself, as lights.json has it; else 0."""
         made: Array = self._once("emission", self._emission)

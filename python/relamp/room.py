@@ -111,6 +111,7 @@ class Room:
     shading = property(lambda self: self.pages[0].shading, doc=Page.shading.__doc__)
     confidence = property(lambda self: self.pages[0].confidence, doc=Page.confidence.__doc__)
     doubt = property(lambda self: self.pages[0].doubt, doc=Page.doubt.__doc__)
+    correction = property(lambda self: self.pages[0].correction, doc=Page.correction.__doc__)
     emission = property(lambda self: self.pages[0].emission, doc=Page.emission.__doc__)
     fixtures = property(lambda self: self.pages[0].fixtures, doc=Page.fixtures.__doc__)
     positions = property(lambda self: self.pages[0].positions, doc=Page.positions.__doc__)

@@ -41,6 +41,15 @@ py::array fixtureMapOf(const Decomposition& room, size_t page, int threads)
     return viewOf(map->id, "int32", map->width, map->height, map);
 }
 
+/// None where the solver corrected nothing.
+py::object correctionOf(const Decomposition& room, size_t page, int threads)
+{
+    const auto map = std::make_shared<const relamp::CorrectionMap>(
+        watched(py::none(), threads, [&](relamp::Progress&) { return room.correction(page); }));
+    if (map->isEmpty()) return py::none();
+    return viewOf(map->share, "uint8", map->width, map->height, map);
+}
+
 py::tuple geometryOf(const Decomposition& room, size_t page, int threads)
 {
     const auto geometry = std::make_shared<const relamp::PageGeometry>(
@@ -232,12 +241,14 @@ void bindDelight(py::module_& module)
         .def_property_readonly("camera", &cameraModelOf)
         .def("layers", &layersOf, py::arg("page"), py::arg("threads"), py::arg("progress"))
         .def("fixtures", &fixtureMapOf, py::arg("page"), py::arg("threads"))
+        .def("correction", &correctionOf, py::arg("page"), py::arg("threads"))
         .def("geometry", &geometryOf, py::arg("page"), py::arg("threads"))
         .def("save", &save, py::arg("folder"), py::arg("force"), py::arg("usd"), py::arg("threads"),
              py::arg("progress"));
     py::list doubts;
     for (const char* name : relamp::Names<relamp::Doubt>::all) doubts.append(name);
     module.attr("DOUBTS") = py::tuple(doubts);
+    module.attr("ALL_LIGHT") = relamp::CorrectionMap::kAll;
     py::class_<relamp::DelightOptions>(module, "Options", "The keywords of delight(), checked.")
         .def(py::init(&optionsOf), py::arg("given"));
     module.def("delight", &delight, py::arg("scan"), py::arg("options"), py::arg("lights"),

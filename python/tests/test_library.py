@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pytest
 import relamp
+from matplotlib.image import imread
 
 
 @pytest.fixture(scope="module")
@@ -29,6 +30,16 @@ def test_doubts_have_the_names_of_the_report(room, folder):
     assert {name for name, share in shares.items() if share > 0} <= known
     assert room.doubt.dtype == np.uint8 and room.doubt.max() < len(relamp.DOUBTS)
     assert (room.confidence[room.doubt > 0] < 0.51).all()
+
+
+def test_correction_is_that_of_the_folder(room, folder):
+    kept = np.rint(255 * imread(folder / "correction.png")).astype(int)
+    assert (np.rint(200 * room.correction).astype(int) == kept).all()
+    assert 0.2 < (room.correction > 0).mean() < 1 and room.correction.max() > 1
+
+
+def test_nothing_is_corrected_by_the_thesis(sample):
+    assert (relamp.delight(sample, solver="thesis").correction == 1).all()
 
 
 def test_openings_and_camera_are_those_of_the_report(room, folder):
