@@ -101,7 +101,7 @@ class Page:
 
     @property
     def correction(self) -> Array:
-        """(H, W) float32, 0..1.275: times what the mesh tells of light it is the shading.
+        """(H, W) float32, 0..1.275: shading is the light that the mesh tells of, times this.
 
         Below 1 where the mesh lets light in, above where it throws a shadow that the texture does
         not show; 0 where no surface is. 1 everywhere by solvers that correct nothing.

@@ -40,7 +40,7 @@ constexpr int kThin = 2;               // rings of neighbours; a line is narrowe
 constexpr float kOneSidedRing = 0.35f; // surfel sizes, of the mean way to those beside one
 constexpr float kOpen = 0.015f; // share of a view that is so near: less, and nothing throws one
 
-constexpr float kShadow = 0.35f; // m; as far reaches that of things that have grown together
+constexpr float kShadow = 0.35f; // m; reach of one that things throw which have grown together
 
 // Numerics.
 constexpr int kDraws = 2;            // of pairs that a place is in; each draw gives it two
@@ -155,20 +155,20 @@ std::vector<float> closed(const Sheet& sheet, std::vector<float> values)
     return byRings(sheet, byRings(sheet, std::move(values), kThin, greater), kThin, less);
 }
 
-/// By how much less light was found on each surfel than on one of its colour within the reach of a
-/// shadow, in logarithms: the most that a shadow which nothing throws has taken of it.
-std::vector<float> shadowOf(const Surfels& surfels, const Sheet& sheet,
-                            std::span<const glm::vec3> irradiance)
+/// Adds the most that shadows which nothing throws have taken of each surfel's light, in
+/// logarithms: what it lacks beside one of its colour within their reach, as far as the mesh has
+/// `gaps`.
+void addShadows(const Surfels& surfels, const Sheet& sheet, std::span<const glm::vec3> irradiance,
+                float gaps, std::vector<float>& most)
 {
-    std::vector<float> shadow(irradiance.size());
-    forEach(shadow.size(), [&](size_t s) { shadow[s] = logOfLight(luminance(irradiance[s])); });
+    std::vector<float> found(irradiance.size());
+    forEach(found.size(), [&](size_t s) { found[s] = logOfLight(luminance(irradiance[s])); });
     const auto rings = static_cast<int>(std::min(kShadow / surfels.size + 0.5f, float{kMostRings}));
     const auto greaterOfItsColour = [&](size_t, size_t i, float own, float other) {
         return sheet.alike[i] > 0.5f ? std::max(own, other) : own;
     };
-    const std::vector<float> lit = byRings(sheet, shadow, rings, greaterOfItsColour);
-    forEach(shadow.size(), [&](size_t s) { shadow[s] = lit[s] - shadow[s]; });
-    return shadow;
+    const std::vector<float> around = byRings(sheet, found, rings, greaterOfItsColour);
+    forEach(most.size(), [&](size_t s) { most[s] += gaps * (around[s] - found[s]); });
 }
 
 /// How much of what a surfel sees is near it, 0..1.
@@ -434,10 +434,11 @@ std::vector<float> correctionOf(const Surfels& surfels, const SurfelRadiance& ra
     const Sheet sheet = sheetOf(surfels, paint);
     clearOfPatterns(surfels, hits, sheet, paint);
     const Eigen::VectorXf lit = Settling(sheet, partnersOf(paint, surfels.seed), paint).run();
-    const std::vector<float> shadow = shadowOf(surfels, sheet, light.irradiance);
+    std::vector<float> most(surfels.count(), kAlwaysUnsure);
+    if (gaps > 0.0f) addShadows(surfels, sheet, light.irradiance, gaps, most);
     std::vector<float> shares(surfels.count());
     for (size_t s = 0; s < shares.size(); ++s)
-        shares[s] = std::min(lit[static_cast<Eigen::Index>(s)], kAlwaysUnsure + gaps * shadow[s]);
+        shares[s] = std::min(lit[static_cast<Eigen::Index>(s)], most[s]);
     const float level = levelOf(paint, shares);
     for (float& share : shares) share = std::min(std::exp(share - level), kMostShare);
     return shares;
